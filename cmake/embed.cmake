@@ -1,0 +1,17 @@
+# ballpit_embed(TARGET NAME FILES…): compiles text files into TARGET.
+#
+# Generates NAME.h in namespace ballpit with `const std::vector<EmbeddedFile>& NAME()`: file names (without folders, in
+# the order given) and contents. The program then needs no files at run time, wherever it is installed.
+function(ballpit_embed target name)
+  set(header ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.h)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.cpp)
+  string(REPLACE ";" "|" files "${ARGN}")
+  add_custom_command(
+    OUTPUT ${header} ${source}
+    COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DHEADER=${header} -DSOURCE=${source} "-DFILES=${files}"
+            -P ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake
+    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake
+    VERBATIM)
+  target_sources(${target} PRIVATE ${header} ${source})
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+endfunction()

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Seeded random numbers that are the same on every platform: integer arithmetic, and only IEEE-exact operations on
+// doubles (+, −, ×, ÷, √), so no distribution of <random> and no sin or cos.
+// Source: SplitMix64 (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/math.h"
+
+namespace ballpit {
+
+class Random {
+ public:
+  explicit Random(uint64_t seed) : state_(seed) {}
+
+  /// The next 64 random bits.
+  uint64_t bits() {
+    uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+  }
+
+  /// Uniform in [0, 1), a multiple of 2⁻⁵³.
+  double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+
+  /// Uniform in [low, high).
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+  /// Uniform in the box [low, high), component by component in the order x, y, z.
+  Vec3d uniform(const Vec3d& low, const Vec3d& high) {
+    const double x = uniform(low.x, high.x);
+    const double y = uniform(low.y, high.y);
+    const double z = uniform(low.z, high.z);
+    return {x, y, z};
+  }
+
+  /// A unit vector of uniform direction, in the plane for `dimensions` 2: drawn in the ball and normalised.
+  Vec3d direction(int dimensions) {
+    for (;;) {
+      Vec3d v = uniform(Vec3d(-1.0), Vec3d(1.0));
+      if (dimensions == 2) v.z = 0.0;
+      const double squared = v.x * v.x + v.y * v.y + v.z * v.z;
+      if (squared <= 1.0 && squared > 1e-6) return v / std::sqrt(squared);
+    }
+  }
+
+ private:
+  uint64_t state_;
+};
+
+}  // namespace ballpit

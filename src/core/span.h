@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Span: a pointer and a length that kernels may hold on any processor. It owns nothing.
+// std::span would do on the host; its checks and constexpr functions do not compile for every device.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <type_traits>
+
+#include "core/host_device.h"
+
+namespace ballpit {
+
+template <class T>
+class Span {
+ public:
+  HOST_DEVICE Span() = default;
+  HOST_DEVICE Span(T* data, int64_t size) : data_(data), size_(size) {}
+
+  /// A span of T converts to a span of const T.
+  HOST_DEVICE operator Span<const T>() const { return {data_, size_}; }
+
+  HOST_DEVICE T& operator[](int64_t i) const {
+    assert(i >= 0 && i < size_);
+    return data_[i];
+  }
+  HOST_DEVICE T* data() const { return data_; }
+  HOST_DEVICE int64_t size() const { return size_; }
+  HOST_DEVICE bool empty() const { return size_ == 0; }
+  HOST_DEVICE T* begin() const { return data_; }
+  HOST_DEVICE T* end() const { return data_ + size_; }
+
+ private:
+  T* data_ = nullptr;
+  int64_t size_ = 0;
+};
+
+/// One value per body; `stride` 0 when all bodies share one value, so that equal radii cost one number.
+template <class T>
+class PerBody {
+ public:
+  HOST_DEVICE PerBody() = default;
+  HOST_DEVICE PerBody(const T* data, int stride) : data_(data), stride_(stride) {}
+
+  HOST_DEVICE T operator[](int64_t i) const { return data_[i * stride_]; }
+  HOST_DEVICE const T* data() const { return data_; }
+  HOST_DEVICE bool is_uniform() const { return stride_ == 0; }
+
+ private:
+  const T* data_ = nullptr;
+  int stride_ = 0;
+};
+
+}  // namespace ballpit

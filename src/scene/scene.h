@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// A scene is a value: what is in the box, which physics holds, what it must show. Everything in SI units, y up, in
+// double precision; the simulation rounds it to what it computes in. Read by read_scene() from TOML.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/math.h"
+
+namespace ballpit {
+
+enum class Boundary { walls, open_top, periodic };
+
+/// The box that holds all spheres.
+struct Domain {
+  Vec3d min{0.0};  ///< [m]
+  Vec3d max{1.0};  ///< [m]
+  Boundary boundary = Boundary::walls;
+  int dimensions = 3;  ///< 2: a planar scene in x and y
+};
+
+struct Physics {
+  Vec3d gravity{0.0};             ///< [m/s²]
+  double restitution = 0.8;       ///< sphere–sphere, 0 to 1
+  double wall_restitution = 0.8;  ///< sphere–wall, 0 to 1; defaults to `restitution`
+  double stiffness = 1e5;         ///< [N/m] penalty response only
+  std::string law = "linear";     ///< linear | hertz, penalty response only
+  double shear = 0.0;             ///< [kg/s] tangential dashpot, penalty response only
+  double initial_overlap = 1e-6;  ///< largest allowed at the start, as a fraction of the smaller radius
+  double density = 1000.0;        ///< [kg/m³] mass of spheres that declare none is density · volume
+};
+
+/// Spheres as arrays of equal length.
+struct Bodies {
+  std::vector<Vec3d> position;  ///< [m] z is 0 in planar scenes
+  std::vector<Vec3d> velocity;  ///< [m/s]
+  std::vector<double> radius;   ///< [m]
+  std::vector<double> mass;     ///< [kg]
+
+  int64_t size() const { return static_cast<int64_t>(position.size()); }
+};
+
+/// One entry of [defaults]: a shared option by its name on the command line, with where it was written, so that
+/// whoever knows the option's table can name the place in an error.
+struct DefaultOption {
+  std::string key;    ///< "broadphase", "dt", …
+  std::string value;  ///< as it would be typed after --key
+  std::string where;  ///< "file.toml:12: [defaults] broadphase"
+};
+
+/// What the scene must show; the end check of every built-in scene, run as a test.
+struct Needs {
+  double duration = 10.0;                   ///< [s]
+  std::optional<double> max_overlap;        ///< largest overlap allowed at the end, as a fraction of the smaller radius
+  std::optional<double> energy_tolerance;   ///< largest allowed |E − E₀| / E₀
+  std::optional<double> max_speed;          ///< [m/s] largest RMS speed allowed at the end
+};
+
+struct Scene {
+  std::string name;  ///< "bouncing-balls", or the file's stem
+  std::string title;
+  std::string description;
+  std::string title_de;
+  std::string description_de;
+  Domain domain;
+  Physics physics;
+  Bodies bodies;
+  std::vector<DefaultOption> defaults;
+  Needs needs;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What the simulation shows of itself: copies on the host, so that looking never changes what is looked at.
+// Renderers and overlays read these; they know nothing else of the simulation.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/math.h"
+
+namespace ballpit {
+
+/// The bodies as the vertex shader reads them: `dimensions` floats of position a body, missing coordinates are 0;
+/// one radius for all, or one each.
+struct BodySnapshot {
+  int64_t count = 0;
+  int dimensions = 3;
+  std::vector<float> position;  ///< [m] count × dimensions
+  std::vector<float> velocity;  ///< [m/s] count × dimensions
+  std::vector<float> radius;    ///< [m] 1 or count values
+
+  Vec3 position_of(int64_t i) const { return vector_at(position, i); }
+  Vec3 velocity_of(int64_t i) const { return vector_at(velocity, i); }
+  float radius_of(int64_t i) const { return radius.size() == 1 ? radius[0] : radius[static_cast<size_t>(i)]; }
+
+ private:
+  Vec3 vector_at(const std::vector<float>& values, int64_t i) const {
+    const float* v = values.data() + i * dimensions;
+    return {v[0], v[1], dimensions == 3 ? v[2] : 0.0f};
+  }
+};
+
+/// The linked-cell grid: cell (x, y, z) has the index (z · cells.y + y) · cells.x + x, covers
+/// origin + (x, y, z) · edge to origin + (x+1, y+1, z+1) · edge, and lists its bodies from head[index] along next[].
+struct GridInspection {
+  Vec3 origin{0.0f};
+  float edge = 0.0f;  ///< [m]
+  IVec3 cells{0};     ///< z is 1 in planar scenes
+  std::vector<int32_t> head;  ///< one entry per cell: its first body, or −1
+  std::vector<int32_t> next;  ///< one entry per body: the one linked before it, or −1
+};
+
+/// Two bodies by index, i < j.
+struct Pair {
+  int32_t i;
+  int32_t j;
+  friend bool operator==(const Pair&, const Pair&) = default;
+};
+
+struct Inspection {
+  BodySnapshot bodies;
+  std::vector<Pair> contacts;          ///< overlapping pairs, sorted by i, then j
+  std::optional<GridInspection> grid;  ///< where the broad phase has one
+};
+
+}  // namespace ballpit
