@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/math.h"
+#include "simulate/pair.h"
 
 namespace ballpit {
 
@@ -32,20 +33,13 @@ struct BodySnapshot {
 };
 
 /// The linked-cell grid: cell (x, y, z) has the index (z · cells.y + y) · cells.x + x, covers
-/// origin + (x, y, z) · edge to origin + (x+1, y+1, z+1) · edge, and lists its bodies from head[index] along next[].
+/// origin + (x, y, z) ∘ edge to origin + (x+1, y+1, z+1) ∘ edge, and lists its bodies from head[index] along next[].
 struct GridInspection {
   Vec3 origin{0.0f};
-  float edge = 0.0f;  ///< [m]
+  Vec3 edge{0.0f};    ///< [m] the same along every axis, unless a periodic domain stretches it to a whole number of cells
   IVec3 cells{0};     ///< z is 1 in planar scenes
   std::vector<int32_t> head;  ///< one entry per cell: its first body, or −1
   std::vector<int32_t> next;  ///< one entry per body: the one linked before it, or −1
-};
-
-/// Two bodies by index, i < j.
-struct Pair {
-  int32_t i;
-  int32_t j;
-  friend bool operator==(const Pair&, const Pair&) = default;
 };
 
 struct Inspection {

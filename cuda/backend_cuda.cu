@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Worlds on an NVIDIA GPU: the kernels of src/simulate instantiated for CUDA, in two and three dimensions.
+#include "cuda_executor.h"
+#include "simulate/world_on.h"
+
+namespace ballpit {
+
+namespace {
+
+/// Initialises the runtime and returns what it says. Without a driver it leaves the count as it was and keeps the error,
+/// so the returned code counts, and is cleared.
+std::string why_unavailable() {
+  int devices = 0;
+  const cudaError_t status = cudaGetDeviceCount(&devices);
+  if (status != cudaSuccess) {
+    (void)cudaGetLastError();
+    return cudaGetErrorString(status);
+  }
+  return devices > 0 ? "" : "no CUDA device";
+}
+
+std::string describe_device() {
+  cudaDeviceProp properties{};
+  BALLPIT_CUDA_CHECK(cudaGetDeviceProperties(&properties, 0));
+  return std::string(properties.name) + ", compute capability " + std::to_string(properties.major) + "." +
+         std::to_string(properties.minor);
+}
+
+}  // namespace
+
+Backend cuda_backend() {
+  const std::string reason = why_unavailable();
+  return {"cuda", reason, reason.empty() ? describe_device() : "", [](const Scene& scene, const Settings& settings) {
+            return make_world_on(std::make_unique<CudaExecutor>(), scene, settings);
+          }};
+}
+
+}  // namespace ballpit

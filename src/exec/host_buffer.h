@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// HostBuffer: an owned array of plain values in main memory. Resizing may drop the contents; growth is by half, so that
+// a count that creeps up does not allocate in every step. Its sibling on the GPU is DeviceBuffer in cuda/.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+
+#include "core/span.h"
+
+namespace ballpit {
+
+template <class T>
+class HostBuffer {
+  static_assert(std::is_trivially_copyable_v<T>, "buffers hold plain values");
+
+ public:
+  HostBuffer() = default;
+
+  /// Makes room for n values; the contents are undefined afterwards. Throws std::bad_alloc.
+  void resize(int64_t n) {
+    if (n > capacity_) {
+      const int64_t capacity = std::max(n, capacity_ + capacity_ / 2);
+      data_.reset();  // first: both at once might not fit
+      data_ = std::make_unique_for_overwrite<T[]>(static_cast<size_t>(capacity));
+      capacity_ = capacity;
+    }
+    size_ = n;
+  }
+
+  int64_t size() const { return size_; }
+  Span<T> span() { return {data_.get(), size_}; }
+  Span<const T> span() const { return {data_.get(), size_}; }
+
+ private:
+  std::unique_ptr<T[]> data_;
+  int64_t size_ = 0;
+  int64_t capacity_ = 0;
+};
+
+}  // namespace ballpit

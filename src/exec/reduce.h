@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// reduce: one value from many, combined in an order fixed by the indices alone, so that sums of floating-point numbers
+// are the same to the last bit for any number of threads, and on CPU and GPU.
+//
+//     values   0 1 2 … 63 | 64 … 127 | …      each block of 64 combined from left to right, by one thread
+//     partial  0            1          …      and again, until one is left
+//
+// Cost: n combinations, log₆₄ n launches.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/host_device.h"
+#include "core/span.h"
+
+namespace ballpit {
+
+inline constexpr int64_t kReduceBlock = 64;
+
+/// Kernel: combines one block of map(i).
+template <class T, class Map, class Combine>
+struct ReduceBlock {
+  Map map;
+  Combine combine;
+  T identity;
+  int64_t n;
+  Span<T> partial;
+
+  HOST_DEVICE void operator()(int block) const {
+    const int64_t first = block * kReduceBlock;
+    const int64_t last = first + kReduceBlock < n ? first + kReduceBlock : n;
+    T result = identity;
+    for (int64_t i = first; i < last; ++i) result = combine(result, map(static_cast<int>(i)));
+    partial[block] = result;
+  }
+};
+
+/// Map: the i-th of the partial results before.
+template <class T>
+struct ReadPartial {
+  Span<const T> values;
+  HOST_DEVICE T operator()(int i) const { return values[i]; }
+};
+
+/// combine(… combine(combine(identity, map(0)), map(1)) …) over i in 0 … n−1, bracketed in blocks.
+template <class Exec, class T, class Map, class Combine>
+T reduce(Exec& exec, const char* name, int64_t n, T identity, Map map, Combine combine) {
+  using Buffer = typename Exec::template Buffer<T>;
+  if (n == 0) return identity;
+  Buffer current, next;
+  const auto blocks = [](int64_t count) { return (count + kReduceBlock - 1) / kReduceBlock; };
+  current.resize(blocks(n));
+  exec.parallel_for(name, current.size(), ReduceBlock<T, Map, Combine>{map, combine, identity, n, current.span()});
+  while (current.size() > 1) {
+    next.resize(blocks(current.size()));
+    exec.parallel_for(name, next.size(),
+                      ReduceBlock<T, ReadPartial<T>, Combine>{
+                          {current.span()}, combine, identity, current.size(), next.span()});
+    std::swap(current, next);
+  }
+  return exec.download(current.span())[0];
+}
+
+}  // namespace ballpit

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Time by stage: every launch of an executor is named, and timings, panel and profilers show the same names.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ballpit {
+
+struct Stage {
+  std::string name;    ///< "link bodies"
+  double seconds = 0;  ///< in all launches together
+  int64_t launches = 0;
+};
+
+/// Stages in the order of their first launch.
+class StageTimes {
+ public:
+  void add(const char* name, double seconds) {
+    Stage& stage = find(name);
+    stage.seconds += seconds;
+    ++stage.launches;
+  }
+  const std::vector<Stage>& stages() const { return stages_; }
+  void clear() { stages_.clear(); }
+
+ private:
+  Stage& find(const char* name) {
+    for (Stage& stage : stages_) {
+      if (stage.name == name) return stage;
+    }
+    return stages_.emplace_back(Stage{name});
+  }
+  std::vector<Stage> stages_;
+};
+
+/// Adds the time from its construction to its destruction to a stage.
+class StageTimer {
+ public:
+  StageTimer(StageTimes& times, const char* name) : times_(times), name_(name) {}
+  ~StageTimer() {
+    times_.add(name_, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  StageTimes& times_;
+  const char* name_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace ballpit

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Worlds on the CPU: every kernel instantiated for oneTBB, in two and three dimensions.
+#include "exec/cpu_executor.h"
+#include "simulate/world_on.h"
+
+namespace ballpit {
+
+Backend cpu_backend() {
+  return {"cpu", "", std::to_string(CpuExecutor(0).threads()) + " threads",
+          [](const Scene& scene, const Settings& settings) {
+            return make_world_on(std::make_unique<CpuExecutor>(settings.threads), scene, settings);
+          }};
+}
+
+}  // namespace ballpit

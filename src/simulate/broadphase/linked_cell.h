@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Linked cells: a grid whose cells are linked lists in two arrays, built by all threads at once (slides 12 to 17).
+//
+//     cell   0   1   2   3   4   5           head[cell]: the body linked last, −1 where the cell is empty
+//     head  −1  −1  −1  −1   2  −1
+//                            │
+//     body   0   1   2 ◀─────┘   4   5   6   next[body]: the body linked before it in the same cell, or −1
+//     next           6 ──────────────────▶ −1
+//
+// Link: next[body] = atomic exchange(head[cell], body). The exchange hands each old entry to exactly one thread, so no
+// body is lost however many threads insert into one cell; only the order within a list depends on them, and what is
+// found is sorted afterwards.
+//
+// Cost: O(n + cells) to build, then for each body the lists of its 3 × 3 (× 3) block: O(n) while cells hold O(1)
+// bodies. Memory: 4 bytes a cell, 4 bytes a body. Each pair is visited from its lower index alone.
+// Source: slides 8 to 17; Green, "Particle simulation using CUDA" (2010). Sibling: brute_force.h.
+#pragma once
+
+#include "exec/atomics.h"
+#include "simulate/broadphase/grid.h"
+
+namespace ballpit {
+
+/// Kernel: puts body i into its cell.
+template <class V>
+struct LinkBody {
+  Grid<V> grid;
+  Span<const V> position;
+  Span<int> head;
+  Span<int> next;
+
+  HOST_DEVICE void operator()(int i) const {
+    next[i] = atomic_exchange(&head[grid.index(grid.cell_of(position[i]))], i);
+  }
+};
+
+template <class V>
+struct LinkedCellCandidates {
+  Grid<V> grid;
+  Span<const V> position;
+  Span<const int> head;
+  Span<const int> next;
+
+  /// Calls visit(j) for each j > i in the block around i's cell, until visit returns false.
+  template <class Visit>
+  HOST_DEVICE void for_each(int i, Visit&& visit) const {
+    grid.for_each_neighbour(grid.cell_of(position[i]), [&](int cell) {
+      for (int j = head[cell]; j != -1; j = next[j]) {
+        if (j > i && !visit(j)) return false;
+      }
+      return true;
+    });
+  }
+};
+
+template <class V, class Exec>
+class LinkedCell {
+ public:
+  explicit LinkedCell(const BroadPhaseParameters<V>& parameters) : grid_(make_grid(parameters)) {}
+
+  void prepare(Exec& exec, const BodiesView<V>& bodies) {
+    head_.resize(grid_.size());
+    next_.resize(bodies.size());
+    position_ = bodies.position;
+    exec.fill("clear cells", head_.span(), -1);
+    exec.parallel_for("link bodies", bodies.size(), LinkBody<V>{grid_, position_, head_.span(), next_.span()});
+  }
+
+  LinkedCellCandidates<V> candidates() const { return {grid_, position_, head_.span(), next_.span()}; }
+
+  std::optional<GridInspection> inspect(Exec& exec) const {
+    GridInspection result;
+    result.cells = grid_.cells;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      result.origin[axis] = static_cast<float>(grid_.origin[axis]);
+      result.edge[axis] = static_cast<float>(grid_.edge[axis]);
+    }
+    result.head = exec.download(head_.span());
+    result.next = exec.download(next_.span());
+    return result;
+  }
+
+ private:
+  Grid<V> grid_;
+  Span<const V> position_;
+  typename Exec::template Buffer<int> head_, next_;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// What a report tells of a state: sums over bodies and contacts in double precision, in an order fixed by the indices.
+#pragma once
+
+#include <cstring>
+#include <vector>
+
+#include "exec/reduce.h"
+#include "simulate/state.h"
+#include "simulate/world.h"
+
+namespace ballpit {
+
+struct Sum {
+  template <class T>
+  HOST_DEVICE T operator()(const T& a, const T& b) const {
+    return a + b;
+  }
+};
+struct Largest {
+  HOST_DEVICE double operator()(double a, double b) const { return a < b ? b : a; }
+};
+struct Smallest {
+  HOST_DEVICE int64_t operator()(int64_t a, int64_t b) const { return b < a ? b : a; }
+};
+
+struct Widen {
+  Span<const int> values;
+  HOST_DEVICE int64_t operator()(int i) const { return values[i]; }
+};
+
+template <class Exec>
+int64_t count_candidates(Exec& exec, Span<const int> tested) {
+  return reduce(exec, "sum candidates", tested.size(), int64_t{0}, Widen{tested}, Sum{});
+}
+
+/// Energy and momentum of one body, or of many.
+struct Motion {
+  double kinetic = 0, potential = 0, px = 0, py = 0, pz = 0;
+
+  HOST_DEVICE Motion operator+(const Motion& other) const {
+    return {kinetic + other.kinetic, potential + other.potential, px + other.px, py + other.py, pz + other.pz};
+  }
+};
+
+template <class V>
+struct MotionOf {
+  BodiesView<V> bodies;
+  V gravity;
+
+  HOST_DEVICE Motion operator()(int i) const {
+    const double mass = 1.0 / double(bodies.inverse_mass[i]);
+    const V v = bodies.velocity[i], x = bodies.position[i];
+    double squared = 0, height = 0, p[3] = {0, 0, 0};
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      squared += double(v[axis]) * double(v[axis]);
+      height -= double(gravity[axis]) * double(x[axis]);
+      p[axis] = mass * double(v[axis]);
+    }
+    return {0.5 * mass * squared, mass * height, p[0], p[1], p[2]};
+  }
+};
+
+template <class V, class Exec>
+void measure_motion(Exec& exec, const BodiesView<V>& bodies, const V& gravity, Report& report) {
+  const Motion motion =
+      reduce(exec, "sum motion", bodies.size(), Motion{}, MotionOf<V>{bodies, gravity}, Sum{});
+  report.kinetic_energy = motion.kinetic;
+  report.potential_energy = motion.potential;
+  report.momentum = {motion.px, motion.py, motion.pz};
+}
+
+template <class V>
+struct ContactOverlap {
+  BodiesView<V> bodies;
+  ContactsView<V> contacts;
+
+  HOST_DEVICE double operator()(int c) const {
+    const Pair pair = contacts.pairs[c];
+    return double(contacts.geometry[c].overlap) /
+           double(bodies.radius[pair.i] < bodies.radius[pair.j] ? bodies.radius[pair.i] : bodies.radius[pair.j]);
+  }
+};
+
+template <class V>
+struct WallOverlap {
+  BodiesView<V> bodies;
+  Box<V> box;
+
+  HOST_DEVICE double operator()(int i) const {
+    double largest = 0;
+    box.for_each_wall(bodies.position[i], bodies.radius[i], [&](int, int, Scalar<V> overlap) {
+      const double fraction = double(overlap) / double(bodies.radius[i]);
+      if (fraction > largest) largest = fraction;
+    });
+    return largest;
+  }
+};
+
+/// The largest overlap of two spheres, or of a sphere and a wall, as a fraction of the smaller radius.
+template <class V, class Exec>
+double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const ContactsView<V>& contacts) {
+  const double spheres = reduce(exec, "largest overlap", contacts.pairs.size(), 0.0,
+                                ContactOverlap<V>{bodies, contacts}, Largest{});
+  const double walls = reduce(exec, "largest overlap", bodies.size(), 0.0, WallOverlap<V>{bodies, box}, Largest{});
+  return spheres < walls ? walls : spheres;
+}
+
+template <class V>
+struct IndexIfOutside {
+  BodiesView<V> bodies;
+  Box<V> box;
+
+  HOST_DEVICE int64_t operator()(int i) const {
+    const V v = bodies.velocity[i];
+    const bool is_good = box.holds(bodies.position[i]) && dot(v, v) < Scalar<V>(1e30);  // false for NaN
+    return is_good ? bodies.size() : i;
+  }
+};
+
+/// The lowest index of a body that is outside the domain or not finite; −1 if there is none.
+template <class V, class Exec>
+int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
+  const int64_t first =
+      reduce(exec, "check bodies", bodies.size(), bodies.size(), IndexIfOutside<V>{bodies, box}, Smallest{});
+  return first < bodies.size() ? first : -1;
+}
+
+/// FNV-1a over the 32-bit words of positions and velocities (Fowler, Noll, Vo).
+template <class V>
+uint64_t hash_state(const std::vector<V>& position, const std::vector<V>& velocity) {
+  uint64_t hash = 0xCBF29CE484222325u;
+  for (const std::vector<V>* values : {&position, &velocity}) {
+    const size_t words = values->size() * sizeof(V) / sizeof(uint32_t);
+    for (size_t k = 0; k < words; ++k) {
+      uint32_t word;
+      std::memcpy(&word, reinterpret_cast<const char*>(values->data()) + k * sizeof(word), sizeof(word));
+      hash = (hash ^ word) * 0x100000001B3u;
+    }
+  }
+  return hash;
+}
+
+}  // namespace ballpit

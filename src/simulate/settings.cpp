@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "simulate/settings.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.h"
+#include "simulate/methods.h"
+
+namespace ballpit {
+
+namespace {
+
+template <class T>
+bool parse(std::string_view text, T& value) {
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+/// Parses a number and stores it where it lies in [low, high].
+template <class T, class Member>
+bool set_number(std::string_view text, T low, T high, Member& member) {
+  T value{};
+  if (!parse(text, value) || !(value >= low && value <= high)) return false;
+  member = value;
+  return true;
+}
+
+template <Family family>
+std::string allowed_methods() {
+  return join(method_names(family));
+}
+
+template <Family family, std::string Settings::*member>
+bool set_method(Settings& settings, std::string_view text) {
+  const auto names = method_names(family);
+  if (std::find(names.begin(), names.end(), text) == names.end()) return false;
+  settings.*member = text;
+  return true;
+}
+
+constexpr double kSmallest = 1e-12;
+
+constexpr std::array kTable{
+    SettingInfo{"broadphase", "NAME", "how candidate pairs are found", allowed_methods<Family::broadphase>,
+                set_method<Family::broadphase, &Settings::broadphase>},
+    SettingInfo{"cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed",
+                [] { return std::string("0.05 to 1000"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 0.05, 1000.0, s.cell_size); }},
+    SettingInfo{"response", "NAME", "what spheres in contact do", allowed_methods<Family::response>,
+                set_method<Family::response, &Settings::response>},
+    SettingInfo{"integrator", "NAME", "how velocities and positions advance", allowed_methods<Family::integrator>,
+                set_method<Family::integrator, &Settings::integrator>},
+    SettingInfo{"precision", "NAME", "floating-point type of the simulation", allowed_methods<Family::precision>,
+                set_method<Family::precision, &Settings::precision>},
+    SettingInfo{"dt", "SECONDS", "time step", [] { return std::string("1e-12 to 10"); },
+                [](Settings& s, std::string_view v) { return set_number(v, kSmallest, 10.0, s.dt); }},
+    SettingInfo{"substeps", "N", "parts of a time step, each detected and resolved by itself",
+                [] { return std::string("1 to 1000"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 1, 1000, s.substeps); }},
+    SettingInfo{"backend", "NAME", "processor that simulates", allowed_methods<Family::backend>,
+                set_method<Family::backend, &Settings::backend>},
+    SettingInfo{"threads", "N", "CPU threads; 0 for all cores", [] { return std::string("0 to 256"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 0, 256, s.threads); }},
+    SettingInfo{"count", "N", "spheres to generate, in place of the scene's own number",
+                [] { return std::string("1 to 100000000"); },
+                [](Settings& s, std::string_view v) {
+                  return set_number(v, int64_t{1}, int64_t{100000000}, s.count);
+                }},
+    SettingInfo{"seed", "N", "start of the random numbers", [] { return std::string("0 to 18446744073709551615"); },
+                [](Settings& s, std::string_view v) { return set_number(v, uint64_t{0}, UINT64_MAX, s.seed); }},
+};
+
+}  // namespace
+
+std::span<const SettingInfo> setting_table() { return kTable; }
+
+void apply_setting(Settings& settings, std::string_view name, std::string_view value, std::string_view where) {
+  const auto info =
+      std::find_if(kTable.begin(), kTable.end(), [&](const SettingInfo& entry) { return entry.name == name; });
+  if (info == kTable.end()) {
+    std::vector<std::string_view> names;
+    for (const SettingInfo& entry : kTable) names.push_back(entry.name);
+    throw UserError(std::string(where) + ": found no option of this name, allowed " + join(names));
+  }
+  if (!info->set(settings, value)) {
+    throw UserError(std::string(where) + ": found " + std::string(value) + ", allowed " + info->allowed());
+  }
+}
+
+}  // namespace ballpit

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The shared options: how a scene is simulated. One table feeds command line, [defaults] of scene files, help and panel.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ballpit {
+
+struct Settings {
+  std::string broadphase = "linked-cell";
+  std::optional<double> cell_size;  ///< in units of 2·r_max; empty: the method chooses, at least 1
+  std::string response = "impulse";
+  std::string integrator = "symplectic-euler";
+  std::string precision = "float";
+  std::string backend = "auto";
+  double dt = 1.0 / 240;  ///< [s]
+  int substeps = 1;       ///< parts of dt, each detected and responded to by itself
+  int threads = 0;        ///< 0: all cores
+  std::optional<int64_t> count;  ///< spheres generated, in place of the scene's own number
+  std::optional<uint64_t> seed;
+};
+
+/// One shared option: "--name VALUE" on the command line, "name = value" in [defaults].
+struct SettingInfo {
+  std::string_view name;
+  std::string_view value_name;  ///< for help: NAME, SECONDS, …
+  std::string_view help;
+  std::string (*allowed)();  ///< for help and errors: "brute-force, linked-cell", "above 0"
+  /// Stores a value; false where it is not allowed.
+  bool (*set)(Settings&, std::string_view);
+};
+
+std::span<const SettingInfo> setting_table();
+
+/// Applies one option. `where` names its place: "--dt", or "file.toml:12: [defaults] dt". Throws UserError for an unknown
+/// name or a value that is not allowed.
+void apply_setting(Settings& settings, std::string_view name, std::string_view value, std::string_view where);
+
+}  // namespace ballpit

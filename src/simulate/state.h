@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The state that the stages of a step share, as views that kernels hold. Stages meet here and nowhere else:
+//
+//     position, velocity ──broad phase──▶ candidates ──narrow phase──▶ contacts ──response──▶ velocity ──▶ position
+//       (frozen)                                        (frozen)
+//
+// V is Vec2 in planar scenes and Vec3 otherwise. Units: metre, second, kilogram.
+#pragma once
+
+#include <cmath>
+
+#include "core/host_device.h"
+#include "core/math.h"
+#include "core/span.h"
+#include "scene/scene.h"
+#include "simulate/pair.h"
+
+namespace ballpit {
+
+template <class V>
+struct BodiesView {
+  Span<const V> position;             ///< [m]
+  Span<const V> velocity;             ///< [m/s]
+  PerBody<Scalar<V>> radius;          ///< [m]
+  PerBody<Scalar<V>> inverse_mass;    ///< [1/kg]
+
+  HOST_DEVICE int64_t size() const { return position.size(); }
+};
+
+/// The domain, with the rules at its border.
+template <class V>
+struct Box {
+  using Real = Scalar<V>;
+  V min{};
+  V max{};
+  Boundary boundary = Boundary::walls;
+
+  HOST_DEVICE bool is_periodic() const { return boundary == Boundary::periodic; }
+
+  /// From a to b; in a periodic domain to b's nearest image. displacement(a, b) = −displacement(b, a) to the bit.
+  HOST_DEVICE V displacement(const V& a, const V& b) const {
+    V d = b - a;
+    if (is_periodic()) {
+      for (int axis = 0; axis < kDimensions<V>; ++axis) {
+        const Real period = max[axis] - min[axis];
+        d[axis] -= period * std::rint(d[axis] / period);
+      }
+    }
+    return d;
+  }
+
+  /// The image of p inside a periodic domain; p itself in others.
+  HOST_DEVICE V wrap(V p) const {
+    if (is_periodic()) {
+      for (int axis = 0; axis < kDimensions<V>; ++axis) {
+        const Real period = max[axis] - min[axis];
+        p[axis] -= period * std::floor((p[axis] - min[axis]) / period);
+      }
+    }
+    return p;
+  }
+
+  /// Whether p is a place where a centre may be: finite, and inside all walls. False for NaN.
+  HOST_DEVICE bool holds(const V& p) const {
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      if (is_periodic() || (boundary == Boundary::open_top && axis == 1)) {
+        if (!(std::fabs(p[axis]) <= Real(1e30)) || (!is_periodic() && p[axis] < min[axis])) return false;
+      } else if (!(p[axis] >= min[axis] && p[axis] <= max[axis])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Calls visit(axis, side, overlap) for each wall that a sphere touches: side −1 at min, +1 at max (the wall lies in
+  /// that direction from the sphere), overlap ≥ 0 [m].
+  template <class Visit>
+  HOST_DEVICE void for_each_wall(const V& p, Real radius, Visit&& visit) const {
+    if (is_periodic()) return;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      const Real low = radius - (p[axis] - min[axis]), high = radius - (max[axis] - p[axis]);
+      if (low >= 0) visit(axis, -1, low);
+      if (high >= 0 && !(axis == 1 && boundary == Boundary::open_top)) visit(axis, 1, high);
+    }
+  }
+};
+
+/// Spheres that touch exactly are in contact: |d|² ≤ (r_i + r_j)².
+template <class V>
+HOST_DEVICE bool in_contact(const V& d, Scalar<V> radii) {
+  return dot(d, d) <= radii * radii;
+}
+
+/// What the narrow phase measures of a contact (i, j).
+template <class V>
+struct ContactGeometry {
+  V normal;              ///< unit vector from i to j
+  Scalar<V> overlap;     ///< r_i + r_j − |x_j − x_i| ≥ 0 [m]
+  Scalar<V> separation;  ///< speed at which the spheres part along the normal; negative while they approach [m/s]
+};
+
+/// Contacts in canonical order (by i, then j), and for each body the contacts that it is part of:
+/// those with i = body are [first[body], first[body + 1]); those with j = body are listed in
+/// incoming[incoming_first[body]] … incoming[incoming_first[body + 1] − 1], ascending.
+template <class V>
+struct ContactsView {
+  Span<const Pair> pairs;
+  Span<const ContactGeometry<V>> geometry;
+  Span<const int> first;
+  Span<const int> incoming_first;
+  Span<const int> incoming;
+
+  HOST_DEVICE int count_of(int body) const {
+    return first[body + 1] - first[body] + incoming_first[body + 1] - incoming_first[body];
+  }
+
+  /// Calls visit(contact, other body, side) in an order fixed by the indices; side is +1 where the normal points away
+  /// from `body`, −1 where it points to it.
+  template <class Visit>
+  HOST_DEVICE void for_each_of(int body, Visit&& visit) const {
+    for (int c = first[body]; c < first[body + 1]; ++c) visit(c, pairs[c].j, 1);
+    for (int k = incoming_first[body]; k < incoming_first[body + 1]; ++k) {
+      visit(incoming[k], pairs[incoming[k]].i, -1);
+    }
+  }
+};
+
+}  // namespace ballpit

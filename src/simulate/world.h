@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A world steps a scene through time and shows itself: step() moves on, inspect() and report() only look.
+// Many worlds may live at once; none shares anything with another.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "exec/stage_times.h"
+#include "scene/scene.h"
+#include "simulate/inspection.h"
+#include "simulate/settings.h"
+
+namespace ballpit {
+
+/// Figures of a world's present state, and of the way to it.
+struct Report {
+  int64_t count = 0;  ///< spheres
+  int64_t steps = 0;
+  double time = 0;               ///< [s] simulated
+  double seconds = 0;            ///< [s] spent in step()
+  std::vector<Stage> stages;     ///< where they were spent
+  int64_t candidates = 0;        ///< narrow-phase tests made to detect the contacts of the present state
+  int64_t contacts = 0;          ///< overlapping pairs in the present state, walls not counted
+  double kinetic_energy = 0;     ///< [J]
+  double potential_energy = 0;   ///< [J] −Σ m·g·x, zero at the origin
+  Vec3d momentum{0.0};           ///< [kg·m/s]
+  double max_overlap = 0;        ///< largest overlap, with spheres or walls, as a fraction of the smaller radius
+  uint64_t state_hash = 0;       ///< of the bits of all positions and velocities
+};
+
+class World {
+ public:
+  virtual ~World() = default;
+
+  /// Advances by dt. Throws RunError where a sphere is no longer inside the domain, naming it and the step.
+  virtual void step() = 0;
+
+  /// Copies of what the detection sees in the present state.
+  virtual Inspection inspect() = 0;
+
+  virtual Report report() = 0;
+
+  /// The present state, in double precision; starts the same world again.
+  virtual Bodies bodies() = 0;
+
+  virtual int64_t steps() const = 0;
+  virtual double time() const = 0;  ///< [s]
+};
+
+/// A place where worlds run.
+struct Backend {
+  std::string name;                ///< "cpu"
+  std::string unavailable_reason;  ///< empty where it can serve
+  std::string description;         ///< "NVIDIA H100, compute capability 9.0"
+  std::unique_ptr<World> (*make_world)(const Scene&, const Settings&);
+};
+
+Backend cpu_backend();
+Backend cuda_backend();  ///< defined by the CUDA library, or by its stub
+
+}  // namespace ballpit

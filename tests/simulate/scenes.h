@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Scenes made in code for the tests, and worlds on the CPU.
+#pragma once
+
+#include <memory>
+
+#include "core/random.h"
+#include "scene/scene.h"
+#include "simulate/world.h"
+
+namespace ballpit {
+
+/// Spheres dropped at random into [low, high], overlaps and all: what a broad phase must cope with.
+struct Cloud {
+  int count = 300;
+  int dimensions = 3;
+  double low = -1.0, high = 1.0;           ///< [m] the domain, along each axis
+  double smallest = 0.05, largest = 0.05;  ///< [m] radii
+  double snap = 0.0;                       ///< centres lie on multiples of it, where above 0
+  int clusters = 0;                        ///< where above 0, centres gather around as many points
+  Boundary boundary = Boundary::walls;
+};
+
+inline void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity = Vec3d(0.0), double radius = 0.05,
+                       double mass = 1.0) {
+  scene.bodies.position.push_back(position);
+  scene.bodies.velocity.push_back(velocity);
+  scene.bodies.radius.push_back(radius);
+  scene.bodies.mass.push_back(mass);
+}
+
+inline Scene make_cloud(const Cloud& cloud, uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  scene.domain = {Vec3d(cloud.low), Vec3d(cloud.high), cloud.boundary, cloud.dimensions};
+  std::vector<Vec3d> centers;
+  for (int k = 0; k < cloud.clusters; ++k) centers.push_back(random.uniform(Vec3d(cloud.low), Vec3d(cloud.high)));
+  for (int i = 0; i < cloud.count; ++i) {
+    const double radius = random.uniform(cloud.smallest, cloud.largest);
+    Vec3d p = random.uniform(Vec3d(cloud.low), Vec3d(cloud.high));
+    if (!centers.empty()) {
+      p = centers[static_cast<size_t>(i % cloud.clusters)] + 0.1 * (cloud.high - cloud.low) * random.direction(3);
+    }
+    if (cloud.snap > 0) p = glm::round(p / cloud.snap) * cloud.snap;
+    p = glm::clamp(p, Vec3d(cloud.low), Vec3d(cloud.high));
+    if (cloud.dimensions == 2) p.z = 0;
+    add_sphere(scene, p, random.uniform() * random.direction(cloud.dimensions), radius);
+  }
+  return scene;
+}
+
+inline std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settings = {}) {
+  return cpu_backend().make_world(scene, settings);
+}
+
+}  // namespace ballpit
