@@ -17,8 +17,10 @@ class Span {
   HOST_DEVICE Span() = default;
   HOST_DEVICE Span(T* data, int64_t size) : data_(data), size_(size) {}
 
-  /// A span of T converts to a span of const T.
-  HOST_DEVICE operator Span<const T>() const { return {data_, size_}; }
+  /// A span of const T is made from a span of T.
+  template <class U>
+    requires std::is_same_v<const U, T>
+  HOST_DEVICE Span(const Span<U>& other) : data_(other.data()), size_(other.size()) {}
 
   HOST_DEVICE T& operator[](int64_t i) const {
     assert(i >= 0 && i < size_);
