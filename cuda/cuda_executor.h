@@ -60,10 +60,11 @@ class CudaExecutor {
   template <class Kernel>
   void parallel_for(const char* name, int64_t n, const Kernel& kernel) {
     if (n == 0) return;
-    const Stage stage(timer_, name);
     const auto blocks = static_cast<unsigned>((n + kThreads - 1) / kThreads);
+    timer_.start(name);
     run_kernel<<<blocks, kThreads, 0, stream_.get()>>>(static_cast<int>(n), kernel);
     check_cuda(cudaGetLastError(), name);
+    timer_.stop();
   }
 
   template <class T>
@@ -77,16 +78,15 @@ class CudaExecutor {
     BALLPIT_CUDA_CHECK(cudaMemsetAsync(offsets.data(), 0, sizeof(int), stream_.get()));
     if (n == 0) return 0;
     total_.resize(1);
-    {
-      const Stage stage(timer_, name);
-      with_scratch([&](void* scratch, size_t& bytes) {
-        return cub::DeviceReduce::TransformReduce(scratch, bytes, counts.data(), total_.span().data(), n, AddInt64{},
-                                                  ToInt64{}, int64_t{0}, stream_.get());
-      });
-      with_scratch([&](void* scratch, size_t& bytes) {
-        return cub::DeviceScan::InclusiveSum(scratch, bytes, counts.data(), offsets.data() + 1, n, stream_.get());
-      });
-    }
+    timer_.start(name);
+    with_scratch([&](void* scratch, size_t& bytes) {
+      return cub::DeviceReduce::TransformReduce(scratch, bytes, counts.data(), total_.span().data(), n, AddInt64{},
+                                                ToInt64{}, int64_t{0}, stream_.get());
+    });
+    with_scratch([&](void* scratch, size_t& bytes) {
+      return cub::DeviceScan::InclusiveSum(scratch, bytes, counts.data(), offsets.data() + 1, n, stream_.get());
+    });
+    timer_.stop();
     return download(total_.span())[0];
   }
 
@@ -98,13 +98,14 @@ class CudaExecutor {
     DeviceBuffer<Value> sorted_values;
     sorted_keys.resize(n);
     sorted_values.resize(n);
-    const Stage stage(timer_, name);
+    timer_.start(name);
     with_scratch([&](void* scratch, size_t& bytes) {
       return cub::DeviceRadixSort::SortPairs(scratch, bytes, keys.data(), sorted_keys.span().data(), values.data(),
                                              sorted_values.span().data(), n, 0, int(sizeof(Key) * 8), stream_.get());
     });
     copy(keys.data(), sorted_keys.span().data(), n, cudaMemcpyDeviceToDevice);
     copy(values.data(), sorted_values.span().data(), n, cudaMemcpyDeviceToDevice);
+    timer_.stop();
   }
 
   template <class T>
@@ -124,16 +125,6 @@ class CudaExecutor {
 
  private:
   static constexpr int kThreads = 256;
-
-  /// Times what is launched while it lives.
-  class Stage {
-   public:
-    Stage(CudaTimer& timer, const char* name) : timer_(timer) { timer_.start(name); }
-    ~Stage() noexcept(false) { timer_.stop(); }
-
-   private:
-    CudaTimer& timer_;
-  };
 
   /// Calls a CUB algorithm twice, as it wants: for the size of its scratch memory, and to run.
   template <class Algorithm>

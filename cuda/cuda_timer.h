@@ -32,7 +32,7 @@ class CudaTimer {
  public:
   explicit CudaTimer(cudaStream_t stream) : stream_(stream) {}
 
-  /// Records the start of a stage; follow it by stop().
+  /// Records the start of a stage; follow it by stop(), or by nothing where the launch failed.
   void start(const char* name) {
     if (used_ == kPending) collect();
     if (used_ == pending_.size()) pending_.emplace_back();

@@ -44,8 +44,7 @@ class WorldOn final : public World {
         dt_(settings.dt),
         substeps_(settings.substeps),
         broad_phase_(make_broad_phase(scene, settings)),
-        response_(ImpulseParameters{.restitution = scene.physics.restitution,
-                                    .wall_restitution = scene.physics.wall_restitution}) {
+        response_(impulse_parameters(scene.physics, settings)) {
     upload(scene.bodies);
   }
 
@@ -114,6 +113,16 @@ class WorldOn final : public World {
     parameters.cell_size = settings.cell_size;
     if (settings.broadphase == "brute-force") return BruteForce<V, Exec>(parameters);
     return LinkedCell<V, Exec>(parameters);
+  }
+
+  static ImpulseParameters impulse_parameters(const Physics& physics, const Settings& settings) {
+    const double gravity = length(physics.gravity);
+    ImpulseParameters parameters;
+    parameters.restitution = physics.restitution;
+    parameters.wall_restitution = physics.wall_restitution;
+    parameters.push_limit = kPushSteps * gravity * settings.dt / settings.substeps;
+    parameters.correction = gravity > 0 ? 0.0 : 0.4;
+    return parameters;
   }
 
   void upload(const Bodies& bodies) {
@@ -190,6 +199,10 @@ class WorldOn final : public World {
     }
     return result;
   }
+
+  // Old overlap is pushed out at most as fast as a body falls in so many steps: enough to carry a heap as many spheres
+  // high, and no more, so that freed overlap does not throw spheres up.
+  static constexpr double kPushSteps = 50;
 
   std::unique_ptr<Exec> exec_;
   Box<V> box_;

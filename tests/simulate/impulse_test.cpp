@@ -143,7 +143,7 @@ TEST_CASE("a dissipative heap never gains energy") {
   }
 }
 
-TEST_CASE("overlapping spheres are pushed apart without gaining speed") {
+TEST_CASE("without gravity, overlapping spheres are pushed apart without gaining speed") {
   Scene scene = empty_box();
   add_sphere(scene, {4.6, 5, 5}, Vec3d(0.0), 0.5);
   add_sphere(scene, {5.4, 5, 5}, Vec3d(0.0), 0.5);
@@ -151,6 +151,44 @@ TEST_CASE("overlapping spheres are pushed apart without gaining speed") {
   for (int k = 0; k < 60; ++k) world->step();
   CHECK(world->report().max_overlap < 0.011);
   CHECK(world->report().kinetic_energy < 1e-12);
+}
+
+TEST_CASE("a heap comes to rest with little overlap") {
+  // A column of n = 10 layers, dropped: it must neither sink into itself nor boil. The lowest contact has to pass on
+  // n·m·g·dt a step; at an overlap of d it pushes with push·d/dt times the part m/c of the mass, hence
+  // d = c/push·n·g·dt², where c = 6 contacts share a sphere and push = 0.6; and the slop of 0.5 % of both radii.
+  Scene scene;
+  scene.domain.max = {0.5, 2.0, 0.5};
+  scene.physics.gravity = {0, -9.81, 0};
+  scene.physics.restitution = scene.physics.wall_restitution = 0.5;
+  for (int k = 0; k < 160; ++k) {
+    const double jitter = 0.003 * ((k * 37) % 11 - 5);
+    add_sphere(scene, {0.06 + 0.125 * (k % 4) + jitter, 0.06 + 0.11 * (k / 16), 0.06 + 0.125 * (k / 4 % 4) - jitter},
+               Vec3d(0.0), 0.05);
+  }
+  const auto world = make_cpu_world(scene, step_of(1.0 / 480));
+  for (int k = 0; k < 5 * 480; ++k) world->step();
+  const Report report = world->report();
+  const double rms_speed = std::sqrt(2 * report.kinetic_energy / 160);
+  CHECK(report.max_overlap * 0.05 < 6 / 0.6 * 10 * 9.81 / 480 / 480 + 0.01 * 0.05);
+  CHECK(rms_speed < 0.03);
+  CHECK(report.contacts > 160);
+}
+
+TEST_CASE("a dropped ball that does not bounce stays on the floor") {
+  // What it entered on impact is undone by position: pushed out by velocity it would hop.
+  Scene scene = empty_box(3.0);
+  scene.physics.gravity = {0, -9.81, 0};
+  scene.physics.wall_restitution = 0.0;
+  add_sphere(scene, {1, 1.0, 1}, Vec3d(0.0), 0.05);
+  const auto world = make_cpu_world(scene, step_of(1.0 / 240));
+  double highest = 0;
+  for (int k = 0; k < 480; ++k) {
+    world->step();
+    if (world->time() > 0.5) highest = std::max(highest, world->bodies().position[0].y);
+  }
+  CHECK(highest < 0.0501);
+  CHECK(world->bodies().position[0].y > 0.0490);
 }
 
 TEST_CASE("a periodic domain has no walls and carries spheres across its border") {

@@ -11,6 +11,7 @@ namespace ballpit {
 
 namespace {
 
+constexpr double kCellsPerBody = 16;      // beyond that, clearing empty cells and holding them costs more than it saves
 constexpr double kLargestGrid = 1 << 30;  // cells; the index is an int
 
 /// Cells along one axis: enough to cover the domain, or as many as fit where it repeats.
@@ -45,8 +46,8 @@ double choose_edge(const BroadPhaseParameters<V>& parameters) {
   double edge = diameter * parameters.cell_size.value_or(1.0);
   edge *= 1.0 + rounding_guard(parameters.box, edge);
   if (!parameters.cell_size) {
-    const double most = 8.0 * double(parameters.count) + 4096.0;
-    while (cell_count(parameters.box, edge) > most) edge *= 1.25;
+    const double most = kCellsPerBody * double(parameters.count) + 4096.0;
+    while (cell_count(parameters.box, edge) > most) edge *= 1.02;
   }
   return edge;
 }

@@ -16,6 +16,11 @@
 // Taking u₀ before the kick makes a ball that bounces with e = 1 rise to where it fell from: the kick of the step of
 // impact is not reflected. A ball at rest stays at rest.
 //
+// Overlap that a contact entered during the last step is undone by position, as far as its new velocity does not take it
+// out by itself: that adds no energy. Overlap that was there before is what carries a heap: where gravity presses, it
+// wants a speed of parting, u* = push · overlap / dt, at most push_limit, so that n layers rest at an overlap of about
+// c/push·n·g·dt². Without gravity nothing presses, and it is removed by position as well.
+//
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), one launch.
 // Source: mass splitting: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
 // simulation" (2012), doi 10.1145/2185520.2185601; impulse of a pair: Δp = (1+e)·μ·(v₁₂·n)·n with the reduced mass μ.
@@ -28,9 +33,19 @@ namespace ballpit {
 struct ImpulseParameters {
   double restitution = 0.8;       ///< sphere–sphere
   double wall_restitution = 0.8;  ///< sphere–wall
-  int iterations = 6;
+  double push = 0.6;              ///< part of the old overlap that a step pushes out by velocity …
+  double push_limit = 0.0;        ///< [m/s] … at this speed at most
+  double correction = 0.0;        ///< part of the old overlap that a step removes by position
   double slop = 0.005;            ///< overlap left alone, as a fraction of the sum of radii: contacts stay contacts
-  double correction = 0.4;        ///< part of the overlap beyond it that a step removes
+  int iterations = 6;
+};
+
+/// What a contact needs in every iteration.
+template <class V>
+struct ContactConstraint {
+  V normal;          ///< from i to j
+  Scalar<V> wanted;  ///< speed of parting wanted [m/s]
+  Scalar<V> mass;    ///< effective mass 1 / (c_i·w_i + c_j·w_j) [kg]
 };
 
 /// What every kernel of the impulse response reads.
@@ -40,20 +55,29 @@ struct ImpulseView {
   BodiesView<V> bodies;  ///< with the velocities before the kick
   Box<V> box;
   ContactsView<V> contacts;
-  Span<const Real> share;  ///< contacts of each body, walls included
-  Real restitution, wall_restitution;
+  Span<const Real> share;  ///< c: contacts of each body, walls included
+  Real dt, restitution, wall_restitution, push, push_limit, correction, slop;
 
-  /// c_i·w_i + c_j·w_j of two bodies in contact [1/kg]
-  HOST_DEVICE Real softness(int i, int j) const {
-    return share[i] * bodies.inverse_mass[i] + share[j] * bodies.inverse_mass[j];
+  /// How far a contact that parted at `separation` before the step moved into overlap during the last one [m].
+  HOST_DEVICE Real entered(Real separation, Real overlap) const {
+    const Real moved = separation < 0 ? -separation * dt : Real(0);
+    return moved < overlap ? moved : overlap;
+  }
+
+  /// The overlap that was there before the last step, less the slop [m].
+  HOST_DEVICE Real old_overlap(Real separation, Real overlap, Real radii) const {
+    const Real old = overlap - entered(separation, overlap) - slop * radii;
+    return old > 0 ? old : Real(0);
+  }
+
+  /// The speed of parting that a contact wants: what restitution asks for, or what pushes old overlap out.
+  HOST_DEVICE Real wanted(Real e, Real separation, Real overlap, Real radii) const {
+    const Real rebound = separation < 0 ? -e * separation : Real(0);
+    const Real out = push * old_overlap(separation, overlap, radii) / dt;
+    const Real limited = out < push_limit ? out : push_limit;
+    return limited > rebound ? limited : rebound;
   }
 };
-
-/// e · max(0, −u₀): the speed of parting that a contact of relative speed u₀ wants.
-template <class Real>
-HOST_DEVICE Real rebound(Real restitution, Real separation) {
-  return separation < 0 ? -restitution * separation : Real(0);
-}
 
 /// Kernel: how many contacts body i splits its mass among.
 template <class V>
@@ -70,11 +94,31 @@ struct CountShares {
   }
 };
 
+/// Kernel: the constraint of contact c.
+template <class V>
+struct ConstrainContact {
+  ImpulseView<V> view;
+  Span<ContactConstraint<V>> constraints;
+
+  HOST_DEVICE void operator()(int c) const {
+    const Pair pair = view.contacts.pairs[c];
+    const ContactGeometry<V>& contact = view.contacts.geometry[c];
+    const auto& [position, velocity, radius, inverse_mass] = view.bodies;
+    const Scalar<V> softness =
+        view.share[pair.i] * inverse_mass[pair.i] + view.share[pair.j] * inverse_mass[pair.j];
+    constraints[c] = {contact.normal,
+                      view.wanted(view.restitution, contact.separation, contact.overlap,
+                                  radius[pair.i] + radius[pair.j]),
+                      1 / softness};
+  }
+};
+
 /// Kernel: one Jacobi iteration for body i; reads the velocities before it, writes those after.
 template <class V>
 struct ResolveVelocity {
   using Real = Scalar<V>;
   ImpulseView<V> view;
+  Span<const ContactConstraint<V>> constraints;
   Span<const V> velocity;
   Span<V> out;
 
@@ -84,32 +128,30 @@ struct ResolveVelocity {
       out[i] = own;
       return;
     }
-    V change{};
-    const Real inverse_mass = view.bodies.inverse_mass[i];
+    V impulse{};
     view.contacts.for_each_of(i, [&](int c, int other, int side) {
-      const ContactGeometry<V>& contact = view.contacts.geometry[c];
+      const ContactConstraint<V>& contact = constraints[c];
       const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
-      const Real missing = rebound(view.restitution, contact.separation) - parting;
-      if (missing > 0) {
-        const Real impulse = missing / view.softness(i, other);
-        change -= contact.normal * (Real(side) * impulse * inverse_mass);
-      }
+      const Real missing = contact.wanted - parting;
+      impulse -= contact.normal * (Real(side) * contact.mass * (missing > 0 ? missing : Real(0)));
     });
-    view.box.for_each_wall(view.bodies.position[i], view.bodies.radius[i], [&](int axis, int side, Real) {
+    V change = impulse * view.bodies.inverse_mass[i];
+    const Real radius = view.bodies.radius[i];
+    view.box.for_each_wall(view.bodies.position[i], radius, [&](int axis, int side, Real overlap) {
       const Real before = -Real(side) * view.bodies.velocity[i][axis], parting = -Real(side) * own[axis];
-      const Real missing = rebound(view.wall_restitution, before) - parting;
+      const Real missing = view.wanted(view.wall_restitution, before, overlap, radius) - parting;
       if (missing > 0) change[axis] -= Real(side) * missing / view.share[i];
     });
     out[i] = own + change;
   }
 };
 
-/// Kernel: how far body i moves out of what overlap this step's velocities do not resolve by themselves.
+/// Kernel: how far body i steps back out of what it entered, as far as the velocities do not take it out themselves.
 template <class V>
 struct CorrectPosition {
   using Real = Scalar<V>;
   ImpulseView<V> view;
-  Real dt, slop, factor;
+  Span<const ContactConstraint<V>> constraints;
   Span<const V> velocity;
   Span<V> correction;
 
@@ -117,21 +159,26 @@ struct CorrectPosition {
     V move{};
     if (view.share[i] != 0) {
       const V own = velocity[i];
-      const Real inverse_mass = view.bodies.inverse_mass[i], radius = view.bodies.radius[i];
+      const Real radius = view.bodies.radius[i];
       view.contacts.for_each_of(i, [&](int c, int other, int side) {
         const ContactGeometry<V>& contact = view.contacts.geometry[c];
         const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
-        const Real left = contact.overlap - parting * dt - slop * (radius + view.bodies.radius[other]);
-        if (left > 0) {
-          move -= contact.normal * (Real(side) * factor * left * inverse_mass / view.softness(i, other));
-        }
+        const Real left = to_remove(contact.separation, contact.overlap, radius + view.bodies.radius[other], parting);
+        if (left > 0) move -= contact.normal * (Real(side) * left * constraints[c].mass);
       });
+      move *= view.bodies.inverse_mass[i];
       view.box.for_each_wall(view.bodies.position[i], radius, [&](int axis, int side, Real overlap) {
-        const Real left = overlap + Real(side) * own[axis] * dt - slop * radius;
-        if (left > 0) move[axis] -= Real(side) * factor * left / view.share[i];
+        const Real before = -Real(side) * view.bodies.velocity[i][axis], parting = -Real(side) * own[axis];
+        const Real left = to_remove(before, overlap, radius, parting);
+        if (left > 0) move[axis] -= Real(side) * left / view.share[i];
       });
     }
     correction[i] = move;
+  }
+
+  HOST_DEVICE Real to_remove(Real separation, Real overlap, Real radii, Real parting) const {
+    return view.entered(separation, overlap) + view.correction * view.old_overlap(separation, overlap, radii) -
+           parting * view.dt;
   }
 };
 
@@ -148,19 +195,22 @@ class ImpulseResponse {
   void respond(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const ContactsView<V>& contacts,
                Scalar<V> dt, Buffer<V>& velocity) {
     using Real = Scalar<V>;
-    const int64_t n = bodies.size();
+    const int64_t n = bodies.size(), m = contacts.pairs.size();
     share_.resize(n);
     other_.resize(n);
+    constraints_.resize(m);
+    const auto& p = parameters_;
+    const ImpulseView<V> view{bodies, box, contacts, share_.span(), dt, Real(p.restitution), Real(p.wall_restitution),
+                              Real(p.push), Real(p.push_limit), Real(p.correction), Real(p.slop)};
     exec.parallel_for("count shares", n, CountShares<V>{bodies, box, contacts, share_.span()});
-    const ImpulseView<V> view{bodies, box, contacts, share_.span(), static_cast<Real>(parameters_.restitution),
-                              static_cast<Real>(parameters_.wall_restitution)};
-    for (int k = 0; k < parameters_.iterations; ++k) {
-      exec.parallel_for("resolve velocities", n, ResolveVelocity<V>{view, velocity.span(), other_.span()});
+    exec.parallel_for("constrain contacts", m, ConstrainContact<V>{view, constraints_.span()});
+    for (int k = 0; k < p.iterations; ++k) {
+      exec.parallel_for("resolve velocities", n,
+                        ResolveVelocity<V>{view, constraints_.span(), velocity.span(), other_.span()});
       std::swap(velocity, other_);
     }
     exec.parallel_for("correct positions", n,
-                      CorrectPosition<V>{view, dt, static_cast<Real>(parameters_.slop),
-                                         static_cast<Real>(parameters_.correction), velocity.span(), other_.span()});
+                      CorrectPosition<V>{view, constraints_.span(), velocity.span(), other_.span()});
   }
 
   /// How far each body is to move beside its velocity [m], after respond().
@@ -169,6 +219,7 @@ class ImpulseResponse {
  private:
   ImpulseParameters parameters_;
   Buffer<Scalar<V>> share_;
+  Buffer<ContactConstraint<V>> constraints_;
   Buffer<V> other_;  // velocities of the other iteration, then the correction
 };
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// ballpit list: what there is to choose from, from the tables that everything else uses.
+#include <cstdio>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "render/overlays/overlay.h"
+#include "render/theme.h"
+#include "scene/catalog.h"
+#include "simulate/methods.h"
+#include "simulate/world.h"
+
+namespace ballpit {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json list_scenes() {
+  Json scenes = Json::array();
+  for (const SceneInfo& scene : built_in_scenes()) {
+    scenes.push_back({{"name", scene.name},
+                      {"title", scene.title},
+                      {"description", scene.description},
+                      {"title_de", scene.title_de},
+                      {"description_de", scene.description_de}});
+  }
+  return scenes;
+}
+
+Json list_methods() {
+  Json list = Json::array();
+  for (const Method& method : methods()) {
+    if (method.family == Family::backend) continue;
+    list.push_back({{"family", family_name(method.family)},
+                    {"name", method.name},
+                    {"label", method.label},
+                    {"backends", method.backends},
+                    {"cost", method.cost},
+                    {"source", method.source}});
+  }
+  return list;
+}
+
+Json list_backends() {
+  Json list = Json::array();
+  for (const Backend& backend : {cpu_backend(), cuda_backend()}) {
+    list.push_back({{"name", backend.name},
+                    {"available", backend.unavailable_reason.empty()},
+                    {"description", backend.unavailable_reason.empty() ? backend.description
+                                                                       : backend.unavailable_reason}});
+  }
+  return list;
+}
+
+template <class Table>
+Json list_labels(const Table& table) {
+  Json list = Json::array();
+  for (const auto& entry : table) list.push_back({{"name", entry.name}, {"label", entry.label}});
+  return list;
+}
+
+void print_line(const std::string& name, const std::string& text) {
+  std::printf("  %-18s %s\n", name.c_str(), text.c_str());
+}
+
+void print_text(const Json& list) {
+  std::puts("Scenes");
+  for (const Json& scene : list["scenes"]) print_line(scene["name"], scene["description"]);
+  std::string family;
+  for (const Json& method : list["methods"]) {
+    if (family != method["family"]) {
+      family = method["family"];
+      std::printf("--%s\n", family.c_str());
+    }
+    print_line(method["name"], method["label"].get<std::string>() + ": " + method["cost"].get<std::string>());
+  }
+  std::puts("--backend");
+  for (const Json& backend : list["backends"]) {
+    const std::string description = backend["description"];
+    print_line(backend["name"], backend["available"] ? description : "not here: " + description);
+  }
+  std::puts("--overlay");
+  for (const Json& overlay : list["overlays"]) print_line(overlay["name"], overlay["label"]);
+  std::puts("--theme");
+  for (const Json& theme : list["themes"]) print_line(theme["name"], theme["label"]);
+}
+
+class ListCommand final : public Command {
+ public:
+  void add_options(CLI::App& command) override {
+    command.add_flag("--json", json_, "print one JSON object");
+  }
+
+  void run() override {
+    const Json list{{"scenes", list_scenes()},
+                    {"methods", list_methods()},
+                    {"backends", list_backends()},
+                    {"overlays", list_labels(overlay_table())},
+                    {"themes", list_labels(themes())}};
+    if (json_) {
+      std::cout << list.dump(2) << "\n";
+    } else {
+      print_text(list);
+    }
+  }
+
+ private:
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_list_command() { return std::make_unique<ListCommand>(); }
+
+}  // namespace ballpit

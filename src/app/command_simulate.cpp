@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// ballpit simulate: no pictures; the final state and a summary.
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/options.h"
+#include "app/progress.h"
+#include "app/summary.h"
+#include "core/error.h"
+#include "scene/spheres_csv.h"
+
+namespace ballpit {
+
+namespace {
+
+class SimulateCommand final : public Command {
+ public:
+  void add_options(CLI::App& command) override {
+    command.add_option("--time", time_, "simulated time; default: the scene's duration")->type_name("SECONDS");
+    command.add_option("--out", out_, "write the final state there, as CSV")->type_name("FILE");
+    command.add_flag("--json", json_, "print the summary as one JSON object");
+    arguments_.add_to(command);
+  }
+
+  void run() override {
+    const double most = 1e9;
+    if (!time_.empty()) parse_number("--time", time_, 0, most);
+    Session session(arguments_.scene(), arguments_.given());
+    const double time = time_.empty() ? session.scene().needs.duration : parse_number("--time", time_, 0, most);
+    step_to(session, time);
+    if (!out_.empty()) write_spheres_csv(out_, session.world().bodies());
+    const auto summary = summarize(session);
+    std::cout << (json_ ? summary.dump(2) + "\n" : describe(summary));
+  }
+
+ private:
+  static void step_to(Session& session, double time) {
+    catch_interrupts();
+    const int64_t steps = session.steps_until(time);
+    Progress progress("steps", steps);
+    session.advance_to(time, [&] {
+      progress.show(session.world().steps());
+      return was_interrupted();
+    });
+    if (was_interrupted()) {
+      throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " + std::to_string(steps) +
+                     " steps");
+    }
+  }
+
+  SceneArguments arguments_;
+  std::string time_;
+  std::string out_;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_simulate_command() { return std::make_unique<SimulateCommand>(); }
+
+}  // namespace ballpit

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// One entry for each command: it declares its options, and runs. A file each: command_render.cpp and so on.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace ballpit {
+
+class Command {
+ public:
+  Command() = default;
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+  virtual ~Command() = default;
+
+  virtual void add_options(CLI::App& command) = 0;
+
+  /// Runs with the parsed options. Throws UserError or RunError.
+  virtual void run() = 0;
+};
+
+struct CommandEntry {
+  std::string_view name;
+  std::string_view help;
+  std::unique_ptr<Command> (*create)();
+};
+
+std::unique_ptr<Command> make_render_command();
+std::unique_ptr<Command> make_simulate_command();
+std::unique_ptr<Command> make_list_command();
+std::unique_ptr<Command> make_doctor_command();
+
+}  // namespace ballpit

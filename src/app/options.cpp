@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "app/options.h"
+
+#include <charconv>
+#include <sstream>
+
+#include "core/error.h"
+#include "scene/catalog.h"
+
+namespace ballpit {
+
+namespace {
+
+template <class T>
+T parse_in_range(std::string_view option, const std::string& text, T low, T high, const char* kind) {
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end || !(value >= low && value <= high)) {
+    std::ostringstream message;
+    message << option << ": found " << text << ", allowed " << kind << " from " << low << " to " << high;
+    throw UserError(message.str());
+  }
+  return value;
+}
+
+}  // namespace
+
+void SceneArguments::add_to(CLI::App& command) {
+  scene_ = kDefaultScene;
+  command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file")->capture_default_str();
+  for (const SettingInfo& setting : setting_table()) {
+    const std::string name(setting.name);
+    CLI::Option* option = command.add_option("--" + name, values_[name], std::string(setting.help) + ": " + setting.allowed());
+    option->type_name(std::string(setting.value_name))->group("Simulation (default: what the scene asks for)");
+    options_.emplace_back(name, option);
+  }
+}
+
+std::vector<GivenOption> SceneArguments::given() const {
+  std::vector<GivenOption> result;
+  for (const auto& [name, option] : options_) {
+    if (option->count() > 0) result.push_back({name, values_.find(name)->second});
+  }
+  return result;
+}
+
+int64_t parse_integer(std::string_view option, const std::string& text, int64_t low, int64_t high) {
+  return parse_in_range(option, text, low, high, "an integer");
+}
+
+double parse_number(std::string_view option, const std::string& text, double low, double high) {
+  return parse_in_range(option, text, low, high, "a number");
+}
+
+PictureSize parse_size(const std::string& text) {
+  const size_t cross = text.find('x');
+  try {
+    if (cross == std::string::npos) throw UserError("");
+    return {static_cast<int>(parse_integer("", text.substr(0, cross), 16, 16384)),
+            static_cast<int>(parse_integer("", text.substr(cross + 1), 16, 16384))};
+  } catch (const UserError&) {
+    throw UserError("--size: found " + text + ", allowed WIDTHxHEIGHT, each from 16 to 16384");
+  }
+}
+
+}  // namespace ballpit

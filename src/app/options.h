@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What the commands' options share: the table of settings as CLI11 options, and parsers that name the option, what was
+// found and what is allowed.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/session.h"
+
+namespace ballpit {
+
+/// The arguments that every simulating command takes: SCENE and the shared options.
+class SceneArguments {
+ public:
+  /// Adds them to a command. The object must outlive the parsing.
+  void add_to(CLI::App& command);
+
+  const std::string& scene() const { return scene_; }
+
+  /// The shared options that were given, in the order of their table.
+  std::vector<GivenOption> given() const;
+
+ private:
+  std::string scene_;
+  std::map<std::string, std::string, std::less<>> values_;  // as typed; absent options are empty
+  std::vector<std::pair<std::string, CLI::Option*>> options_;
+};
+
+/// An integer in [low, high]. Throws UserError naming the option.
+int64_t parse_integer(std::string_view option, const std::string& text, int64_t low, int64_t high);
+
+/// A number in [low, high]. Throws UserError naming the option.
+double parse_number(std::string_view option, const std::string& text, double low, double high);
+
+struct PictureSize {
+  int width;
+  int height;
+};
+
+/// "1280x720". Throws UserError.
+PictureSize parse_size(const std::string& text);
+
+}  // namespace ballpit

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "app/session.h"
+
+#include <cmath>
+#include <iostream>
+
+#include "app/backends.h"
+#include "core/error.h"
+#include "scene/catalog.h"
+
+namespace ballpit {
+
+namespace {
+
+void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
+  for (const GivenOption& option : given) apply_setting(settings, option.name, option.value, "--" + option.name);
+}
+
+void warn_of_small_cells(const Settings& settings) {
+  if (settings.cell_size && *settings.cell_size < 1) {
+    std::cerr << "ballpit: warning: --cell-size " << *settings.cell_size
+              << " is below 1: the block of cells around a sphere does not reach all that touch it, so contacts are "
+                 "missed\n";
+  }
+}
+
+}  // namespace
+
+Session::Session(std::string_view scene, const std::vector<GivenOption>& given) {
+  Settings overrides;
+  apply_given(overrides, given);
+  scene_ = load_scene(scene, {overrides.count, overrides.seed});
+  for (const DefaultOption& option : scene_.defaults) apply_setting(settings_, option.key, option.value, option.where);
+  apply_given(settings_, given);
+  warn_of_small_cells(settings_);
+  const Backend backend = select_backend(settings_.backend);
+  backend_ = backend.name;
+  world_ = backend.make_world(scene_, settings_);
+  scene_.bodies = {};  // the world has them now
+}
+
+int64_t Session::steps_until(double time) const {
+  return static_cast<int64_t>(std::llround(time / settings_.dt)) - world_->steps();
+}
+
+FrameView Session::view_of(const Inspection& inspection, float aspect, const std::vector<std::string>& overlays) const {
+  const Domain& domain = scene_.domain;
+  const Vec3 low(domain.min), high(domain.max);
+  return {inspection,
+          {low, high, domain.dimensions, domain.boundary == Boundary::open_top},
+          frame_box(low, high, domain.dimensions, aspect),
+          overlays};
+}
+
+}  // namespace ballpit

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "app/summary.h"
+
+#include <cstdio>
+#include <sstream>
+
+namespace ballpit {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string hexadecimal(uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+Json stages_of(const Report& report) {
+  Json stages = Json::array();
+  for (const Stage& stage : report.stages) {
+    stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"launches", stage.launches}});
+  }
+  return stages;
+}
+
+}  // namespace
+
+Json summarize(Session& session) {
+  const Report report = session.world().report();
+  const Settings& settings = session.settings();
+  return {{"scene", session.scene().name},
+          {"count", report.count},
+          {"steps", report.steps},
+          {"time", report.time},
+          {"dt", settings.dt},
+          {"substeps", settings.substeps},
+          {"methods",
+           {{"broadphase", settings.broadphase},
+            {"response", settings.response},
+            {"integrator", settings.integrator},
+            {"precision", settings.precision},
+            {"backend", session.backend()}}},
+          {"seconds", report.seconds},
+          {"candidates", report.candidates},
+          {"contacts", report.contacts},
+          {"kinetic_energy", report.kinetic_energy},
+          {"potential_energy", report.potential_energy},
+          {"momentum", {report.momentum.x, report.momentum.y, report.momentum.z}},
+          {"max_overlap", report.max_overlap},
+          {"state_hash", hexadecimal(report.state_hash)},
+          {"stages", stages_of(report)}};
+}
+
+std::string describe(const Json& summary) {
+  std::ostringstream text;
+  const auto number = [&](const char* key) { return summary[key].get<double>(); };
+  const auto line = [&](const char* label) -> std::ostream& {
+    char padded[24];
+    std::snprintf(padded, sizeof(padded), "%-18s", label);
+    return text << padded;
+  };
+  line("scene") << summary["scene"].get<std::string>() << ", " << summary["count"] << " spheres\n";
+  line("methods");
+  const char* separator = "";
+  for (const Json& name : summary["methods"]) {
+    text << separator << name.get<std::string>();
+    separator = ", ";
+  }
+  text << "\n";
+  line("simulated") << number("time") << " s in " << summary["steps"] << " steps of " << number("dt") << " s\n";
+  line("took") << number("seconds") << " s";
+  if (number("steps") > 0) text << ", " << 1e3 * number("seconds") / number("steps") << " ms a step";
+  text << "\n";
+  line("contacts") << summary["contacts"] << " among " << summary["candidates"] << " candidates\n";
+  line("energy") << number("kinetic_energy") << " J kinetic, " << number("potential_energy") << " J potential\n";
+  const Json& momentum = summary["momentum"];
+  line("momentum") << momentum[0].get<double>() << ", " << momentum[1].get<double>() << ", "
+                   << momentum[2].get<double>() << " kg·m/s\n";
+  line("largest overlap") << number("max_overlap") << " of the smaller radius\n";
+  line("state hash") << summary["state_hash"].get<std::string>() << "\n";
+  return text.str();
+}
+
+}  // namespace ballpit
