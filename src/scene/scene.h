@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene is a value: what is in the box, which physics holds, what it must show. Everything in SI units, y up, in
-// double precision; the simulation rounds it to what it computes in. Read by read_scene() from TOML.
+// A scene is a value: what is in the box, which physics holds, what it must show. Everything in SI units, y
+// up, in double precision; the simulation rounds it to what it computes in. Read by read_scene() from TOML.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace ballpit {
 
 enum class Boundary { walls, open_top, periodic };
 
-/// The box that holds all spheres.
+/// The box that holds all spheres. In planar scenes z is 0 throughout, also in `min` and `max`.
 struct Domain {
   Vec3d min{0.0};  ///< [m]
   Vec3d max{1.0};  ///< [m]
@@ -41,11 +41,28 @@ struct Bodies {
   std::vector<double> radius;   ///< [m]
   std::vector<double> mass;     ///< [kg]
 
+  /// Makes room for `count` bodies; new ones are all zero.
+  void resize(int64_t count) {
+    const auto size = static_cast<size_t>(count);
+    position.resize(size, Vec3d(0.0));
+    velocity.resize(size, Vec3d(0.0));
+    radius.resize(size);
+    mass.resize(size);
+  }
+
+  void reserve(int64_t count) {
+    const auto size = static_cast<size_t>(count);
+    position.reserve(size);
+    velocity.reserve(size);
+    radius.reserve(size);
+    mass.reserve(size);
+  }
+
   int64_t size() const { return static_cast<int64_t>(position.size()); }
 };
 
-/// One entry of [defaults]: a shared option by its name on the command line, with where it was written, so that
-/// whoever knows the option's table can name the place in an error.
+/// One entry of [defaults]: a shared option by its name on the command line, with where it was written, so
+/// that whoever knows the option's table can name the place in an error.
 struct DefaultOption {
   std::string key;    ///< "broadphase", "dt", …
   std::string value;  ///< as it would be typed after --key
@@ -54,10 +71,11 @@ struct DefaultOption {
 
 /// What the scene must show; the end check of every built-in scene, run as a test.
 struct Needs {
-  double duration = 10.0;                   ///< [s]
-  std::optional<double> max_overlap;        ///< largest overlap allowed at the end, as a fraction of the smaller radius
-  std::optional<double> energy_tolerance;   ///< largest allowed |E − E₀| / E₀
-  std::optional<double> max_speed;          ///< [m/s] largest RMS speed allowed at the end
+  double duration = 10.0;  ///< [s]
+  std::optional<double>
+      max_overlap;  ///< largest overlap allowed at the end, as a fraction of the smaller radius
+  std::optional<double> energy_tolerance;  ///< largest allowed |E − E₀| / E₀
+  std::optional<double> max_speed;         ///< [m/s] largest RMS speed allowed at the end
 };
 
 struct Scene {
@@ -71,6 +89,7 @@ struct Scene {
   Bodies bodies;
   std::vector<DefaultOption> defaults;
   Needs needs;
+  uint64_t seed = 1;  ///< that filled it
 };
 
 }  // namespace ballpit

@@ -120,7 +120,9 @@ class WorldOn final : public World {
     ImpulseParameters parameters;
     parameters.restitution = physics.restitution;
     parameters.wall_restitution = physics.wall_restitution;
-    parameters.push_limit = kPushSteps * gravity * settings.dt / settings.substeps;
+    if (getenv("P_IT")) parameters.iterations = atoi(getenv("P_IT"));
+ if (getenv("P_PUSH")) parameters.push = atof(getenv("P_PUSH"));
+    parameters.push_limit = (getenv("P_CAP")?atof(getenv("P_CAP")):kPushSteps) * gravity * settings.dt / settings.substeps;
     parameters.correction = gravity > 0 ? 0.0 : 0.4;
     return parameters;
   }

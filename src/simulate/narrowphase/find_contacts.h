@@ -2,12 +2,12 @@
 // From candidates to contacts in canonical order, by count, scan and fill: sizes are exact, nothing is appended by
 // atomics, and the order is fixed by the indices whatever order the candidates come in.
 //
-//     body              0  1  2  3          kernel "count contacts": candidates tested, contacts found
-//     contacts found    2  0  1  0
+//     body              0  1  2  3          kernel "count contacts": candidates tested, contacts found,
+//     contacts found    2  0  1  0          the first kKept of them kept
 //     first             0  2  2  3  3       scan
 //     pairs             (0,3) (0,7) (2,5)   kernel "fill contacts": each row sorted by j
 //
-// Cost: two walks over the candidates; the second only by bodies that have contacts, and only until all are found.
+// Cost: one walk over the candidates; a second one only by bodies with more contacts than were kept.
 #pragma once
 
 #include <limits>
@@ -18,6 +18,10 @@
 
 namespace ballpit {
 
+/// Contacts that a body keeps from counting to filling. Equal spheres have at most twelve, half of them with a higher
+/// index on average.
+inline constexpr int kKept = 6;
+
 /// Kernel: counts what body i is tested against, and what it touches.
 template <class V, class Candidates>
 struct CountContacts {
@@ -26,6 +30,7 @@ struct CountContacts {
   Box<V> box;
   Span<int> tested;
   Span<int> found;
+  Span<int> kept;  ///< kKept a body
 
   HOST_DEVICE void operator()(int i) const {
     const V position = bodies.position[i];
@@ -33,7 +38,10 @@ struct CountContacts {
     int tests = 0, contacts = 0;
     candidates.for_each(i, [&](int j) {
       ++tests;
-      contacts += in_contact(box.displacement(position, bodies.position[j]), radius + bodies.radius[j]);
+      if (in_contact(box.displacement(position, bodies.position[j]), radius + bodies.radius[j])) {
+        if (contacts < kKept) kept[int64_t(i) * kKept + contacts] = j;
+        ++contacts;
+      }
       return true;
     });
     tested[i] = tests;
@@ -48,11 +56,15 @@ struct FillContacts {
   BodiesView<V> bodies;
   Box<V> box;
   Span<const int> first;
+  Span<const int> kept;
   Span<Pair> pairs;
 
   HOST_DEVICE void operator()(int i) const {
     const int begin = first[i], end = first[i + 1];
-    if (begin == end) return;
+    if (end - begin <= kKept) {
+      for (int k = 0; begin + k < end; ++k) insert_sorted(begin, begin + k, {i, kept[int64_t(i) * kKept + k]});
+      return;
+    }
     const V position = bodies.position[i];
     const Scalar<V> radius = bodies.radius[i];
     int filled = begin;
@@ -93,12 +105,14 @@ class ContactFinder {
     tested_.resize(n);
     found_.resize(n);
     first_.resize(n + 1);
+    kept_.resize(n * kKept);
     exec.parallel_for("count contacts", n,
-                      CountContacts<V, Candidates>{candidates, bodies, box, tested_.span(), found_.span()});
+                      CountContacts<V, Candidates>{candidates, bodies, box, tested_.span(), found_.span(), kept_.span()});
     const int64_t total = exec.exclusive_scan("scan contacts", found_.span(), first_.span());
     pairs_.resize(checked_count(total, "contacts"));
     exec.parallel_for("fill contacts", n,
-                      FillContacts<V, Candidates>{candidates, bodies, box, first_.span(), pairs_.span()});
+                      FillContacts<V, Candidates>{candidates, bodies, box, first_.span(), kept_.span(),
+                                                  pairs_.span()});
   }
 
   Span<const Pair> pairs() const { return pairs_.span(); }
@@ -106,7 +120,7 @@ class ContactFinder {
   Span<const int> tested() const { return tested_.span(); }  ///< candidates tested by each body
 
  private:
-  Buffer<int> tested_, found_, first_;
+  Buffer<int> tested_, found_, first_, kept_;
   Buffer<Pair> pairs_;
 };
 

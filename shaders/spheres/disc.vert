@@ -1,0 +1,21 @@
+#version 450 core
+// A body of a planar scene: a square around it, half a pixel larger.
+#include "frame.glsl"
+
+layout(location = 0) in vec3 position;  // [m]
+layout(location = 1) in float radius;   // [m]
+layout(location = 2) in uint mark;
+
+flat out vec3 color;
+flat out float outline;  // radius [pixel]
+out vec2 disc;           // [pixel] from the centre
+
+const float kSmallest = 1.0;  // [pixel]
+
+void main() {
+  color = frame.mark_color[mark].rgb;
+  outline = max(radius / frame.pixel, kSmallest);
+  disc = (vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2 - 1) * (outline + 0.5);
+  vec3 point = position + vec3(disc * frame.pixel, 0);
+  gl_Position = frame.projection * frame.view * vec4(point, 1);
+}

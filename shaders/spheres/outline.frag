@@ -1,0 +1,20 @@
+#version 450 core
+// The pixels that a sphere covers in part, blended by how much.
+#include "frame.glsl"
+#include "shade.glsl"
+
+flat in vec3 color;
+flat in float outline;
+flat in vec3 right;
+flat in vec3 up;
+flat in vec3 outward;
+in vec2 disc;
+
+layout(location = 0) out vec4 fragment;
+
+void main() {
+  float from_center = length(disc);
+  float coverage = (1 - from_center) * outline + 0.5;
+  vec3 normal = outward + (disc.x * right + disc.y * up) / max(from_center, 1e-6);
+  fragment = vec4(shade(color, normal), coverage >= 1 ? 0 : max(coverage, 0.0));
+}

@@ -1,0 +1,39 @@
+#version 450 core
+// A quad in the plane of the sphere's outline, half a pixel larger. Within the outline, the sphere lies before it: there
+// the depth test spares the fragment shader.
+#include "frame.glsl"
+
+layout(location = 0) in vec3 position;  // [m]
+layout(location = 1) in float radius;   // [m]
+layout(location = 2) in uint mark;
+
+flat out vec3 color;
+flat out float outline;  // radius [pixel]
+flat out vec3 right;     // of the disc, times the share of the normal in its plane
+flat out vec3 up;
+flat out vec3 outward;   // the rest of the normal
+out vec2 disc;           // the outline is at length 1
+
+const float kSmallest = 1.0;  // [pixel] as in sphere.vert
+
+void main() {
+  vec3 center = (frame.view * vec4(position, 1)).xyz;
+  float distance = length(center);
+  float r = max(radius, kSmallest * frame.pixel * distance);
+  if (distance <= r || center.z >= 0) {
+    gl_Position = vec4(0, 0, 2, 1);
+    return;
+  }
+  vec3 axis = center / distance;
+  float sine = r / distance;  // of the angle between axis and outline
+  float cosine = sqrt(1 - sine * sine);
+  right = cosine * normalize(vec3(-axis.z, 0, axis.x));
+  up = cross(right, axis);
+  outward = -sine * axis;
+
+  color = frame.mark_color[mark].rgb;
+  outline = sine / (cosine * frame.pixel);
+  disc = (vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2 - 1) * (1 + 0.5 / outline);
+  vec3 point = distance * cosine * cosine * axis + r * (disc.x * right + disc.y * up);
+  gl_Position = frame.projection * vec4(point, 1);
+}

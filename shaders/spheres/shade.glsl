@@ -1,0 +1,15 @@
+// Soft light that reads as a solid: from all around, more from above, one key light, a faint highlight and rim.
+// The viewer is taken to be far away, on the z axis: no square roots a pixel.
+vec3 shade(vec3 base, vec3 normal) {
+  float around = frame.sky.w * (0.81 + 0.19 * dot(normal, frame.sky.xyz));
+  float key = frame.key_light.w * max(0.0, 0.25 + 0.75 * dot(normal, frame.key_light.xyz));
+  float averted = max(0.0, 1.0 - normal.z);
+  float rim = 1.0 - 0.28 * averted * averted * averted;
+  float shine = max(0.0, dot(normal, frame.halfway.xyz));
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;  // to the power of 32
+  return base * ((around + key) * rim) + 0.2 * shine;
+}

@@ -1,0 +1,29 @@
+#version 450 core
+// Meets the eye's ray with the sphere: exact surface, normal and depth. Only pixels that it covers wholly.
+#include "frame.glsl"
+#include "shade.glsl"
+
+flat in vec3 center;
+flat in float curvature;
+flat in float power;
+flat in float covered;
+flat in vec3 color;
+in vec3 ray;
+in vec2 disc;
+
+layout(depth_greater) out float gl_FragDepth;
+layout(location = 0) out vec4 fragment;
+
+void main() {
+  if (dot(disc, disc) > covered) discard;
+
+  // |t ray − center|² = r², the nearer root
+  float a = dot(ray, ray);
+  float b = dot(ray, center);
+  float t = (b - sqrt(max(0.0, b * b - a * power))) / a;
+  vec3 hit = t * ray;
+
+  fragment = vec4(shade(color, (hit - center) * curvature), 1);
+  float depth = 0.5 - 0.5 * (frame.projection[2].z + frame.projection[3].z / hit.z);
+  gl_FragDepth = max(gl_FragCoord.z, depth);
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "export/frame_sequence.h"
+
+#include <cassert>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "export/png.h"
+
+namespace ballpit {
+
+namespace fs = std::filesystem;
+
+FrameSequence::FrameSequence(fs::path folder, int first_index)
+    : folder_(std::move(folder)), next_index_(first_index), next_written_(first_index) {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) throw RunError(folder_.string() + ": cannot make the folder: " + error.message());
+  encoder_ = std::thread([this] { encode_frames(); });
+}
+
+FrameSequence::~FrameSequence() { stop_and_join(); }
+
+void FrameSequence::push(Image frame) {
+  std::unique_lock lock(mutex_);
+  assert(!closed_);
+  changed_.wait(lock, [this] { return queue_.size() < kQueueLength || error_; });
+  if (error_) std::rethrow_exception(error_);
+  queue_.push_back(std::move(frame));
+  ++next_index_;
+  changed_.notify_all();
+}
+
+void FrameSequence::finish() {
+  stop_and_join();
+  if (error_) std::rethrow_exception(error_);  // the encoder has ended: no lock is needed
+}
+
+void FrameSequence::stop_and_join() {
+  {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+  }
+  changed_.notify_all();
+  if (encoder_.joinable()) encoder_.join();
+}
+
+void FrameSequence::encode_frames() {
+  for (;;) {
+    Image frame;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return !queue_.empty() || closed_; });
+      if (queue_.empty()) return;
+      frame = std::move(queue_.front());
+      queue_.pop_front();
+    }
+    changed_.notify_all();
+    try {
+      write_file(folder_ / frame_name(next_written_), encode_png_fast(frame));
+      ++next_written_;
+    } catch (...) {  // frames after a missing one would only hide the gap
+      const std::lock_guard lock(mutex_);
+      error_ = std::current_exception();
+      changed_.notify_all();
+      return;
+    }
+  }
+}
+
+std::string frame_name(int index) {
+  char name[32];
+  std::snprintf(name, sizeof name, "frame_%05d.png", index);
+  return name;
+}
+
+namespace {
+
+void remove_left_overs(const fs::path& folder) {
+  std::vector<fs::path> parts;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool part = name.size() > 5 && name.compare(name.size() - 5, 5, ".part") == 0;
+    if (part && name.compare(0, 6, "frame_") == 0) parts.push_back(entry.path());
+  }
+  for (const fs::path& part : parts) fs::remove(part);
+}
+
+}  // namespace
+
+int next_frame_index(const fs::path& folder) try {
+  if (!fs::exists(folder)) return 0;
+  remove_left_overs(folder);
+  int count = 0;
+  while (fs::exists(folder / frame_name(count))) ++count;
+  if (count > 0 && !is_whole_png(read_file(folder / frame_name(count - 1)))) --count;
+  return count;
+} catch (const fs::filesystem_error& error) {
+  throw RunError(folder.string() + ": cannot look for frames: " + error.code().message());
+}
+
+}  // namespace ballpit

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// A film as numbered pictures: frame_00000.png, frame_00001.png, … Encoded beside the drawing, by one thread
+// that a short queue feeds, so that a frame costs whichever takes longer of the two and memory stays bounded.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "render/image.h"
+
+namespace ballpit {
+
+class FrameSequence {
+ public:
+  /// Makes the folder if it is missing. Throws RunError naming it if that fails.
+  explicit FrameSequence(std::filesystem::path folder, int first_index = 0);
+  FrameSequence(const FrameSequence&) = delete;
+  FrameSequence& operator=(const FrameSequence&) = delete;
+
+  /// Writes what was pushed; an error that nobody asked for by finish() is lost.
+  ~FrameSequence();
+
+  /// Takes the next frame; waits while the queue is full. Throws the error of an earlier frame.
+  void push(Image frame);
+
+  /// Waits until every frame is written. Throws the error of the first that could not be. Nothing may follow.
+  void finish();
+
+  int next_index() const { return next_index_; }  ///< of the frame that the next push takes
+
+ private:
+  void encode_frames();
+  void stop_and_join();
+
+  static constexpr size_t kQueueLength = 3;
+
+  std::filesystem::path folder_;
+  int next_index_;
+  int next_written_;  ///< the encoder's own
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Image> queue_;   ///< guarded by mutex_
+  bool closed_ = false;       ///< guarded by mutex_
+  std::exception_ptr error_;  ///< guarded by mutex_
+  std::thread encoder_;
+};
+
+/// "frame_00012.png"
+std::string frame_name(int index);
+
+/// Where a sequence goes on: the number of whole frames from frame_00000.png on without a gap. Removes
+/// left-overs of interrupted writes. 0 where the folder is missing.
+int next_frame_index(const std::filesystem::path& folder);
+
+}  // namespace ballpit

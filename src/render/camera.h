@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The camera: a value that gives the two matrices. Spatial scenes are seen in perspective, planar ones
+// straight on.
+#pragma once
+
+#include "core/math.h"
+
+namespace ballpit {
+
+struct Camera {
+  Vec3 eye{0.0f, 0.0f, 1.0f};  ///< [m]
+  Vec3 target{0.0f};           ///< [m]
+  Vec3 up{0.0f, 1.0f, 0.0f};
+  float fov = 0.6108652f;            ///< vertical field of view [rad]: 35°
+  float near = 0.1f;                 ///< [m]
+  float far = 10.0f;                 ///< [m]
+  float aspect = 16.0f / 9.0f;       ///< width / height
+  float orthographic_height = 0.0f;  ///< [m] height of the visible area; 0: perspective
+
+  bool is_orthographic() const { return orthographic_height > 0.0f; }
+  Mat4 view() const;
+  Mat4 projection() const;
+
+  /// The length [m] that one pixel shows at `distance` in front of the eye, in a picture of `height` pixels.
+  float pixel_size(float distance, int height) const;
+};
+
+/// A camera that shows the whole box with a margin: three-quarter in perspective for 3 dimensions, straight
+/// on along −z without perspective for 2. Exact for any box and aspect: the closest eye that has all eight
+/// corners in view.
+Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect);
+
+/// The same fit seen along another direction; the panel's orbit uses it. Angles in radians; azimuth 0 looks
+/// along −z.
+Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect);
+
+}  // namespace ballpit

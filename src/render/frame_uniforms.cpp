@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "render/frame_uniforms.h"
+
+namespace ballpit {
+
+FrameUniforms frame_uniforms(const FrameView& view, const Theme& theme, int width, int height) {
+  FrameUniforms uniforms;
+  uniforms.view = view.camera.view();
+  uniforms.projection = view.camera.projection();
+  // The light stands behind the viewer's left shoulder and moves along, so that no camera sees only dark
+  // sides.
+  const Vec3 light = normalize(Vec3(-0.5f, 0.75f, 0.75f));
+  uniforms.key_light = Vec4(light, theme.key);
+  uniforms.halfway = Vec4(normalize(light + Vec3(0, 0, 1)), 0);
+  uniforms.sky = Vec4(Vec3(uniforms.view * Vec4(0, 1, 0, 0)), theme.ambient);
+  uniforms.floor_level = Vec4(view.domain.min.y, theme.shadow, 0, 0);
+  uniforms.background = Vec4(theme.background, 1);
+  uniforms.mark_color[0] = Vec4(theme.body, 1);
+  uniforms.mark_color[1] = Vec4(theme.contact, 1);
+  uniforms.viewport = Vec2(width, height);
+  uniforms.pixel = view.camera.pixel_size(1.0f, height);
+  uniforms.line_unit = static_cast<float>(height) / 1080.0f;
+  return uniforms;
+}
+
+FrameUniformBuffer::FrameUniformBuffer() {
+  glNamedBufferStorage(buffer_.name(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
+
+void FrameUniformBuffer::set(const FrameUniforms& uniforms) {
+  glNamedBufferSubData(buffer_.name(), 0, sizeof(uniforms), &uniforms);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer_.name());
+}
+
+}  // namespace ballpit

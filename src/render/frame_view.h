@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Everything that one picture shows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/math.h"
+#include "render/camera.h"
+#include "simulate/inspection.h"
+
+namespace ballpit {
+
+/// The box as it is drawn.
+struct DomainBox {
+  Vec3 min{0.0f};  ///< [m]
+  Vec3 max{1.0f};  ///< [m]
+  int dimensions = 3;
+  bool open_top = false;  ///< no ceiling: spheres may rise above max.y
+
+  bool is_planar() const { return dimensions == 2; }
+};
+
+/// Refers to the inspection; the caller keeps it alive while drawing.
+struct FrameView {
+  const Inspection& inspection;
+  DomainBox domain;
+  Camera camera;
+  std::vector<std::string> overlays;  ///< names from overlay_table(), drawn in the table's order
+};
+
+}  // namespace ballpit

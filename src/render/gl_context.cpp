@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// Order of attempts: the CUDA device's EGL device, EGL devices without EGL_MESA_device_software, EGL's
+// software device, Mesa's surfaceless platform. EGL's default display is not tried: it needs a display
+// server.
+#include "render/gl_context.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include "core/error.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr EGLint kEglRendererExt = 0x335F;  // EGL_EXT_device_query_name, newer than libepoxy 1.5.10
+
+std::string egl_error(const std::string& call) {
+  const EGLint code = eglGetError();
+  switch (code) {
+    case EGL_NOT_INITIALIZED:
+      return call + ": EGL_NOT_INITIALIZED";
+    case EGL_BAD_ACCESS:
+      return call + ": EGL_BAD_ACCESS";
+    case EGL_BAD_ALLOC:
+      return call + ": EGL_BAD_ALLOC";
+    case EGL_BAD_ATTRIBUTE:
+      return call + ": EGL_BAD_ATTRIBUTE";
+    case EGL_BAD_CONFIG:
+      return call + ": EGL_BAD_CONFIG";
+    case EGL_BAD_CONTEXT:
+      return call + ": EGL_BAD_CONTEXT";
+    case EGL_BAD_DISPLAY:
+      return call + ": EGL_BAD_DISPLAY";
+    case EGL_BAD_MATCH:
+      return call + ": EGL_BAD_MATCH";
+    case EGL_BAD_PARAMETER:
+      return call + ": EGL_BAD_PARAMETER";
+    default:
+      return call + ": EGL error " + std::to_string(code);
+  }
+}
+
+std::vector<EGLDeviceEXT> egl_devices() {
+  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base") &&
+      !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
+    return {};
+  }
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(0, nullptr, &count) || count <= 0) return {};
+  std::vector<EGLDeviceEXT> devices(static_cast<size_t>(count));
+  if (!eglQueryDevicesEXT(count, devices.data(), &count)) return {};
+  devices.resize(static_cast<size_t>(count));
+  return devices;
+}
+
+bool has_word(const std::string& words, const std::string& word) {
+  return (" " + words + " ").find(" " + word + " ") != std::string::npos;
+}
+
+EglDeviceInfo describe(EGLDeviceEXT device, int index) {
+  EglDeviceInfo info;
+  info.index = index;
+  const char* text = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  const std::string extensions = text ? text : "";
+  info.software = has_word(extensions, "EGL_MESA_device_software");
+  info.name = info.software ? "software" : "graphics device";
+  if (has_word(extensions, "EGL_EXT_device_query_name")) {
+    if (const char* name = eglQueryDeviceStringEXT(device, kEglRendererExt)) info.name = name;
+  } else if (has_word(extensions, "EGL_EXT_device_drm")) {
+    if (const char* file = eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT)) info.name = file;
+  }
+  EGLAttrib ordinal = -1;
+  if (has_word(extensions, "EGL_NV_device_cuda") &&
+      eglQueryDeviceAttribEXT(device, EGL_CUDA_DEVICE_NV, &ordinal)) {
+    info.cuda_device = static_cast<int>(ordinal);
+  }
+  return info;
+}
+
+/// One way to a display.
+struct Candidate {
+  std::string platform;
+  EGLDisplay display;
+};
+
+std::vector<Candidate> candidates(int cuda_device) {
+  std::vector<Candidate> result;
+  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) return result;
+  const std::vector<EGLDeviceEXT> devices = egl_devices();
+  std::vector<EglDeviceInfo> infos = list_egl_devices();
+  const auto rank = [cuda_device](const EglDeviceInfo& info) {
+    if (cuda_device >= 0 && info.cuda_device == cuda_device) return 0;
+    return info.software ? 2 : 1;
+  };
+  std::stable_sort(infos.begin(), infos.end(),
+                   [&](const EglDeviceInfo& a, const EglDeviceInfo& b) { return rank(a) < rank(b); });
+  for (const EglDeviceInfo& info : infos) {
+    const auto device = devices.at(static_cast<size_t>(info.index));
+    result.push_back({"EGL device " + std::to_string(info.index),
+                      eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr)});
+  }
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+    result.push_back({"EGL surfaceless",
+                      eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+  }
+  return result;
+}
+
+/// The context, current; or EGL_NO_CONTEXT and the reason.
+EGLContext try_context(EGLDisplay display, std::string& reason) {
+  const auto fail = [&reason](std::string why) {
+    reason = std::move(why);
+    return EGL_NO_CONTEXT;
+  };
+  if (display == EGL_NO_DISPLAY) return fail(egl_error("eglGetPlatformDisplay"));
+  EGLint major = 0;
+  EGLint minor = 0;
+  if (!eglInitialize(display, &major, &minor)) return fail(egl_error("eglInitialize"));
+  if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context")) {
+    return fail("no EGL_KHR_surfaceless_context");
+  }
+  if (!eglBindAPI(EGL_OPENGL_API)) return fail(egl_error("eglBindAPI(EGL_OPENGL_API)"));
+  const EGLint config_attributes[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count < 1) {
+    return fail(egl_error("eglChooseConfig for OpenGL"));
+  }
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               4,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               5,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_CONTEXT_OPENGL_DEBUG,
+                               EGL_TRUE,
+                               EGL_NONE};
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+  if (context == EGL_NO_CONTEXT) return fail(egl_error("eglCreateContext for OpenGL 4.5 core"));
+  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+    reason = egl_error("eglMakeCurrent");
+    eglDestroyContext(display, context);
+    return EGL_NO_CONTEXT;
+  }
+  return context;
+}
+
+std::string gl_string(GLenum name) {
+  const auto* text = reinterpret_cast<const char*>(glGetString(name));
+  return text ? text : "unknown";
+}
+
+}  // namespace
+
+GlInfo current_gl_info(std::string platform) {
+  GlInfo info;
+  info.renderer = gl_string(GL_RENDERER);
+  info.version = gl_string(GL_VERSION);
+  info.platform = std::move(platform);
+  info.software = info.renderer.find("llvmpipe") != std::string::npos ||
+                  info.renderer.find("softpipe") != std::string::npos ||
+                  info.renderer.find("SWR") != std::string::npos;
+  return info;
+}
+
+std::vector<EglDeviceInfo> list_egl_devices() {
+  std::vector<EglDeviceInfo> infos;
+  for (EGLDeviceEXT device : egl_devices()) infos.push_back(describe(device, static_cast<int>(infos.size())));
+  return infos;
+}
+
+GlContext::GlContext(int cuda_device) {
+  std::vector<std::string> failures;
+  for (const Candidate& candidate : candidates(cuda_device)) {
+    std::string reason;
+    context_ = try_context(candidate.display, reason);
+    if (context_ != EGL_NO_CONTEXT) {
+      display_ = candidate.display;
+      info_ = current_gl_info(candidate.platform);
+      debug_ = std::make_unique<GlDebug>();
+      return;
+    }
+    failures.push_back(candidate.platform + " (" + reason + ")");
+  }
+  if (failures.empty()) failures.push_back("EGL offers neither devices nor the surfaceless platform");
+  throw RunError("no OpenGL 4.5 context without a display: " + join(failures) +
+                 "; on Debian, libegl1 and libgl1-mesa-dri give one in software");
+}
+
+GlContext::~GlContext() {
+  // Destructors cannot report; a display that is gone has taken its contexts with it.
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+  debug_.reset();
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+}
+
+void GlContext::make_current() {
+  if (!eglBindAPI(EGL_OPENGL_API)) throw RunError(egl_error("eglBindAPI(EGL_OPENGL_API)"));
+  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+    throw RunError(egl_error("eglMakeCurrent"));
+  }
+}
+
+void GlContext::release() {
+  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT)) {
+    throw RunError(egl_error("eglMakeCurrent without a context"));
+  }
+}
+
+}  // namespace ballpit

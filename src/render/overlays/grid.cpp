@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "render/overlays/grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "render/painter.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr float kEdgeWidth = 2.0f;  // in 1/1080 of the picture's height
+
+size_t cell_index(const IVec3& cells, int x, int y, int z) {
+  return (static_cast<size_t>(z) * static_cast<size_t>(cells.y) + static_cast<size_t>(y)) *
+             static_cast<size_t>(cells.x) +
+         static_cast<size_t>(x);
+}
+
+/// 0 to 1: one body is seen clearly, more are told apart up to about eight.
+float strength(int count) { return static_cast<float>(count) / static_cast<float>(count + 2); }
+
+/// Edges of cells with one body stay in the background among thousands; full cells stand out.
+float spatial_opacity(int count) { return std::min(0.4f + 0.25f * static_cast<float>(count - 1), 1.0f); }
+
+Vec3 lattice_point(const GridInspection& grid, int x, int y, int z) {
+  return grid.origin + grid.edge * Vec3(x, y, z);
+}
+
+/// The fullest of the cells around the lattice edge that starts at (x, y, z) and runs along `axis`.
+int fullest_around_edge(const GridInspection& grid, const std::vector<int>& counts, IVec3 point, int axis) {
+  const int a = (axis + 1) % 3;
+  const int b = (axis + 2) % 3;
+  int fullest = 0;
+  for (int da = -1; da <= 0; ++da) {
+    for (int db = -1; db <= 0; ++db) {
+      IVec3 cell = point;
+      cell[a] += da;
+      cell[b] += db;
+      if (cell[a] < 0 || cell[b] < 0 || cell[a] >= grid.cells[a] || cell[b] >= grid.cells[b]) continue;
+      fullest = std::max(fullest, counts[cell_index(grid.cells, cell.x, cell.y, cell.z)]);
+    }
+  }
+  return fullest;
+}
+
+/// Fades what is far, so that near cells stand before those behind: 1 at the front of the grid to kFarthest.
+class DepthFade {
+ public:
+  DepthFade(const GridInspection& grid, const Camera& camera) : eye_(camera.eye) {
+    const Vec3 size = grid.edge * Vec3(grid.cells);
+    const float middle = length(grid.origin + size / 2.0f - eye_);
+    nearest_ = middle - length(size) / 2;
+    farthest_ = middle + length(size) / 2;
+  }
+
+  float at(const Vec3& point) const {
+    const float way = (length(point - eye_) - nearest_) / (farthest_ - nearest_);
+    return 1 + (kFarthest - 1) * std::clamp(way, 0.0f, 1.0f);
+  }
+
+ private:
+  static constexpr float kFarthest = 0.25f;
+  Vec3 eye_;
+  float nearest_;
+  float farthest_;
+};
+
+/// The lattice's edges along `axis` through `start`; neighbours of equal count become one line.
+void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const std::vector<int>& counts,
+                     const DepthFade& fade, const Theme& theme, std::vector<Line>& lines) {
+  const auto count_at = [&](int step) {
+    IVec3 point = start;
+    point[axis] = step;
+    return step < grid.cells[axis] ? fullest_around_edge(grid, counts, point, axis) : 0;
+  };
+  for (int step = 0; step < grid.cells[axis];) {
+    const int count = count_at(step);
+    const int first = step++;
+    if (count == 0) continue;
+    while (count_at(step) == count) ++step;
+    IVec3 end = start;
+    start[axis] = first;
+    end[axis] = step;
+    const Vec3 a = lattice_point(grid, start.x, start.y, start.z);
+    const Vec3 b = lattice_point(grid, end.x, end.y, end.z);
+    const float opacity = spatial_opacity(count);
+    lines.push_back(
+        {a, to_rgba(theme.grid, opacity * fade.at(a)), b, to_rgba(theme.grid, opacity * fade.at(b))});
+  }
+}
+
+std::vector<Line> occupied_edges(const GridInspection& grid, const std::vector<int>& counts,
+                                 const Camera& camera, const Theme& theme) {
+  const DepthFade fade(grid, camera);
+  std::vector<Line> lines;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int a = (axis + 1) % 3;
+    const int b = (axis + 2) % 3;
+    IVec3 start(0);
+    for (start[a] = 0; start[a] <= grid.cells[a]; ++start[a]) {
+      for (start[b] = 0; start[b] <= grid.cells[b]; ++start[b]) {
+        add_edges_along(axis, start, grid, counts, fade, theme, lines);
+      }
+    }
+  }
+  return lines;
+}
+
+std::vector<Face> occupied_squares(const GridInspection& grid, const std::vector<int>& counts,
+                                   const Theme& theme) {
+  std::vector<Face> faces;
+  for (int y = 0; y < grid.cells.y; ++y) {
+    for (int x = 0; x < grid.cells.x; ++x) {
+      const int count = counts[cell_index(grid.cells, x, y, 0)];
+      if (count == 0) continue;
+      const Rgba color = to_rgba(theme.grid, 0.6f * strength(count));
+      faces.push_back({lattice_point(grid, x, y, 0), {grid.edge.x, 0, 0}, {0, grid.edge.y, 0}, color});
+    }
+  }
+  return faces;
+}
+
+/// All cells' borders, except where the domain's own edges lie.
+std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domain, const Theme& theme) {
+  std::vector<Line> lines;
+  const Rgba color = to_rgba(theme.grid, 0.7f);
+  const auto on_border = [&](const Vec3& point, int axis) {
+    const float tolerance = 1e-3f * grid.edge[axis];
+    return std::abs(point[axis] - domain.min[axis]) < tolerance ||
+           std::abs(point[axis] - domain.max[axis]) < tolerance;
+  };
+  for (int x = 0; x <= grid.cells.x; ++x) {
+    const Vec3 foot = lattice_point(grid, x, 0, 0);
+    if (!on_border(foot, 0)) lines.push_back({foot, color, lattice_point(grid, x, grid.cells.y, 0), color});
+  }
+  for (int y = 0; y <= grid.cells.y; ++y) {
+    const Vec3 start = lattice_point(grid, 0, y, 0);
+    if (!on_border(start, 1)) lines.push_back({start, color, lattice_point(grid, grid.cells.x, y, 0), color});
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<int> count_per_cell(const GridInspection& grid) {
+  std::vector<int> counts(grid.head.size(), 0);
+  for (size_t cell = 0; cell < counts.size(); ++cell) {
+    for (int32_t body = grid.head[cell]; body >= 0; body = grid.next[static_cast<size_t>(body)])
+      ++counts[cell];
+  }
+  return counts;
+}
+
+void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
+  // A planar grid lies under the discs; a spatial one between the spheres, told apart by depth.
+  if (!view.inspection.grid || (layer == Layer::under) != view.domain.is_planar()) return;
+  const GridInspection& grid = *view.inspection.grid;
+  const std::vector<int> counts = count_per_cell(grid);
+  const float width = kEdgeWidth * painter.line_unit;
+  if (view.domain.is_planar()) {
+    painter.faces.draw(occupied_squares(grid, counts, painter.theme));
+    painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
+  } else {
+    painter.lines.draw(occupied_edges(grid, counts, view.camera, painter.theme), width);
+  }
+}
+
+}  // namespace ballpit

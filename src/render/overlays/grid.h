@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The linked-cell grid: occupied cells only, stronger where more bodies are.
+//
+//     spatial: edges of occupied cells        planar: tinted squares, and
+//     (each edge once, however many           thin lines of all cells
+//     cells share it)                           ┌──┬──┬──┐
+//        ┌──┬──┐                                │  │▒▒│  │
+//        ├──┼──┘                                ├──┼──┼──┤
+//        └──┘                                   │░░│  │▓▓│
+//                                               └──┴──┴──┘
+// Cost: proportional to the number of cells and bodies.
+#pragma once
+
+#include <vector>
+
+#include "render/line_renderer.h"
+#include "render/overlays/overlay.h"
+
+namespace ballpit {
+
+/// The number of bodies in every cell, found as the simulation finds them: from head along next.
+std::vector<int> count_per_cell(const GridInspection& grid);
+
+class GridOverlay : public Overlay {
+ public:
+  void draw(const FrameView& view, Painter& painter, Layer layer) override;
+};
+
+}  // namespace ballpit

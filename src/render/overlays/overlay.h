@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Overlays show what the simulation does, over the spheres: each owns its drawing, reads only the inspection,
+// and is one entry of the table that feeds command line, panel and tests.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/frame_view.h"
+
+namespace ballpit {
+
+struct Painter;  // render/painter.h: what all overlays draw with
+
+/// When an overlay draws: `under` before the bodies, `over` after them. Depth is tested in both.
+enum class Layer { under, over };
+
+class Overlay {
+ public:
+  Overlay() = default;
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+  virtual ~Overlay() = default;
+
+  /// Called twice a frame, once for each layer. Draws nothing where the inspection lacks what it shows.
+  virtual void draw(const FrameView& view, Painter& painter, Layer layer) = 0;
+};
+
+struct OverlayEntry {
+  std::string_view name;                 ///< "grid", as typed
+  std::string_view label;                ///< "Grid cells", as the panel shows it
+  std::unique_ptr<Overlay> (*create)();  ///< needs a current GL context
+};
+
+const std::vector<OverlayEntry>& overlay_table();
+
+/// "grid,pairs" → {"grid", "pairs"}; "" → {}. Throws UserError that lists the overlays.
+std::vector<std::string> parse_overlays(const std::string& names);
+
+}  // namespace ballpit

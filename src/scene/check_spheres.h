@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Checks spheres that were written down, not generated: inside the domain, and clear of each other.
+// Cost: O(n log n) for the sort by size; the search itself is O(n) (sphere_index.h).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/input_error.h"
+#include "scene/scene.h"
+#include "scene/sphere_index.h"
+
+namespace ballpit {
+
+/// Where spheres were written: in [[spheres]] tables, or in rows of a CSV file.
+struct SphereLines {
+  std::string file;
+  std::vector<int> line;  ///< one per sphere
+  bool csv = false;
+};
+
+/// Makes `bodies` fit `domain`: no third dimension in planar scenes; in periodic ones a centre on the upper
+/// edge moves to the lower, which is the same point. Throws UserError for the first sphere that is not wholly
+/// inside, or sticks out by more than physics.initial_overlap · radius; and for a pair that overlaps by more
+/// than that fraction of the smaller radius. Adds all to `index`.
+void check_spheres(const Domain& domain, const Physics& physics, const SphereLines& lines, Bodies& bodies,
+                   SphereIndex& index);
+
+/// Throws UserError unless each edge of a periodic domain is at least four times the largest radius: then two
+/// spheres meet across one edge only. `place` is where the domain was written.
+void check_periodic_edges(const Domain& domain, double largest_radius, const Place& place);
+
+}  // namespace ballpit

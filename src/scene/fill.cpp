@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "scene/fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "core/random.h"
+
+namespace ballpit {
+
+namespace {
+
+/// `value` rounded to the 24 bits of a float, as Veltkamp splits numbers (Dekker 1971,
+/// doi 10.1007/BF01397083). Not by casting to float and back: g++ 12 drops both casts where it vectorises
+/// them (-ftree-slp-vectorize).
+double as_float(double value) {
+  const double c = value * 0x20000001p0;
+  return c - (c - value);
+}
+
+/// Where the centre of a sphere may lie, ends included, except the upper end of a periodic axis.
+struct CentreBox {
+  Vec3d low;
+  Vec3d high;
+  bool periodic[3] = {false, false, false};
+
+  bool contains(const Vec3d& p) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (p[axis] < low[axis] || p[axis] > high[axis]) return false;
+      if (periodic[axis] && p[axis] == high[axis]) return false;
+    }
+    return true;
+  }
+};
+
+CentreBox centre_box(const Domain& domain, const Fill& fill, double radius) {
+  CentreBox box{fill.min, fill.max};
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    // Inside the region as written, and as rounded to float.
+    box.low[axis] = std::max(box.low[axis], as_float(box.low[axis]));
+    box.high[axis] = std::min(box.high[axis], as_float(box.high[axis]));
+    box.periodic[axis] = domain.boundary == Boundary::periodic && fill.min[axis] == domain.min[axis] &&
+                         fill.max[axis] == domain.max[axis];
+    if (box.periodic[axis]) continue;
+    box.low[axis] += radius * (1.0 + kPlacementGap);
+    box.high[axis] -= radius * (1.0 + kPlacementGap);
+    if (box.low[axis] > box.high[axis]) {
+      throw input_error(fill.place, "[[fill]] radius", number_text(radius),
+                        "at most half the region, whose edge along " + std::string(1, "xyz"[axis]) + " is " +
+                            number_text(fill.max[axis] - fill.min[axis]));
+    }
+  }
+  return box;
+}
+
+/// Volume [m³] of the spheres of a fill, expected over its range of radii, over that of its region; areas in
+/// the plane.
+double volume_fraction(const Domain& domain, const Fill& fill) {
+  const double a = fill.radius_min;
+  const double b = fill.radius_max;
+  const Vec3d extent = fill.max - fill.min;
+  const auto count = static_cast<double>(fill.count);
+  if (domain.dimensions == 2) {
+    const double mean_square = (a * a + a * b + b * b) / 3.0;
+    return count * std::numbers::pi * mean_square / (extent.x * extent.y);
+  }
+  const double mean_cube = (a * a + b * b) * (a + b) / 4.0;
+  return count * (4.0 / 3.0) * std::numbers::pi * mean_cube / (extent.x * extent.y * extent.z);
+}
+
+/// Volume fraction that random placement of many equal spheres, or discs, never exceeds, with a margin for
+/// small boxes.
+double saturation(const Domain& domain) { return domain.dimensions == 2 ? 0.56 : 0.40; }
+
+/// `placed` is empty where none was tried.
+[[noreturn]] void fail_random(const Domain& domain, const Fill& fill, std::optional<int64_t> placed) {
+  const double percent = std::round(1000.0 * volume_fraction(domain, fill)) / 10.0;
+  const std::string only = placed ? ", but only " + std::to_string(*placed) + " found room" : "";
+  throw input_error(fill.place, fill.count_key,
+                    std::to_string(fill.count) + " spheres" + only + ": they ask for " +
+                        number_text(percent) + " % of their region, random placement reaches about " +
+                        (domain.dimensions == 2 ? "54 %" : "38 %"),
+                    "fewer or smaller spheres, a larger region, or arrangement = \"lattice\"");
+}
+
+/// A fill while it is placed: its spheres are those from `first` on.
+struct Placement {
+  const Scene& scene;
+  const Fill& fill;
+  int64_t first;
+  uint64_t position_seed;
+  SphereIndex& index;
+  Bodies& bodies;
+
+  void set_position(int64_t i, const Vec3d& position) const {
+    const auto k = static_cast<size_t>(i);
+    bodies.position[k] = position;
+    index.insert(static_cast<int32_t>(i), position, bodies.radius[k]);
+  }
+};
+
+/// Radii, velocities and masses, in the order of the bodies, so that they do not depend on how positions are
+/// found.
+void draw_properties(const Placement& placement, Random& master) {
+  const Fill& fill = placement.fill;
+  Bodies& bodies = placement.bodies;
+  Random radii(master.bits());
+  Random directions(master.bits());
+  for (int64_t i = placement.first; i < placement.first + fill.count; ++i) {
+    const auto k = static_cast<size_t>(i);
+    double radius = fill.radius_min;
+    if (fill.radius_min < fill.radius_max) {
+      radius = std::clamp(as_float(radii.uniform(fill.radius_min, fill.radius_max)), fill.radius_min,
+                          fill.radius_max);
+    }
+    bodies.radius[k] = radius;
+    bodies.mass[k] = fill.mass.value_or(sphere_mass(radius, placement.scene.physics.density));
+    if (fill.velocity) {
+      bodies.velocity[k] = *fill.velocity;
+    } else if (fill.speed > 0.0) {
+      bodies.velocity[k] = directions.direction(placement.scene.domain.dimensions) * fill.speed;
+    }
+  }
+}
+
+/// Throws until a sphere of this radius stands free; counts the throws down in `budget`. False if it is given
+/// up.
+bool throw_until_free(const Placement& placement, double radius, Random& random, int64_t& budget,
+                      Vec3d& position) {
+  const Domain& domain = placement.scene.domain;
+  const CentreBox box = centre_box(domain, placement.fill, radius);
+  for (int attempt = 0; attempt < kAttemptsPerSphere && budget > 0; ++attempt, --budget) {
+    position = random.uniform(box.low, box.high);
+    for (int axis = 0; axis < 3; ++axis) position[axis] = as_float(position[axis]);
+    if (box.contains(position) && placement.index.is_free(position, radius, kPlacementGap)) return true;
+  }
+  return false;
+}
+
+void place_at_random(const Placement& placement) {
+  const Fill& fill = placement.fill;
+  const std::vector<double>& radius = placement.bodies.radius;
+  std::vector<int32_t> order(static_cast<size_t>(fill.count));
+  std::iota(order.begin(), order.end(), static_cast<int32_t>(placement.first));
+  std::stable_sort(order.begin(), order.end(), [&](int32_t i, int32_t j) {
+    return radius[static_cast<size_t>(i)] > radius[static_cast<size_t>(j)];
+  });
+  Random random(placement.position_seed);
+  int64_t budget = 1'000'000 + 30 * fill.count;
+  for (size_t k = 0; k < order.size(); ++k) {
+    Vec3d position(0.0);
+    if (!throw_until_free(placement, radius[static_cast<size_t>(order[k])], random, budget, position)) {
+      fail_random(placement.scene.domain, fill, static_cast<int64_t>(k));
+    }
+    placement.set_position(order[k], position);
+  }
+}
+
+/// Sites at low + (i, j, k) · spacing, counted i first, then k, then j: from the floor up.
+struct Lattice {
+  Vec3d low;
+  double spacing;
+  int64_t sites[3];
+
+  int64_t size() const {
+    const double product =
+        static_cast<double>(sites[0]) * static_cast<double>(sites[1]) * static_cast<double>(sites[2]);
+    return static_cast<int64_t>(std::min(product, 1e18));
+  }
+  Vec3d site(int64_t index) const {
+    const int64_t i = index % sites[0];
+    const int64_t k = index / sites[0] % sites[2];
+    const int64_t j = index / sites[0] / sites[2];
+    const Vec3d p =
+        low + Vec3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)) * spacing;
+    return {as_float(p.x), as_float(p.y), as_float(p.z)};
+  }
+};
+
+Lattice lattice_of(const Domain& domain, const Fill& fill) {
+  const double radius = fill.radius_max;
+  const CentreBox box = centre_box(domain, fill, radius);
+  // Two units in the last place make up for rounding each of two neighbours to float.
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    largest = std::max({largest, std::abs(fill.min[axis]), std::abs(fill.max[axis])});
+  }
+  const auto coordinate = static_cast<float>(largest);
+  const double ulp = std::nextafter(coordinate, std::numeric_limits<float>::infinity()) - coordinate;
+  Lattice lattice{box.low + ulp, 2.0 * radius * (1.0 + 2.0 * kPlacementGap) + 2.0 * ulp, {1, 1, 1}};
+  if (domain.dimensions == 2) lattice.low.z = 0.0;
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    const double room = box.high[axis] - box.low[axis] - 2.0 * ulp;
+    // The last site of a periodic axis is the neighbour of the first.
+    const double count = std::floor(room / lattice.spacing) + (box.periodic[axis] ? 0.0 : 1.0);
+    lattice.sites[axis] = static_cast<int64_t>(std::clamp(count, 0.0, static_cast<double>(kLargestCount)));
+  }
+  return lattice;
+}
+
+[[noreturn]] void fail_lattice(const Fill& fill, int64_t fitting) {
+  throw input_error(fill.place, fill.count_key, std::to_string(fill.count),
+                    "at most " + std::to_string(fitting) + ": no more fit on the lattice in this region");
+}
+
+void place_on_lattice(const Placement& placement) {
+  const Fill& fill = placement.fill;
+  const Lattice lattice = lattice_of(placement.scene.domain, fill);
+  const bool alone = placement.index.size() == 0;
+  int64_t site = 0;
+  for (int64_t placed = 0; placed < fill.count; ++site) {
+    if (site == lattice.size()) fail_lattice(fill, placed);
+    const Vec3d position = lattice.site(site);
+    const double radius = placement.bodies.radius[static_cast<size_t>(placement.first + placed)];
+    if (!alone && !placement.index.is_free(position, radius, kPlacementGap)) continue;
+    placement.set_position(placement.first + placed, position);
+    ++placed;
+  }
+}
+
+/// Lattices first, then by falling radius, else as written.
+std::vector<size_t> placing_order(std::span<const Fill> fills) {
+  std::vector<size_t> order(fills.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](size_t i, size_t j) {
+    const bool lattice_i = fills[i].arrangement == Arrangement::lattice;
+    const bool lattice_j = fills[j].arrangement == Arrangement::lattice;
+    if (lattice_i != lattice_j) return lattice_i;
+    return !lattice_i && fills[i].radius_max > fills[j].radius_max;
+  });
+  return order;
+}
+
+/// Refuses what cannot fit before memory is taken for it.
+void check_room(const Domain& domain, const Fill& fill) {
+  if (fill.count == 0) return;
+  if (fill.arrangement == Arrangement::lattice) {
+    const int64_t sites = lattice_of(domain, fill).size();
+    if (sites < fill.count) fail_lattice(fill, sites);
+    return;
+  }
+  centre_box(domain, fill, fill.radius_max);
+  const bool many_equal = fill.radius_min == fill.radius_max && fill.count >= 1000;
+  const double most = many_equal ? saturation(domain) : 1.0;
+  if (volume_fraction(domain, fill) > most) fail_random(domain, fill, std::nullopt);
+}
+
+}  // namespace
+
+void place_fills(const Scene& scene, std::span<const Fill> fills, SphereIndex& index, Bodies& bodies) {
+  int64_t total = bodies.size();
+  for (const Fill& fill : fills) {
+    check_room(scene.domain, fill);
+    total += fill.count;
+  }
+  Random master(scene.seed);
+  std::vector<Placement> placements;
+  int64_t first = bodies.size();
+  bodies.resize(total);
+  for (const Fill& fill : fills) {
+    placements.push_back({scene, fill, first, 0, index, bodies});
+    draw_properties(placements.back(), master);
+    placements.back().position_seed = master.bits();
+    first += fill.count;
+  }
+  for (const size_t k : placing_order(fills)) {
+    if (fills[k].arrangement == Arrangement::lattice) {
+      place_on_lattice(placements[k]);
+    } else {
+      place_at_random(placements[k]);
+    }
+  }
+}
+
+}  // namespace ballpit

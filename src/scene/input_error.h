@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The words of an error in a scene or CSV file, and the limits that all input shares.
+#pragma once
+
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace ballpit {
+
+/// A closed range of numbers.
+struct Limits {
+  double low;
+  double high;
+  bool contains(double value) const { return value >= low && value <= high; }  // false for NaN
+};
+
+// Limits that keep squares of lengths and products with masses inside the range of float.
+inline constexpr Limits kAnyNumber{-1e15, 1e15};
+inline constexpr Limits kNotNegative{0.0, 1e15};
+inline constexpr Limits kPositive{1e-12, 1e15};
+inline constexpr Limits kMass{1e-30, 1e30};            // [kg]
+inline constexpr int64_t kLargestCount = 100'000'000;  // spheres
+
+/// Where something was written.
+struct Place {
+  std::string file;
+  int line = 1;
+};
+
+/// "scene.toml:3: [physics] restitution: found 1.5, allowed 0 to 1", with control characters made visible.
+UserError input_error(const Place& place, std::string_view key, std::string_view found,
+                      std::string_view allowed);
+
+/// The shortest text that reads back as `value`: "0.1", "1e-06", "nan".
+std::string number_text(double value);
+
+/// "0 to 1".
+std::string limits_text(const Limits& limits);
+
+/// `text` in quotes, shortened if long.
+std::string quoted(std::string_view text);
+
+/// [kg] of a sphere, in planar scenes too: a disc is a sphere that moves in a plane.
+inline double sphere_mass(double radius, double density) {
+  return density * (4.0 / 3.0 * std::numbers::pi) * radius * radius * radius;
+}
+
+}  // namespace ballpit

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "scene/table_reader.h"
+
+#include <algorithm>
+
+namespace ballpit {
+
+namespace {
+
+int line_of(const toml::node& node) { return std::max(1, static_cast<int>(node.source().begin.line)); }
+
+}  // namespace
+
+std::string describe(const toml::node& node) {
+  if (const auto* text = node.as_string()) return quoted(text->get());
+  if (const auto* number = node.as_floating_point()) return number_text(number->get());
+  if (const auto* number = node.as_integer()) return std::to_string(number->get());
+  if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  if (const auto* array = node.as_array()) return "an array of " + std::to_string(array->size()) + " values";
+  return node.is_table() ? "a table" : "a date or time";
+}
+
+toml::table parse_toml(std::string_view text, std::string_view file_name) {
+  try {
+    return toml::parse(text, file_name);
+  } catch (const toml::parse_error& error) {
+    const Place place{std::string(file_name), std::max(1, static_cast<int>(error.source().begin.line))};
+    throw input_error(place, "", "a syntax error: " + std::string(error.description()), "TOML 1.0");
+  }
+}
+
+TableReader::TableReader(const toml::table& table, std::string file, std::string label,
+                         std::span<const std::string_view> keys)
+    : table_(table), file_(std::move(file)), label_(std::move(label)) {
+  for (const auto& [key, node] : table_) {
+    if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
+      throw error(key.str(), "an unknown key", join(keys));
+    }
+  }
+}
+
+Place TableReader::place(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return {file_, line_of(node != nullptr ? *node : table_)};
+}
+
+double TableReader::number_at(const toml::node& node, std::string_view key, const Limits& limits) const {
+  const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (value && limits.contains(*value)) return *value;
+  const std::string allowed = (value ? "" : "a number, ") + limits_text(limits);
+  throw input_error({file_, line_of(node)}, full_key(key), describe(node), allowed);
+}
+
+std::optional<double> TableReader::number(std::string_view key, const Limits& limits) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return std::nullopt;
+  return number_at(*node, key, limits);
+}
+
+std::optional<int64_t> TableReader::integer(std::string_view key, int64_t low, int64_t high) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return std::nullopt;
+  const auto* value = node->as_integer();
+  if (value != nullptr && value->get() >= low && value->get() <= high) return value->get();
+  throw error(key, describe(*node), "an integer, " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+std::optional<std::string> TableReader::text(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_string()) throw error(key, describe(*node), "a text in quotes");
+  return node->as_string()->get();
+}
+
+std::optional<size_t> TableReader::choice(std::string_view key,
+                                          std::span<const std::string_view> names) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return std::nullopt;
+  const std::string_view value =
+      node->is_string() ? std::string_view(node->as_string()->get()) : std::string_view{};
+  const auto found = std::find(names.begin(), names.end(), value);
+  if (found == names.end()) throw error(key, describe(*node), join(names));
+  return static_cast<size_t>(found - names.begin());
+}
+
+std::optional<Vec3d> TableReader::vector(std::string_view key, int dimensions, const Limits& limits) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* array = node->as_array();
+  const size_t size = array != nullptr ? array->size() : 0;
+  if (size != 3 && (size != 2 || dimensions != 2)) {
+    throw error(key, describe(*node),
+                dimensions == 2 ? "an array of 2 or 3 numbers" : "an array of 3 numbers");
+  }
+  Vec3d result(0.0);
+  for (size_t axis = 0; axis < size; ++axis) {
+    const std::string element = std::string(key) + '[' + std::to_string(axis) + ']';
+    result[static_cast<int>(axis)] = number_at((*array)[axis], element, limits);
+  }
+  if (dimensions == 2) result.z = 0.0;
+  return result;
+}
+
+std::optional<Limits> TableReader::range(std::string_view key, const Limits& limits) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    const double value = number_at(*node, key, limits);
+    return Limits{value, value};
+  }
+  const std::string name(key);
+  if (array->size() != 2)
+    throw error(key, describe(*node), "a number, or an array of 2 numbers, low and high");
+  const Limits result{number_at((*array)[0], name + "[0]", limits),
+                      number_at((*array)[1], name + "[1]", limits)};
+  if (result.low <= result.high) return result;
+  throw error(key, number_text(result.low) + " before " + number_text(result.high), "low before high");
+}
+
+std::vector<const toml::table*> TableReader::tables(std::string_view key) const {
+  std::vector<const toml::table*> result;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return result;
+  const std::string allowed = "tables [[" + std::string(key) + "]]";
+  if (!node->is_array()) throw error(key, describe(*node), allowed);
+  for (const toml::node& element : *node->as_array()) {
+    if (!element.is_table())
+      throw input_error({file_, line_of(element)}, full_key(key), describe(element), allowed);
+    result.push_back(element.as_table());
+  }
+  return result;
+}
+
+const toml::table* TableReader::subtable(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return nullptr;
+  if (!node->is_table()) throw error(key, describe(*node), "a table [" + std::string(key) + "]");
+  return node->as_table();
+}
+
+}  // namespace ballpit

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Reads one TOML table strictly: unknown keys, wrong types and values outside their limits are UserErrors
+// that name file, line and key. Only the readers of scenes include this; TOML goes no further. Source:
+// TOML 1.0 by toml++ (https://marzer.github.io/tomlplusplus/).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "core/math.h"
+#include "scene/input_error.h"
+
+namespace ballpit {
+
+class TableReader {
+ public:
+  /// Throws UserError if `table` has keys other than `keys`. `label` is "[physics]", or "" at the top level.
+  TableReader(const toml::table& table, std::string file, std::string label,
+              std::span<const std::string_view> keys);
+
+  const toml::table& table() const { return table_; }
+  bool has(std::string_view key) const { return table_.contains(key); }
+
+  /// Where the key was written, or the table if it was not.
+  Place place(std::string_view key) const;
+  /// "[physics] restitution".
+  std::string full_key(std::string_view key) const {
+    return label_.empty() ? std::string(key) : label_ + ' ' + std::string(key);
+  }
+
+  // Each is empty where the table lacks the key.
+  std::optional<double> number(std::string_view key, const Limits& limits) const;
+  std::optional<int64_t> integer(std::string_view key, int64_t low, int64_t high) const;
+  std::optional<std::string> text(std::string_view key) const;
+  /// The index of the value among `names`.
+  std::optional<size_t> choice(std::string_view key, std::span<const std::string_view> names) const;
+  /// `dimensions` numbers, or three; in planar scenes z is 0.
+  std::optional<Vec3d> vector(std::string_view key, int dimensions, const Limits& limits) const;
+  /// A number, or an array of two in order.
+  std::optional<Limits> range(std::string_view key, const Limits& limits) const;
+  /// The tables of an array [[key]]; none where the table lacks the key.
+  std::vector<const toml::table*> tables(std::string_view key) const;
+  /// The table [key], or nullptr.
+  const toml::table* subtable(std::string_view key) const;
+
+  /// For the caller to throw.
+  UserError error(std::string_view key, std::string_view found, std::string_view allowed) const {
+    return input_error(place(key), full_key(key), found, allowed);
+  }
+  UserError missing(std::string_view key, std::string_view allowed) const {
+    return error(key, "nothing", allowed);
+  }
+
+ private:
+  double number_at(const toml::node& node, std::string_view key, const Limits& limits) const;
+
+  const toml::table& table_;
+  std::string file_;
+  std::string label_;
+};
+
+/// A value as an error shows it: 1.5, "high", true, an array of 2 values.
+std::string describe(const toml::node& node);
+
+/// Parses a whole file. Throws UserError with the line and the reason of a syntax error.
+toml::table parse_toml(std::string_view text, std::string_view file_name);
+
+}  // namespace ballpit

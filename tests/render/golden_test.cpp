@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Pictures of stored states against tests/golden. After a change that is meant to show:
+//     BALLPIT_BLESS=1 ctest --test-dir build/release -R golden
+#include <catch2/catch.hpp>
+
+#include "picture_compare.h"
+#include "test_scenes.h"
+
+using namespace ballpit;
+
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 180;
+constexpr float kAspect = 16.0f / 9;
+
+const DomainBox kBox;
+const DomainBox kOpen{Vec3(0), Vec3(1), 3, true};
+const DomainBox kPlane{Vec3(0), Vec3(5, 5, 0), 2, false};
+
+Inspection stored(const std::string& name, const DomainBox& domain, float edge) {
+  return inspect(read_spheres(BALLPIT_GOLDEN_FOLDER "/" + name + ".csv"), domain, edge);
+}
+
+}  // namespace
+
+TEST_CASE("golden: a cloud of spheres with its grid, on white") {
+  const Inspection cloud = stored("cloud", kBox, 0.125f);
+  CHECK(compare_with_golden("cloud_grid", draw(view_of(cloud, kBox, kAspect, {"grid"}), kWidth, kHeight)) ==
+        "");
+}
+
+TEST_CASE("golden: a cloud of spheres in an open box, on dark") {
+  const Inspection cloud = stored("cloud", kOpen, 0);
+  const RenderOptions dark{theme_named("dark"), 1};
+  CHECK(compare_with_golden("cloud_open_dark", draw(view_of(cloud, kOpen, kAspect), kWidth, kHeight, dark)) ==
+        "");
+}
+
+TEST_CASE("golden: a planar scene with its grid") {
+  const Inspection plane = stored("plane", kPlane, 1);
+  CHECK(compare_with_golden("plane_grid", draw(view_of(plane, kPlane, kAspect, {"grid"}), kWidth, kHeight)) ==
+        "");
+}
+
+TEST_CASE("the comparison of pictures sees a missing sphere, but not rounding") {
+  std::vector<Sphere> spheres = read_spheres(BALLPIT_GOLDEN_FOLDER "/cloud.csv");
+  const Inspection all = inspect(spheres, kBox);
+  const Image whole = draw(view_of(all, kBox, kAspect), kWidth, kHeight);
+  Image rounded = whole;
+  for (size_t i = 0; i < rounded.pixels.size(); i += 7) rounded.pixels[i] ^= 3;
+  CHECK(worst_block(rounded, whole) == 0);
+
+  // The nearest sphere is not hidden.
+  const Vec3 eye = view_of(all, kBox, kAspect).camera.eye;
+  const auto nearest = std::min_element(
+      spheres.begin(), spheres.end(),
+      [&](const Sphere& a, const Sphere& b) { return length(a.center - eye) < length(b.center - eye); });
+  spheres.erase(nearest);
+  const Inspection fewer = inspect(spheres, kBox);
+  CHECK(worst_block(draw(view_of(fewer, kBox, kAspect), kWidth, kHeight), whole) > 8);
+}

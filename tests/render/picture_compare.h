@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Golden pictures: what a drawing looked like when a person last approved of it.
+#pragma once
+
+#include <string>
+
+#include "render/image.h"
+
+namespace ballpit {
+
+/// What sets a fault apart from another driver's rounding: a pixel differs if none of the 3 × 3 pixels around
+/// its place in the other picture is within 8/255; of all blocks of 8 × 8, the most such pixels. Above 8,
+/// pictures differ.
+int worst_block(const Image& actual, const Image& expected);
+
+/// Compares with tests/golden/<name>.png and returns "" if they look the same. Otherwise writes
+/// <name>.actual.png, .expected.png and .diff.png into golden-failures/ and says so. With BALLPIT_BLESS set,
+/// `actual` becomes the golden picture instead: look at it before committing it.
+std::string compare_with_golden(const std::string& name, const Image& actual);
+
+/// Decodes a PNG file; throws what read_file() throws, and RunError for what is no picture.
+Image read_png(const std::string& path);
+
+}  // namespace ballpit

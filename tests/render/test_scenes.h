@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// States to draw in tests, made without a simulation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/frame_view.h"
+#include "render/image.h"
+#include "render/renderer.h"
+
+namespace ballpit {
+
+struct Sphere {
+  Vec3 center;
+  float radius;
+};
+
+/// With all contacts, and a grid of cells of the given edge unless that is 0.
+Inspection inspect(const std::vector<Sphere>& spheres, const DomainBox& domain, float cell_edge = 0);
+
+/// "x,y,z,radius" under a header, one sphere a line.
+std::vector<Sphere> read_spheres(const std::string& path);
+
+FrameView view_of(const Inspection& inspection, const DomainBox& domain, float aspect,
+                  std::vector<std::string> overlays = {});
+
+/// In a context of its own.
+Image draw(const FrameView& view, int width, int height, const RenderOptions& options = {});
+
+/// The largest difference of a colour channel.
+int difference(const uint8_t* pixel, const Vec3& color);
+int difference(const uint8_t* a, const uint8_t* b);
+
+/// Pixels that differ by more than 8/255 between two pictures of the same size.
+int count_different(const Image& a, const Image& b);
+
+}  // namespace ballpit

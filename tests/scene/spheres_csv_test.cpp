@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "scene/spheres_csv.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/random.h"
+
+using namespace ballpit;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string message_of(std::string_view text) {
+  try {
+    parse_spheres_csv(text, "a.csv");
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::bit_cast<uint64_t>(x) == std::bit_cast<uint64_t>(y);
+  });
+}
+
+std::vector<double> flat(const std::vector<Vec3d>& vectors) {
+  std::vector<double> values;
+  for (const Vec3d& v : vectors) values.insert(values.end(), {v.x, v.y, v.z});
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("columns are found by name, in any order") {
+  const Bodies bodies =
+      parse_spheres_csv("radius,vz, z ,y,x,mass\n0.5,4,3,2,1,7\n+.25,-4,-3e0,2,1,8\n", "a.csv");
+  REQUIRE(bodies.size() == 2);
+  CHECK(bodies.position[0] == Vec3d(1, 2, 3));
+  CHECK(bodies.velocity[0] == Vec3d(0, 0, 4));
+  CHECK(bodies.radius == std::vector<double>{0.5, 0.25});
+  CHECK(bodies.mass == std::vector<double>{7, 8});
+}
+
+TEST_CASE("mass and velocity may be left out") {
+  const Bodies bodies = parse_spheres_csv("x,y,z,radius\n1,2,3,0.1", "a.csv", 500.0);
+  CHECK(bodies.velocity[0] == Vec3d(0, 0, 0));
+  CHECK(bodies.mass[0] == Approx(500.0 * 4.0 / 3.0 * 3.14159265358979 * 0.001));
+}
+
+TEST_CASE("Windows line ends, a byte order mark, blanks and a missing last line end are read") {
+  const Bodies bodies = parse_spheres_csv("\xEF\xBB\xBFx,y,z,radius\r\n 1 ,2,\t3,4\r\n5,6,7,8", "a.csv");
+  REQUIRE(bodies.size() == 2);
+  CHECK(bodies.position[1] == Vec3d(5, 6, 7));
+  CHECK(bodies.radius[1] == 8.0);
+}
+
+TEST_CASE("a header alone is a file without spheres") {
+  CHECK(parse_spheres_csv("x,y,z,radius", "a.csv").size() == 0);
+  CHECK(parse_spheres_csv("x,y,z,radius\n", "a.csv").size() == 0);
+}
+
+TEST_CASE("a wrong CSV file is refused with file, line, column, what was found and what is allowed") {
+  const std::string columns = ", allowed columns x, y, z, radius and optionally vx, vy, vz, mass";
+  const std::string any = "a number, -1e+15 to 1e+15";
+  const std::string length = "a number, 1e-12 to 1e+15";
+  const std::string header = "x,y,z,radius\n";
+  using namespace std::string_literals;
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"", "1: header: found an empty file" + columns},
+      {"\xEF\xBB\xBF", "1: header: found an empty file" + columns},
+      {"\n", "1: header: found no column \"x\"" + columns},
+      {"x,y,z\n1,2,3", "1: header: found no column \"radius\"" + columns},
+      {"x,y,radius\n1,2,3", "1: header: found no column \"z\"" + columns},
+      {"x,y,z,r\n1,2,3,4", "1: header: found \"r\"" + columns},
+      {"x,y,z,radius,\n1,2,3,4,", "1: header: found \"\"" + columns},
+      {"x,y,z,radius,x\n", "1: header: found \"x\" twice" + columns},
+      {"1,2,3,4\n", "1: header: found \"1\"" + columns},
+      {"x;y;z;radius\n", "1: header: found \"x;y;z;radius\"" + columns},
+      {header + "1,2,3\n", "2: row: found 3 fields, allowed 4, as in the header"},
+      {header + "1,2,3,4,5\n", "2: row: found 5 fields, allowed 4, as in the header"},
+      {header + "1,2,3,4\n\n1,2,3,4\n", "3: row: found an empty line, allowed 4, as in the header"},
+      {header + "1,2,3,4\n1,two,3,4\n", "3: y: found \"two\", allowed " + any},
+      {header + "1,2,,4\n", "2: z: found \"\", allowed " + any},
+      {header + "1,2,0x3,4\n", "2: z: found \"0x3\", allowed " + any},
+      {header + "1,2,3m,4\n", "2: z: found \"3m\", allowed " + any},
+      {header + "1,2,+-3,4\n", "2: z: found \"+-3\", allowed " + any},
+      {header + "nan,2,3,4\n", "2: x: found \"nan\", allowed " + any},
+      {header + "1,-inf,3,4\n", "2: y: found \"-inf\", allowed " + any},
+      {header + "1,1e999,3,4\n", "2: y: found \"1e999\", allowed " + any},
+      {header + "1,2,3,-1\n", "2: radius: found \"-1\", allowed " + length},
+      {header + "1,2,3,0\n", "2: radius: found \"0\", allowed " + length},
+      {header + "1,2,3,1e12\n",
+       "2: radius: found 1e+12, which makes a mass of 4.188790204786391e+39 kg, allowed 1e-30 to 1e+30 kg"},
+      {"x,y,z,radius,mass\n1,2,3,1,0\n", "2: mass: found \"0\", allowed a number, 1e-30 to 1e+30"},
+      {"x,y,z,radius,vx\n1,2,3,1,inf\n", "2: vx: found \"inf\", allowed " + any},
+      {header + "\x01\xFF\0,2,3,4\n"s, "2: x: found \"\\x01\\xFF\\x00\", allowed " + any},
+      {"\x7F"
+       "ELF\x02\x01"s,
+       "1: header: found \"\\x7FELF\\x02\\x01\"" + columns},
+  };
+  for (const auto& [text, message] : table) {
+    CAPTURE(text);
+    CHECK(message_of(text) == "a.csv:" + message);
+  }
+  CHECK(message_of(std::string(10'000, 'x')).size() < 300);
+}
+
+TEST_CASE("a round trip through a file keeps every bit") {
+  Random random(3);
+  Bodies bodies;
+  for (int i = 0; i < 1000; ++i) {
+    const double scale = std::ldexp(1.0, static_cast<int>(random.uniform(-30.0, 30.0)));
+    bodies.position.push_back(random.uniform(Vec3d(-scale), Vec3d(scale)));
+    bodies.velocity.push_back(random.uniform(Vec3d(-scale), Vec3d(scale)));
+    bodies.radius.push_back(random.uniform(0.1, 1.0) * scale);
+    bodies.mass.push_back(random.uniform(0.1, 1.0) / scale);
+  }
+  bodies.position[0] = {-0.0, 5e-324, 1e15};
+  bodies.radius[0] = 0.1;
+  const fs::path path = fs::temp_directory_path() / "ballpit-round-trip.csv";
+  write_spheres_csv(path, bodies);
+  const Bodies read = read_spheres_csv(path);
+  CHECK(same_bits(flat(bodies.position), flat(read.position)));
+  CHECK(same_bits(flat(bodies.velocity), flat(read.velocity)));
+  CHECK(same_bits(bodies.radius, read.radius));
+  CHECK(same_bits(bodies.mass, read.mass));
+  fs::remove(path);
+}
+
+TEST_CASE("numbers are written as short as they can be") {
+  Bodies bodies;
+  bodies.resize(1);
+  bodies.position[0] = {0.1, 1.0 / 3.0, -2.0};
+  bodies.radius[0] = 0.5;
+  bodies.mass[0] = 1e-9;
+  const fs::path path = fs::temp_directory_path() / "ballpit-short.csv";
+  write_spheres_csv(path, bodies);
+  CHECK(read_file(path) == "x,y,z,radius,vx,vy,vz,mass\n0.1,0.3333333333333333,-2,0.5,0,0,0,1e-09\n");
+  fs::remove(path);
+}
+
+TEST_CASE("a CSV file that is not there is the user's error") {
+  CHECK_THROWS_AS(read_spheres_csv("/nonexistent/a.csv"), UserError);
+}
