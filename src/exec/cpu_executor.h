@@ -125,18 +125,26 @@ class CpuExecutor {
   template <class Kernel>
   void run(int64_t n, int64_t grain, const Kernel& kernel) {
     if (n <= grain || arena_.max_concurrency() == 1) {
-      for (int64_t i = 0; i < n; ++i) kernel(static_cast<int>(i));
+      run_range(0, n, kernel);
       return;
     }
     ForkJoin order;
     arena_.execute([&] {
       tbb::parallel_for(tbb::blocked_range<int64_t>(0, n, static_cast<size_t>(grain)), [&](const auto& range) {
         order.enter();
-        for (int64_t i = range.begin(); i != range.end(); ++i) kernel(static_cast<int>(i));
+        run_range(range.begin(), range.end(), kernel);
         order.leave();
       });
     });
     order.join();
+  }
+
+  /// A copy of the kernel that nothing else can point to, and all calls inlined: its spans and scalars then stay in
+  /// registers. Measured: a third off the step.
+  template <class Kernel>
+  [[gnu::flatten]] static void run_range(int64_t begin, int64_t end, const Kernel& shared) {
+    const Kernel kernel = shared;
+    for (int64_t i = begin; i != end; ++i) kernel(static_cast<int>(i));
   }
 
   // Lifts oneTBB's limit of one thread per core, which holds for the whole process; the arena sets ours.

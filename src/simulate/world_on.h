@@ -120,9 +120,7 @@ class WorldOn final : public World {
     ImpulseParameters parameters;
     parameters.restitution = physics.restitution;
     parameters.wall_restitution = physics.wall_restitution;
-    if (getenv("P_IT")) parameters.iterations = atoi(getenv("P_IT"));
- if (getenv("P_PUSH")) parameters.push = atof(getenv("P_PUSH"));
-    parameters.push_limit = (getenv("P_CAP")?atof(getenv("P_CAP")):kPushSteps) * gravity * settings.dt / settings.substeps;
+    parameters.push_limit = kPushSteps * gravity * settings.dt / settings.substeps;
     parameters.correction = gravity > 0 ? 0.0 : 0.4;
     return parameters;
   }
@@ -204,7 +202,7 @@ class WorldOn final : public World {
 
   // Old overlap is pushed out at most as fast as a body falls in so many steps: enough to carry a heap as many spheres
   // high, and no more, so that freed overlap does not throw spheres up.
-  static constexpr double kPushSteps = 50;
+  static constexpr double kPushSteps = 100;
 
   std::unique_ptr<Exec> exec_;
   Box<V> box_;

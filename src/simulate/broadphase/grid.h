@@ -57,6 +57,7 @@ struct Grid {
     }
   }
   HOST_DEVICE int wrapped(int axis, int c) const {
+    if (!is_periodic) return c;
     const int n = cells[axis];
     return c < 0 ? c + n : (c >= n ? c - n : c);
   }

@@ -44,12 +44,19 @@ struct LinkedCellCandidates {
   /// Calls visit(j) for each j > i in the block around i's cell, until visit returns false.
   template <class Visit>
   HOST_DEVICE void for_each(int i, Visit&& visit) const {
+    // First the lists that are not empty, without a branch for each cell: whether a cell is empty is hard to predict.
+    int starts[kDimensions<V> == 3 ? 27 : 9];
+    int lists = 0;
     grid.for_each_neighbour(grid.cell_of(position[i]), [&](int cell) {
-      for (int j = head[cell]; j != -1; j = next[j]) {
-        if (j > i && !visit(j)) return false;
-      }
+      starts[lists] = head[cell];
+      lists += starts[lists] != -1;
       return true;
     });
+    for (int k = 0; k < lists; ++k) {
+      for (int j = starts[k]; j != -1; j = next[j]) {
+        if (j > i && !visit(j)) return;
+      }
+    }
   }
 };
 

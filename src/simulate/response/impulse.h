@@ -33,11 +33,11 @@ namespace ballpit {
 struct ImpulseParameters {
   double restitution = 0.8;       ///< sphere–sphere
   double wall_restitution = 0.8;  ///< sphere–wall
-  double push = 0.6;              ///< part of the old overlap that a step pushes out by velocity …
+  double push = 0.8;              ///< part of the old overlap that a step pushes out by velocity …
   double push_limit = 0.0;        ///< [m/s] … at this speed at most
   double correction = 0.0;        ///< part of the old overlap that a step removes by position
   double slop = 0.005;            ///< overlap left alone, as a fraction of the sum of radii: contacts stay contacts
-  int iterations = 6;
+  int iterations = 4;
 };
 
 /// What a contact needs in every iteration.
