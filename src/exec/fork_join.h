@@ -13,12 +13,13 @@ namespace ballpit {
 class ForkJoin {
  public:
 #ifdef __SANITIZE_THREAD__
+  ForkJoin() { word_.store(0, std::memory_order_release); }
   void enter() { word_.load(std::memory_order_acquire); }
   void leave() { word_.fetch_add(1, std::memory_order_acq_rel); }
   void join() { word_.load(std::memory_order_acquire); }
 
  private:
-  std::atomic<int> word_{0};
+  std::atomic<int> word_;
 #else
   void enter() {}
   void leave() {}

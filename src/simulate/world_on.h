@@ -50,10 +50,9 @@ class WorldOn final : public World {
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
-    for (int k = 0; k < substeps_; ++k) substep(static_cast<Real>(dt_ / substeps_));
     ++steps_;
+    for (int k = 0; k < substeps_; ++k) substep(static_cast<Real>(dt_ / substeps_));
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    check();
   }
 
   Inspection inspect() override {
@@ -178,6 +177,7 @@ class WorldOn final : public World {
     exec_->parallel_for("drift", n,
                         Drift<V>{box_, dt, velocity_.span(), response_.correction(), position_.span()});
     is_detected_ = false;
+    check();
   }
 
   /// Throws where a body is not a number or outside the domain.

@@ -81,3 +81,14 @@ TEST_CASE("without a grid to show, the overlay draws nothing") {
   CHECK(draw(view_of(inspection, box, 1, {"grid"}), 90, 90).pixels ==
         draw(view_of(inspection, box, 1), 90, 90).pixels);
 }
+
+TEST_CASE("cells that reach beyond the domain are drawn up to its wall") {
+  // Cells of 2 in a square of 5: three along each axis, the last to 6.
+  const Inspection inspection = inspect({{{4.5f, 4.5f, 0}, 0.1f}}, kPlane, 2);
+  REQUIRE(inspection.grid->cells.x == 3);
+  const Image image = draw(view_of(inspection, kPlane, 1, {"grid"}), 400, 400);
+  const Vec3 ground = themes().front().background;
+  CHECK(difference(image.pixel(360, 60), ground) > 8);  // inside, in the corner cell
+  CHECK(difference(image.pixel(390, 60), ground) <= 8);  // right of the domain
+  CHECK(difference(image.pixel(360, 8), ground) <= 8);   // above it
+}

@@ -25,8 +25,14 @@ float strength(int count) { return static_cast<float>(count) / static_cast<float
 /// Edges of cells with one body stay in the background among thousands; full cells stand out.
 float spatial_opacity(int count) { return std::min(0.4f + 0.25f * static_cast<float>(count - 1), 1.0f); }
 
-Vec3 lattice_point(const GridInspection& grid, int x, int y, int z) {
-  return grid.origin + grid.edge * Vec3(x, y, z);
+/// A corner of cells. The last cells along an axis may reach beyond the domain; they are drawn up to its wall.
+Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IVec3& corner) {
+  Vec3 point = grid.origin + grid.edge * Vec3(corner);
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    const bool has_wall = axis != 1 || !domain.open_top;
+    if (has_wall && corner[axis] == grid.cells[axis]) point[axis] = std::min(point[axis], domain.max[axis]);
+  }
+  return point;
 }
 
 /// The fullest of the cells around the lattice edge that starts at (x, y, z) and runs along `axis`.
@@ -69,8 +75,9 @@ class DepthFade {
 };
 
 /// The lattice's edges along `axis` through `start`; neighbours of equal count become one line.
-void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const std::vector<int>& counts,
-                     const DepthFade& fade, const Theme& theme, std::vector<Line>& lines) {
+void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const DomainBox& domain,
+                     const std::vector<int>& counts, const DepthFade& fade, const Theme& theme,
+                     std::vector<Line>& lines) {
   const auto count_at = [&](int step) {
     IVec3 point = start;
     point[axis] = step;
@@ -84,16 +91,16 @@ void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const st
     IVec3 end = start;
     start[axis] = first;
     end[axis] = step;
-    const Vec3 a = lattice_point(grid, start.x, start.y, start.z);
-    const Vec3 b = lattice_point(grid, end.x, end.y, end.z);
+    const Vec3 a = lattice_point(grid, domain, start);
+    const Vec3 b = lattice_point(grid, domain, end);
     const float opacity = spatial_opacity(count);
     lines.push_back(
         {a, to_rgba(theme.grid, opacity * fade.at(a)), b, to_rgba(theme.grid, opacity * fade.at(b))});
   }
 }
 
-std::vector<Line> occupied_edges(const GridInspection& grid, const std::vector<int>& counts,
-                                 const Camera& camera, const Theme& theme) {
+std::vector<Line> occupied_edges(const GridInspection& grid, const DomainBox& domain,
+                                 const std::vector<int>& counts, const Camera& camera, const Theme& theme) {
   const DepthFade fade(grid, camera);
   std::vector<Line> lines;
   for (int axis = 0; axis < 3; ++axis) {
@@ -102,22 +109,24 @@ std::vector<Line> occupied_edges(const GridInspection& grid, const std::vector<i
     IVec3 start(0);
     for (start[a] = 0; start[a] <= grid.cells[a]; ++start[a]) {
       for (start[b] = 0; start[b] <= grid.cells[b]; ++start[b]) {
-        add_edges_along(axis, start, grid, counts, fade, theme, lines);
+        add_edges_along(axis, start, grid, domain, counts, fade, theme, lines);
       }
     }
   }
   return lines;
 }
 
-std::vector<Face> occupied_squares(const GridInspection& grid, const std::vector<int>& counts,
-                                   const Theme& theme) {
+std::vector<Face> occupied_squares(const GridInspection& grid, const DomainBox& domain,
+                                   const std::vector<int>& counts, const Theme& theme) {
   std::vector<Face> faces;
   for (int y = 0; y < grid.cells.y; ++y) {
     for (int x = 0; x < grid.cells.x; ++x) {
       const int count = counts[cell_index(grid.cells, x, y, 0)];
       if (count == 0) continue;
       const Rgba color = to_rgba(theme.grid, 0.6f * strength(count));
-      faces.push_back({lattice_point(grid, x, y, 0), {grid.edge.x, 0, 0}, {0, grid.edge.y, 0}, color});
+      const Vec3 low = lattice_point(grid, domain, {x, y, 0});
+      const Vec3 size = lattice_point(grid, domain, {x + 1, y + 1, 0}) - low;
+      faces.push_back({low, {size.x, 0, 0}, {0, size.y, 0}, color});
     }
   }
   return faces;
@@ -133,12 +142,12 @@ std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domai
            std::abs(point[axis] - domain.max[axis]) < tolerance;
   };
   for (int x = 0; x <= grid.cells.x; ++x) {
-    const Vec3 foot = lattice_point(grid, x, 0, 0);
-    if (!on_border(foot, 0)) lines.push_back({foot, color, lattice_point(grid, x, grid.cells.y, 0), color});
+    const Vec3 foot = lattice_point(grid, domain, {x, 0, 0});
+    if (!on_border(foot, 0)) lines.push_back({foot, color, lattice_point(grid, domain, {x, grid.cells.y, 0}), color});
   }
   for (int y = 0; y <= grid.cells.y; ++y) {
-    const Vec3 start = lattice_point(grid, 0, y, 0);
-    if (!on_border(start, 1)) lines.push_back({start, color, lattice_point(grid, grid.cells.x, y, 0), color});
+    const Vec3 start = lattice_point(grid, domain, {0, y, 0});
+    if (!on_border(start, 1)) lines.push_back({start, color, lattice_point(grid, domain, {grid.cells.x, y, 0}), color});
   }
   return lines;
 }
@@ -161,10 +170,10 @@ void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
   const std::vector<int> counts = count_per_cell(grid);
   const float width = kEdgeWidth * painter.line_unit;
   if (view.domain.is_planar()) {
-    painter.faces.draw(occupied_squares(grid, counts, painter.theme));
+    painter.faces.draw(occupied_squares(grid, view.domain, counts, painter.theme));
     painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
   } else {
-    painter.lines.draw(occupied_edges(grid, counts, view.camera, painter.theme), width);
+    painter.lines.draw(occupied_edges(grid, view.domain, counts, view.camera, painter.theme), width);
   }
 }
 

@@ -18,7 +18,7 @@
 //
 // Overlap that a contact entered during the last step is undone by position, as far as its new velocity does not take it
 // out by itself: that adds no energy. Overlap that was there before is what carries a heap: where gravity presses, it
-// wants a speed of parting, u* = push · overlap / dt, at most push_limit, so that n layers rest at an overlap of about
+// wants a speed of parting, u* = push · overlap / dt, at most push_limit, so that n layers rest at an overlap of at most about
 // c/push·n·g·dt². Without gravity nothing presses, and it is removed by position as well.
 //
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), one launch.
@@ -36,7 +36,7 @@ struct ImpulseParameters {
   double push = 0.8;              ///< part of the old overlap that a step pushes out by velocity …
   double push_limit = 0.0;        ///< [m/s] … at this speed at most
   double correction = 0.0;        ///< part of the old overlap that a step removes by position
-  double slop = 0.005;            ///< overlap left alone, as a fraction of the sum of radii: contacts stay contacts
+  double slop = 0.005;            ///< overlap left alone, as a fraction of r_i + r_j, or of r at a wall: contacts stay contacts
   int iterations = 4;
 };
 
