@@ -15,16 +15,10 @@
 #include <cstdint>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include "core/span.h"
-#include "exec/fork_join.h"
 #include "exec/host_buffer.h"
 #include "exec/stage_times.h"
+#include "exec/thread_pool.h"
 
 namespace ballpit {
 
@@ -33,12 +27,10 @@ class CpuExecutor {
   template <class T>
   using Buffer = HostBuffer<T>;
 
-  static constexpr int kMaxThreads = 256;
-
   /// Runs on `threads` threads, also more than there are cores; 0 means all cores.
-  explicit CpuExecutor(int threads) : arena_(threads > 0 ? threads : tbb::info::default_concurrency()) {}
+  explicit CpuExecutor(int threads) : pool_(threads) {}
 
-  int threads() const { return arena_.max_concurrency(); }
+  int threads() const { return pool_.threads(); }
   StageTimes& stage_times() { return times_; }
 
   /// Calls kernel(i) for each i in 0 … n−1. Kernels that touch the same element must do so by exec/atomics.h.
@@ -124,19 +116,11 @@ class CpuExecutor {
 
   template <class Kernel>
   void run(int64_t n, int64_t grain, const Kernel& kernel) {
-    if (n <= grain || arena_.max_concurrency() == 1) {
+    if (n <= grain || pool_.threads() == 1) {
       run_range(0, n, kernel);
-      return;
+    } else {
+      pool_.run_blocks(n, grain, [&](int64_t begin, int64_t end) { run_range(begin, end, kernel); });
     }
-    ForkJoin order;
-    arena_.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<int64_t>(0, n, static_cast<size_t>(grain)), [&](const auto& range) {
-        order.enter();
-        run_range(range.begin(), range.end(), kernel);
-        order.leave();
-      });
-    });
-    order.join();
   }
 
   /// A copy of the kernel that nothing else can point to, and all calls inlined: its spans and scalars then stay in
@@ -147,9 +131,7 @@ class CpuExecutor {
     for (int64_t i = begin; i != end; ++i) kernel(static_cast<int>(i));
   }
 
-  // Lifts oneTBB's limit of one thread per core, which holds for the whole process; the arena sets ours.
-  tbb::global_control allow_threads_{tbb::global_control::max_allowed_parallelism, kMaxThreads};
-  tbb::task_arena arena_;
+  ThreadPool pool_;
   StageTimes times_;
 };
 
