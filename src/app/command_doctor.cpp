@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // ballpit doctor: what this machine offers, and what is missing.
-#include <unistd.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -9,6 +7,7 @@
 #include <thread>
 
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "app/commands.h"
 #include "core/error.h"
@@ -37,7 +36,10 @@ Json examine_gl() {
   try {
     const GlContext context;
     const GlInfo& info = context.info();
-    return {{"renderer", info.renderer}, {"version", info.version}, {"platform", info.platform}, {"software", info.software}};
+    return {{"renderer", info.renderer},
+            {"version", info.version},
+            {"platform", info.platform},
+            {"software", info.software}};
   } catch (const RunError& error) {
     return {{"error", error.what()}};
   }
@@ -78,9 +80,10 @@ void print_text(const Json& found) {
          device["name"].get<std::string>() + (device["software"] ? " (software)" : ""));
   }
   const Json& gl = found["gl"];
-  line("OpenGL", gl.contains("error") ? "not here: " + gl["error"].get<std::string>()
-                                      : gl["version"].get<std::string>() + ", " + gl["renderer"].get<std::string>() +
-                                            ", " + gl["platform"].get<std::string>());
+  line("OpenGL", gl.contains("error")
+                     ? "not here: " + gl["error"].get<std::string>()
+                     : gl["version"].get<std::string>() + ", " + gl["renderer"].get<std::string>() + ", " +
+                           gl["platform"].get<std::string>());
   for (const auto& [tool, path] : found["tools"].items()) {
     line(tool, path == "" ? "not here (optional)" : path.get<std::string>());
   }
@@ -88,7 +91,9 @@ void print_text(const Json& found) {
 
 class DoctorCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override { command.add_flag("--json", json_, "print one JSON object"); }
+  void add_options(CLI::App& command) override {
+    command.add_flag("--json", json_, "print one JSON object")->disable_flag_override();
+  }
 
   void run() override {
     const Json found = examine_machine();

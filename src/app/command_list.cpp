@@ -49,8 +49,8 @@ Json list_backends() {
   for (const Backend& backend : {cpu_backend(), cuda_backend()}) {
     list.push_back({{"name", backend.name},
                     {"available", backend.unavailable_reason.empty()},
-                    {"description", backend.unavailable_reason.empty() ? backend.description
-                                                                       : backend.unavailable_reason}});
+                    {"description",
+                     backend.unavailable_reason.empty() ? backend.description : backend.unavailable_reason}});
   }
   return list;
 }
@@ -91,7 +91,7 @@ void print_text(const Json& list) {
 class ListCommand final : public Command {
  public:
   void add_options(CLI::App& command) override {
-    command.add_flag("--json", json_, "print one JSON object");
+    command.add_flag("--json", json_, "print one JSON object")->disable_flag_override();
   }
 
   void run() override {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ballpit simulate: no pictures; the final state and a summary.
 #include <iostream>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
@@ -17,18 +18,19 @@ namespace {
 class SimulateCommand final : public Command {
  public:
   void add_options(CLI::App& command) override {
-    command.add_option("--time", time_, "simulated time; default: the scene's duration")->type_name("SECONDS");
-    command.add_option("--out", out_, "write the final state there, as CSV")->type_name("FILE");
-    command.add_flag("--json", json_, "print the summary as one JSON object");
+    time_option_ = command.add_option("--time", time_, "simulated time; default: the scene's duration")
+                       ->type_name("SECONDS");
+    out_option_ = command.add_option("--out", out_, "write the final state there, as CSV")->type_name("FILE");
+    command.add_flag("--json", json_, "print the summary as one JSON object")->disable_flag_override();
     arguments_.add_to(command);
   }
 
   void run() override {
-    const double most = 1e9;
-    if (!time_.empty()) parse_number("--time", time_, 0, most);
+    std::optional<double> time;
+    if (time_option_->count() > 0) time = parse_number("--time", time_, 0, 1e9);
+    if (out_option_->count() > 0) parse_path("--out", out_);
     Session session(arguments_.scene(), arguments_.given());
-    const double time = time_.empty() ? session.scene().needs.duration : parse_number("--time", time_, 0, most);
-    step_to(session, time);
+    step_to(session, time.value_or(session.scene().needs.duration));
     if (!out_.empty()) write_spheres_csv(out_, session.world().bodies());
     const auto summary = summarize(session);
     std::cout << (json_ ? summary.dump(2) + "\n" : describe(summary));
@@ -44,14 +46,16 @@ class SimulateCommand final : public Command {
       return was_interrupted();
     });
     if (was_interrupted()) {
-      throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " + std::to_string(steps) +
-                     " steps");
+      throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " +
+                     std::to_string(steps) + " steps");
     }
   }
 
   SceneArguments arguments_;
   std::string time_;
   std::string out_;
+  CLI::Option* time_option_ = nullptr;
+  CLI::Option* out_option_ = nullptr;
   bool json_ = false;
 };
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The command line: one command, one run, one exit status. 0 done, 1 failed while running, 2 the user's input is wrong.
-#include <algorithm>
+// The command line: one command, one run, one exit status. 0 done, 1 failed while running, 2 the user's input
+// is wrong.
 #include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <new>
 
 #include <CLI/CLI.hpp>
 
 #include "app/commands.h"
+#include "app/parse_error.h"
 #include "core/error.h"
 #include "version.h"
 
@@ -16,34 +20,23 @@ using namespace ballpit;
 namespace {
 
 constexpr std::array kCommands{
-    CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
+    CommandEntry{"render", "draw a scene into PNG frames, without a window or a display",
+                 make_render_command},
     CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
     CommandEntry{"list", "scenes, methods, backends, overlays, themes", make_list_command},
     CommandEntry{"doctor", "what this machine offers", make_doctor_command},
 };
 
-/// CLI11's message on one line, with where to read on.
-std::string describe_parse_error(const CLI::ParseError& error, const CLI::App& app) {
-  std::string text = error.what();
-  for (char& c : text) {
-    if (c == '\n') c = ' ';
-  }
-  const auto chosen = app.get_subcommands();
-  return text + "; see `ballpit " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help`";
-}
-
-/// CLI11 asks for "a subcommand" where it finds a word that is none; this says which word, and what there is.
-void check_command(int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string_view> names;
-  for (const CommandEntry& entry : kCommands) names.push_back(entry.name);
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
-  throw UserError("command: found " + std::string(argv[1]) + ", allowed " + join(names));
-}
-
 int fail(int status, const std::string& message) {
-  std::cerr << "ballpit: " << message << "\n";
+  std::cerr << "ballpit: " << on_one_line(message) << "\n";
   return status;
+}
+
+/// A summary that was lost, on a full disk or a closed pipe, is a failure like any other.
+void flush_output() {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return;
+  throw RunError(std::string("standard output: cannot write: ") + std::strerror(errno));
 }
 
 int run(int argc, char** argv) {
@@ -51,14 +44,16 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("ballpit ") + kVersion);
   app.require_subcommand(1);
   std::vector<std::unique_ptr<Command>> commands;
+  std::vector<std::string_view> names;
   for (const CommandEntry& entry : kCommands) {
     commands.push_back(entry.create());
+    names.push_back(entry.name);
     Command* command = commands.back().get();
     CLI::App* sub = app.add_subcommand(std::string(entry.name), std::string(entry.help));
     command->add_options(*sub);
     sub->final_callback([command] { command->run(); });
   }
-  check_command(argc, argv);
+  check_command(argc, argv, names);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -72,7 +67,9 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    const int status = run(argc, argv);
+    flush_output();
+    return status;
   } catch (const UserError& error) {
     return fail(2, error.what());
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -18,7 +19,8 @@ T parse_in_range(std::string_view option, const std::string& text, T low, T high
   const auto result = std::from_chars(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end || !(value >= low && value <= high)) {
     std::ostringstream message;
-    message << option << ": found " << text << ", allowed " << kind << " from " << low << " to " << high;
+    message << option << ": found " << (text.empty() ? "nothing" : text) << ", allowed " << kind << " from "
+            << low << " to " << high;
     throw UserError(message.str());
   }
   return value;
@@ -28,11 +30,14 @@ T parse_in_range(std::string_view option, const std::string& text, T low, T high
 
 void SceneArguments::add_to(CLI::App& command) {
   scene_ = kDefaultScene;
-  command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file")->capture_default_str();
+  command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file")
+      ->capture_default_str();
   for (const SettingInfo& setting : setting_table()) {
     const std::string name(setting.name);
-    CLI::Option* option = command.add_option("--" + name, values_[name], std::string(setting.help) + ": " + setting.allowed());
-    option->type_name(std::string(setting.value_name))->group("Simulation (default: what the scene asks for)");
+    CLI::Option* option =
+        command.add_option("--" + name, values_[name], std::string(setting.help) + ": " + setting.allowed());
+    option->type_name(std::string(setting.value_name))
+        ->group("Simulation (default: what the scene asks for)");
     options_.emplace_back(name, option);
   }
 }
@@ -53,6 +58,18 @@ double parse_number(std::string_view option, const std::string& text, double low
   return parse_in_range(option, text, low, high, "a number");
 }
 
+const std::string& parse_choice(std::string_view option, const std::string& text,
+                                const std::vector<std::string>& choices) {
+  if (std::find(choices.begin(), choices.end(), text) != choices.end()) return text;
+  throw UserError(std::string(option) + ": found " + (text.empty() ? "nothing" : text) + ", allowed " +
+                  join(choices));
+}
+
+const std::string& parse_path(std::string_view option, const std::string& text) {
+  if (!text.empty()) return text;
+  throw UserError(std::string(option) + ": found nothing, allowed a path");
+}
+
 PictureSize parse_size(const std::string& text) {
   const size_t cross = text.find('x');
   try {
@@ -60,7 +77,8 @@ PictureSize parse_size(const std::string& text) {
     return {static_cast<int>(parse_integer("", text.substr(0, cross), 16, 16384)),
             static_cast<int>(parse_integer("", text.substr(cross + 1), 16, 16384))};
   } catch (const UserError&) {
-    throw UserError("--size: found " + text + ", allowed WIDTHxHEIGHT, each from 16 to 16384");
+    throw UserError("--size: found " + (text.empty() ? "nothing" : text) +
+                    ", allowed WIDTHxHEIGHT, each from 16 to 16384");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the commands' options share: the table of settings as CLI11 options, and parsers that name the option, what was
-// found and what is allowed.
+// What the commands' options share: the table of settings as CLI11 options, and parsers that name the option,
+// what was found and what is allowed.
 #pragma once
 
 #include <map>
@@ -36,6 +36,13 @@ int64_t parse_integer(std::string_view option, const std::string& text, int64_t 
 
 /// A number in [low, high]. Throws UserError naming the option.
 double parse_number(std::string_view option, const std::string& text, double low, double high);
+
+/// One of `choices`. Throws UserError naming the option.
+const std::string& parse_choice(std::string_view option, const std::string& text,
+                                const std::vector<std::string>& choices);
+
+/// A path that is not empty. Throws UserError naming the option.
+const std::string& parse_path(std::string_view option, const std::string& text);
 
 struct PictureSize {
   int width;

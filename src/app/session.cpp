@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <sstream>
 
 #include "app/backends.h"
 #include "core/error.h"
@@ -13,13 +14,15 @@ namespace ballpit {
 namespace {
 
 void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
-  for (const GivenOption& option : given) apply_setting(settings, option.name, option.value, "--" + option.name);
+  for (const GivenOption& option : given)
+    apply_setting(settings, option.name, option.value, "--" + option.name);
 }
 
 void warn_of_small_cells(const Settings& settings) {
   if (settings.cell_size && *settings.cell_size < 1) {
     std::cerr << "ballpit: warning: --cell-size " << *settings.cell_size
-              << " is below 1: the block of cells around a sphere does not reach all that touch it, so contacts are "
+              << " is below 1: the block of cells around a sphere does not reach all that touch it, so "
+                 "contacts are "
                  "missed\n";
   }
 }
@@ -30,7 +33,8 @@ Session::Session(std::string_view scene, const std::vector<GivenOption>& given) 
   Settings overrides;
   apply_given(overrides, given);
   scene_ = load_scene(scene, {overrides.count, overrides.seed});
-  for (const DefaultOption& option : scene_.defaults) apply_setting(settings_, option.key, option.value, option.where);
+  for (const DefaultOption& option : scene_.defaults)
+    apply_setting(settings_, option.key, option.value, option.where);
   apply_given(settings_, given);
   warn_of_small_cells(settings_);
   const Backend backend = select_backend(settings_.backend);
@@ -40,10 +44,19 @@ Session::Session(std::string_view scene, const std::vector<GivenOption>& given) 
 }
 
 int64_t Session::steps_until(double time) const {
-  return static_cast<int64_t>(std::llround(time / settings_.dt)) - world_->steps();
+  constexpr double kMostSteps = 1e15;  // more would not end, and their number leaves the integers
+  const double steps = time / settings_.dt;
+  if (!(steps <= kMostSteps)) {
+    std::ostringstream message;
+    message << "--dt: found " << settings_.dt << ", which makes " << steps << " steps of " << time
+            << " s, allowed " << kMostSteps << " steps";
+    throw UserError(message.str());
+  }
+  return static_cast<int64_t>(std::llround(steps)) - world_->steps();
 }
 
-FrameView Session::view_of(const Inspection& inspection, float aspect, const std::vector<std::string>& overlays) const {
+FrameView Session::view_of(const Inspection& inspection, float aspect,
+                           const std::vector<std::string>& overlays) const {
   const Domain& domain = scene_.domain;
   const Vec3 low(domain.min), high(domain.max);
   return {inspection,

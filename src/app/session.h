@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A session holds what a demonstration is made of: a scene, the world that steps it, and how it is looked at. The window
-// and the headless renderer are its only two loops.
+// A session holds what a demonstration is made of: a scene, the world that steps it, and how it is looked at.
+// The window and the headless renderer are its only two loops.
 #pragma once
 
 #include <memory>
@@ -23,21 +23,24 @@ struct GivenOption {
 
 class Session {
  public:
-  /// Loads a scene and makes its world. Options given override the scene's [defaults], which override the program's.
-  /// Throws UserError for anything that is not allowed.
+  /// Loads a scene and makes its world. Options given override the scene's [defaults], which override the
+  /// program's. Throws UserError for anything that is not allowed.
   Session(std::string_view scene, const std::vector<GivenOption>& given);
 
-  /// Steps until the state nearest to `time` [s], or until stop() is true. Throws RunError as World::step() does.
+  /// Steps until the state nearest to `time` [s], or until stop() is true. Throws RunError as World::step()
+  /// does.
   template <class Stop>
   void advance_to(double time, Stop&& stop) {
     while (steps_until(time) > 0 && !stop()) world_->step();
   }
 
-  /// Steps from here to the state nearest to `time`; 0 if it is reached.
+  /// Steps from here to the state nearest to `time`; 0 if it is reached. Throws UserError for more than can
+  /// be counted.
   int64_t steps_until(double time) const;
 
   /// The present state for the renderer; `inspection` must outlive what is returned.
-  FrameView view_of(const Inspection& inspection, float aspect, const std::vector<std::string>& overlays) const;
+  FrameView view_of(const Inspection& inspection, float aspect,
+                    const std::vector<std::string>& overlays) const;
 
   const Scene& scene() const { return scene_; }
   const Settings& settings() const { return settings_; }

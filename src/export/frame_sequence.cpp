@@ -103,4 +103,14 @@ int next_frame_index(const fs::path& folder) try {
   throw RunError(folder.string() + ": cannot look for frames: " + error.code().message());
 }
 
+void remove_frames(const fs::path& folder, int first, int end) {
+  for (int index = first; index < end; ++index) {
+    const fs::path path = folder / frame_name(index);
+    std::error_code error;
+    fs::remove(path, error);
+    const bool absent = error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
+    if (error && !absent) throw RunError(path.string() + ": cannot remove: " + error.message());
+  }
+}
+
 }  // namespace ballpit

@@ -56,4 +56,8 @@ std::string frame_name(int index);
 /// left-overs of interrupted writes. 0 where the folder is missing.
 int next_frame_index(const std::filesystem::path& folder);
 
+/// Removes the frames from `first` to `end` − 1: those that a new run is about to make. Left standing, they would be taken
+/// for its own if it is interrupted and goes on later. Throws RunError.
+void remove_frames(const std::filesystem::path& folder, int first, int end);
+
 }  // namespace ballpit

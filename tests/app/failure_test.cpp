@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Runs that cannot go on: status 1, one line with the reason, nothing half written.
+#include <algorithm>
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "tests/app/run_program.h"
+
+using namespace ballpit;
+using Catch::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string failure_of(const std::vector<std::string>& arguments, const Circumstances& circumstances = {}) {
+  const Outcome outcome = run_program(arguments, circumstances);
+  INFO(outcome.err);
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.empty());
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  return outcome.err;
+}
+
+std::string failure_to_render(const std::string& out, const std::string& frames = "4") {
+  return failure_of({"render", "two-spheres", "--size", "64x36", "--frames", frames, "--out", out});
+}
+
+std::string failure_to_write(const std::string& out) {
+  return failure_of({"simulate", "two-spheres", "--time", "0", "--out", out});
+}
+
+}  // namespace
+
+TEST_CASE("a folder that cannot be made is named with the reason") {
+  const Scratch scratch;
+  write_text(scratch / "file", "x");
+  CHECK_THAT(failure_to_render(scratch / "file/film"), Contains("file/film") && Contains("Not a directory"));
+  CHECK_THAT(failure_to_render(scratch / "file"), Contains("file"));
+  CHECK_THAT(failure_to_render("/proc/nowhere"), Contains("/proc/nowhere"));
+  CHECK(read_text(scratch / "file") == "x");
+}
+
+TEST_CASE("a state that cannot be written is named with the reason") {
+  const Scratch scratch;
+  write_text(scratch / "file", "x");
+  CHECK_THAT(failure_to_write(scratch / "file/state.csv"),
+             Contains("file/state.csv") && Contains("Not a directory"));
+  CHECK_THAT(failure_to_write(scratch / "missing/state.csv"), Contains("No such file"));
+  CHECK_THAT(failure_to_write("/proc/state.csv"), Contains("/proc/state.csv"));
+  CHECK_THAT(failure_to_write(scratch.path().string()), Contains(scratch.path().string()));
+}
+
+TEST_CASE("a full disk is named with the file that found no room, and leaves whole files only") {
+  if (!fs::exists("/dev/full")) return;
+  const Scratch scratch;
+  fs::create_symlink("/dev/full", scratch / "state.csv.part");
+  CHECK_THAT(failure_to_write(scratch / "state.csv"), Contains("state.csv: cannot write: No space left"));
+  CHECK(fs::is_empty(scratch.path()));
+
+  fs::create_symlink("/dev/full", scratch / "frame_00002.png.part");
+  CHECK_THAT(failure_to_render(scratch.path().string()),
+             Contains("frame_00002.png: cannot write: No space left"));
+  CHECK(fs::exists(scratch / "frame_00001.png"));
+  CHECK_FALSE(fs::exists(scratch / "frame_00002.png"));
+  CHECK_FALSE(fs::is_symlink(scratch / "frame_00002.png.part"));
+
+  fs::remove(scratch / "frame_00000.png");
+  fs::create_symlink("/dev/full", scratch / "frame_00000.png.part");
+  CHECK_THAT(failure_to_render(scratch.path().string(), "100"),
+             Contains("frame_00000.png") && Contains("No space left"));
+}
+
+TEST_CASE("a summary that cannot be written is a failure") {
+  if (!fs::exists("/dev/full")) return;
+  const Circumstances full{0, "/dev/full"};
+  CHECK_THAT(failure_of({"simulate", "two-spheres", "--json"}, full),
+             Contains("standard output: cannot write: No space"));
+  CHECK_THAT(failure_of({"list"}, full), Contains("standard output"));
+  CHECK_THAT(failure_of({"doctor", "--json"}, full), Contains("standard output"));
+  CHECK_THAT(failure_of({"--help"}, full), Contains("standard output"));
+}
+
+TEST_CASE("a lack of memory is told, with what needs less") {
+  if (is_sanitized()) return;
+  const Scratch scratch;
+  write_text(scratch / "many.toml", "[[fill]]\ncount = 8000000\nradius = 0.002\narrangement = 'lattice'\n");
+  for (const uint64_t megabytes : {200, 400, 800}) {
+    INFO(megabytes << " MB");
+    CHECK_THAT(failure_of({"simulate", scratch / "many.toml", "--time", "0"}, {megabytes * 1'000'000, ""}),
+               Contains("out of memory") && Contains("--count"));
+  }
+}
+
+TEST_CASE("a sphere that leaves the domain stops the run with its number and the step") {
+  CHECK_THAT(failure_of({"simulate", "bouncing-balls", "--count", "50", "--time", "100", "--dt", "2"}),
+             Contains("step ") && Contains("sphere ") && Contains("left the domain") && Contains("--dt"));
+  const Scratch scratch;
+  CHECK_THAT(failure_of({"render", "bouncing-balls", "--count", "50", "--dt", "2", "--fps", "0.5", "--size",
+                         "64x36", "--frames", "9", "--out", scratch.path().string()}),
+             Contains("left the domain"));
+  CHECK(fs::exists(scratch / "frame_00000.png"));
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Runs the program as a user does, in a process of its own, and tells what it said and how it ended.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <sys/types.h>
+
+namespace ballpit {
+
+/// An empty folder that is removed at the end.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct Outcome {
+  int status = 0;  ///< exit status, or 128 + the signal that ended it
+  std::string out, err;
+
+  nlohmann::json json() const { return nlohmann::json::parse(out); }
+};
+
+struct Circumstances {
+  uint64_t memory = 0;     ///< [bytes] of address space, where above 0
+  std::string out_file{};  ///< where standard output goes, in place of Outcome::out
+};
+
+/// A running program; killed if nobody waits for its end.
+class Program {
+ public:
+  explicit Program(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void signal(int number) const;
+  Outcome wait();
+
+ private:
+  Scratch scratch_;
+  pid_t process_ = -1;
+};
+
+/// Runs the program to its end.
+Outcome run_program(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
+
+/// Whether the sanitizers watch, which need more address space than a limit could leave them.
+bool is_sanitized();
+
+void write_text(const std::string& path, const std::string& text);
+std::string read_text(const std::string& path);
+
+}  // namespace ballpit
