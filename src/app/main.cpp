@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The command line: one command, one run, one exit status. 0 done, 1 failed while running, 2 the user's input
 // is wrong.
+#include <malloc.h>
+
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -66,6 +68,10 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Frames are megabytes, made and freed at a steady pace: kept by the program, they are not mapped and cleared by the
+  // system each time. Measured: one part in twenty of the time of a frame.
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
   try {
     const int status = run(argc, argv);
     flush_output();

@@ -147,14 +147,15 @@ Image Renderer::Impl::read_pixels() {
   image.width = picture_.width();
   image.height = picture_.height();
   const size_t row = static_cast<size_t>(image.width) * 4;
-  std::vector<uint8_t> upward(row * static_cast<size_t>(image.height));
+  image.pixels.resize(row * static_cast<size_t>(image.height));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
-  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
+  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
   check_gl("reading a frame");
-  image.pixels.resize(upward.size());
-  for (size_t y = 0; y < static_cast<size_t>(image.height); ++y) {  // OpenGL's rows go from bottom to top
-    std::memcpy(image.pixels.data() + y * row, upward.data() + upward.size() - (y + 1) * row, row);
+  for (int y = 0; y < image.height / 2; ++y) {  // OpenGL's rows go from bottom to top
+    uint8_t* upper = image.pixels.data() + static_cast<size_t>(y) * row;
+    uint8_t* lower = image.pixels.data() + static_cast<size_t>(image.height - 1 - y) * row;
+    std::swap_ranges(upper, upper + row, lower);
   }
   return image;
 }

@@ -99,6 +99,12 @@ struct ContactGeometry {
   Scalar<V> separation;  ///< speed at which the spheres part along the normal; negative while they approach [m/s]
 };
 
+/// A contact as its second body lists it.
+struct IncomingContact {
+  int contact;
+  int body;  ///< the first body of that contact: held here, since looking it up would be one more jump in memory
+};
+
 /// Contacts in canonical order (by i, then j), and for each body the contacts that it is part of:
 /// those with i = body are [first[body], first[body + 1]); those with j = body are listed in
 /// incoming[incoming_first[body]] … incoming[incoming_first[body + 1] − 1], ascending.
@@ -108,7 +114,7 @@ struct ContactsView {
   Span<const ContactGeometry<V>> geometry;
   Span<const int> first;
   Span<const int> incoming_first;
-  Span<const int> incoming;
+  Span<const IncomingContact> incoming;
 
   HOST_DEVICE int count_of(int body) const {
     return first[body + 1] - first[body] + incoming_first[body + 1] - incoming_first[body];
@@ -120,7 +126,7 @@ struct ContactsView {
   HOST_DEVICE void for_each_of(int body, Visit&& visit) const {
     for (int c = first[body]; c < first[body + 1]; ++c) visit(c, pairs[c].j, 1);
     for (int k = incoming_first[body]; k < incoming_first[body + 1]; ++k) {
-      visit(incoming[k], pairs[incoming[k]].i, -1);
+      visit(incoming[k].contact, incoming[k].body, -1);
     }
   }
 };

@@ -52,11 +52,30 @@ struct LinkedCellCandidates {
       lists += starts[lists] != -1;
       return true;
     });
+    // Then their bodies with a higher index, without a branch for each body.
+    int higher[kBatch];
+    int count = 0;
     for (int k = 0; k < lists; ++k) {
       for (int j = starts[k]; j != -1; j = next[j]) {
-        if (j > i && !visit(j)) return;
+        higher[count] = j;
+        count += j > i;
+        if (count == kBatch && !visit_all(higher, count, visit)) return;
       }
     }
+    visit_all(higher, count, visit);
+  }
+
+ private:
+  static constexpr int kBatch = 32;
+
+  /// Empties the batch; false if a visit returned false.
+  template <class Visit>
+  HOST_DEVICE static bool visit_all(const int* bodies, int& count, Visit&& visit) {
+    for (int k = 0; k < count; ++k) {
+      if (!visit(bodies[k])) return false;
+    }
+    count = 0;
+    return true;
   }
 };
 

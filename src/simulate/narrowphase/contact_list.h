@@ -50,25 +50,25 @@ struct FillIncoming {
   Span<const Pair> pairs;
   Span<const int> first;
   Span<int> count;
-  Span<int> incoming;
+  Span<IncomingContact> incoming;
 
   HOST_DEVICE void operator()(int c) const {
-    const int body = pairs[c].j;
-    incoming[first[body] + atomic_add(&count[body], -1) - 1] = c;
+    const Pair pair = pairs[c];
+    incoming[first[pair.j] + atomic_add(&count[pair.j], -1) - 1] = {c, pair.i};
   }
 };
 
 /// Kernel: sorts body i's row, whose order depended on the threads.
 struct SortIncoming {
   Span<const int> first;
-  Span<int> incoming;
+  Span<IncomingContact> incoming;
 
   HOST_DEVICE void operator()(int i) const {
     for (int k = first[i] + 1; k < first[i + 1]; ++k) {
-      const int contact = incoming[k];
+      const IncomingContact moved = incoming[k];
       int at = k;
-      for (; at > first[i] && incoming[at - 1] > contact; --at) incoming[at] = incoming[at - 1];
-      incoming[at] = contact;
+      for (; at > first[i] && incoming[at - 1].contact > moved.contact; --at) incoming[at] = incoming[at - 1];
+      incoming[at] = moved;
     }
   }
 };
@@ -105,7 +105,8 @@ class ContactList {
   Span<const Pair> pairs_;
   Span<const int> first_;
   Buffer<ContactGeometry<V>> geometry_;
-  Buffer<int> count_, incoming_first_, incoming_;
+  Buffer<int> count_, incoming_first_;
+  Buffer<IncomingContact> incoming_;
 };
 
 }  // namespace ballpit

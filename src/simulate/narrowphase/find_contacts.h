@@ -20,7 +20,7 @@ namespace ballpit {
 
 /// Contacts that a body keeps from counting to filling. Equal spheres have at most twelve, half of them with a higher
 /// index on average.
-inline constexpr int kKept = 6;
+inline constexpr int kKept = 8;
 
 /// Kernel: counts what body i is tested against, and what it touches.
 template <class V, class Candidates>

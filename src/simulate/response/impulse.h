@@ -43,9 +43,10 @@ struct ImpulseParameters {
 /// What a contact needs in every iteration.
 template <class V>
 struct ContactConstraint {
-  V normal;          ///< from i to j
-  Scalar<V> wanted;  ///< speed of parting wanted [m/s]
-  Scalar<V> mass;    ///< effective mass 1 / (c_i·w_i + c_j·w_j) [kg]
+  V normal;           ///< from i to j
+  Scalar<V> wanted;   ///< speed of parting wanted [m/s]
+  Scalar<V> overlap;  ///< overlap to be removed by position, as far as parting does not remove it [m]
+  Scalar<V> mass;     ///< effective mass 1 / (c_i·w_i + c_j·w_j) [kg]
 };
 
 /// What every kernel of the impulse response reads.
@@ -68,6 +69,11 @@ struct ImpulseView {
   HOST_DEVICE Real old_overlap(Real separation, Real overlap, Real radii) const {
     const Real old = overlap - entered(separation, overlap) - slop * radii;
     return old > 0 ? old : Real(0);
+  }
+
+  /// The overlap to be removed by position [m].
+  HOST_DEVICE Real removable(Real separation, Real overlap, Real radii) const {
+    return entered(separation, overlap) + correction * old_overlap(separation, overlap, radii);
   }
 
   /// The speed of parting that a contact wants: what restitution asks for, or what pushes old overlap out.
@@ -106,10 +112,10 @@ struct ConstrainContact {
     const auto& [position, velocity, radius, inverse_mass] = view.bodies;
     const Scalar<V> softness =
         view.share[pair.i] * inverse_mass[pair.i] + view.share[pair.j] * inverse_mass[pair.j];
+    const Scalar<V> radii = radius[pair.i] + radius[pair.j];
     constraints[c] = {contact.normal,
-                      view.wanted(view.restitution, contact.separation, contact.overlap,
-                                  radius[pair.i] + radius[pair.j]),
-                      1 / softness};
+                      view.wanted(view.restitution, contact.separation, contact.overlap, radii),
+                      view.removable(contact.separation, contact.overlap, radii), 1 / softness};
   }
 };
 
@@ -161,24 +167,19 @@ struct CorrectPosition {
       const V own = velocity[i];
       const Real radius = view.bodies.radius[i];
       view.contacts.for_each_of(i, [&](int c, int other, int side) {
-        const ContactGeometry<V>& contact = view.contacts.geometry[c];
+        const ContactConstraint<V>& contact = constraints[c];
         const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
-        const Real left = to_remove(contact.separation, contact.overlap, radius + view.bodies.radius[other], parting);
-        if (left > 0) move -= contact.normal * (Real(side) * left * constraints[c].mass);
+        const Real left = contact.overlap - parting * view.dt;
+        move -= contact.normal * (Real(side) * contact.mass * (left > 0 ? left : Real(0)));
       });
       move *= view.bodies.inverse_mass[i];
       view.box.for_each_wall(view.bodies.position[i], radius, [&](int axis, int side, Real overlap) {
         const Real before = -Real(side) * view.bodies.velocity[i][axis], parting = -Real(side) * own[axis];
-        const Real left = to_remove(before, overlap, radius, parting);
+        const Real left = view.removable(before, overlap, radius) - parting * view.dt;
         if (left > 0) move[axis] -= Real(side) * left / view.share[i];
       });
     }
     correction[i] = move;
-  }
-
-  HOST_DEVICE Real to_remove(Real separation, Real overlap, Real radii, Real parting) const {
-    return view.entered(separation, overlap) + view.correction * view.old_overlap(separation, overlap, radii) -
-           parting * view.dt;
   }
 };
 
