@@ -30,7 +30,7 @@ std::vector<std::string> names_in(const Table& table) {
 
 }  // namespace
 
-TEST_CASE("--help names every command, and ends with status 0") {
+TEST_CASE("the option --help names every command, and ends with status 0") {
   for (const char* option : {"--help", "-h"}) {
     const Outcome outcome = run_program({option});
     CHECK(outcome.status == 0);
@@ -40,7 +40,7 @@ TEST_CASE("--help names every command, and ends with status 0") {
   }
 }
 
-TEST_CASE("--version is one line with a number") {
+TEST_CASE("the option --version is one line with a number") {
   const Outcome outcome = run_program({"--version"});
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Catch::Matches("ballpit [0-9]+\\.[0-9]+\\.[0-9]+\n"));

@@ -72,7 +72,7 @@ TEST_CASE("rendering twice gives the same bytes, with any number of threads") {
   CHECK_FALSE(is_same(film({"--frames", "5", "--seed", "2"}), first));
 }
 
-TEST_CASE("--every, --fps and --from pick the states that they say") {
+TEST_CASE("frames show the states that --every, --fps and --from ask for") {
   const std::vector<std::string> all = film({"--frames", "9"});
   const std::vector<std::string> every = film({"--frames", "4", "--every", "2"});
   const std::vector<std::string> slower = film({"--frames", "4", "--fps", "30"});

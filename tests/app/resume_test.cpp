@@ -86,7 +86,7 @@ void cut_and_resume(int signal, const Scratch& folder, Outcome& cut) {
 
 }  // namespace
 
-TEST_CASE("--resume completes a film that lost its end to the same bytes") {
+TEST_CASE("the option --resume completes a film that lost its end to the same bytes") {
   const Scratch whole, cut;
   render_whole(whole.path().string(), 12);
   render_whole(cut.path().string(), 12);
@@ -98,7 +98,7 @@ TEST_CASE("--resume completes a film that lost its end to the same bytes") {
   CHECK(count_whole_frames(cut, false) == 12);
 }
 
-TEST_CASE("--resume of a film without a gap makes nothing, and of none makes all") {
+TEST_CASE("the option --resume of a film without a gap makes nothing, and of none makes all") {
   const Scratch folder;
   CHECK(render_whole(folder / "film", 3, {"--resume", "--json"}).json()["rendered"] == 3);
   CHECK(render_whole(folder / "film", 3, {"--resume", "--json"}).json()["rendered"] == 0);

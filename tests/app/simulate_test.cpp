@@ -85,7 +85,7 @@ TEST_CASE("the seed decides where spheres start") {
   CHECK(hash_of("5") != hash_of("6"));
 }
 
-TEST_CASE("--count replaces the scene's number of spheres") {
+TEST_CASE("the option --count replaces the scene's number of spheres") {
   CHECK(simulate({"--time", "0", "--count", "123"})["count"] == 123);
 }
 
