@@ -3,14 +3,14 @@
 // that grows with them, started on a jittered lattice in shuffled order.
 //
 //     bench_step [THREADS]        a table on standard output; medians over blocks of steps
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
+
+#include <sys/resource.h>
 
 #include "core/random.h"
 #include "simulate/world.h"
@@ -19,9 +19,9 @@ using namespace ballpit;
 
 namespace {
 
-constexpr double kRadius = 0.01;         // [m]
+constexpr double kRadius = 0.01;  // [m]
 constexpr double kVolumeFraction = 0.3;
-constexpr double kStep = 1.0 / 960;      // [s]
+constexpr double kStep = 1.0 / 960;  // [s]
 constexpr int kBlocks = 5;
 
 /// n spheres on a cubic lattice whose spacing gives the volume fraction, jittered as far as they cannot touch.

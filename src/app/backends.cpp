@@ -10,8 +10,7 @@ Backend select_backend(const std::string& name) {
   Backend cuda = cuda_backend();
   if (cuda.unavailable_reason.empty()) return cuda;
   if (name == "auto") return cpu_backend();
-  throw UserError("--backend: found cuda, which cannot serve here: " + cuda.unavailable_reason +
-                  "; allowed auto, cpu");
+  throw UserError("--backend: found cuda, which cannot serve here: " + cuda.unavailable_reason + "; allowed auto, cpu");
 }
 
 }  // namespace ballpit

@@ -80,10 +80,9 @@ void print_text(const Json& found) {
          device["name"].get<std::string>() + (device["software"] ? " (software)" : ""));
   }
   const Json& gl = found["gl"];
-  line("OpenGL", gl.contains("error")
-                     ? "not here: " + gl["error"].get<std::string>()
-                     : gl["version"].get<std::string>() + ", " + gl["renderer"].get<std::string>() + ", " +
-                           gl["platform"].get<std::string>());
+  line("OpenGL", gl.contains("error") ? "not here: " + gl["error"].get<std::string>()
+                                      : gl["version"].get<std::string>() + ", " + gl["renderer"].get<std::string>() +
+                                            ", " + gl["platform"].get<std::string>());
   for (const auto& [tool, path] : found["tools"].items()) {
     line(tool, path == "" ? "not here (optional)" : path.get<std::string>());
   }

@@ -47,10 +47,10 @@ Json list_methods() {
 Json list_backends() {
   Json list = Json::array();
   for (const Backend& backend : {cpu_backend(), cuda_backend()}) {
-    list.push_back({{"name", backend.name},
-                    {"available", backend.unavailable_reason.empty()},
-                    {"description",
-                     backend.unavailable_reason.empty() ? backend.description : backend.unavailable_reason}});
+    list.push_back(
+        {{"name", backend.name},
+         {"available", backend.unavailable_reason.empty()},
+         {"description", backend.unavailable_reason.empty() ? backend.description : backend.unavailable_reason}});
   }
   return list;
 }

@@ -41,8 +41,8 @@ std::vector<std::string> parse_overlay_names(const std::string& text) {
     const size_t end = std::min(text.find(',', start), text.size());
     const std::string name = text.substr(start, end - start);
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw UserError("--overlay: found " + (name.empty() ? "nothing" : name) +
-                      ", allowed none alone, or some of " + join(known) + ", with commas between");
+      throw UserError("--overlay: found " + (name.empty() ? "nothing" : name) + ", allowed none alone, or some of " +
+                      join(known) + ", with commas between");
     }
     result.push_back(name);
     start = end + 1;
@@ -53,32 +53,23 @@ std::vector<std::string> parse_overlay_names(const std::string& text) {
 class RenderCommand final : public Command {
  public:
   void add_options(CLI::App& command) override {
-    command.add_option("--out", out_, "folder for frame_00000.png, frame_00001.png, …")
-        ->type_name("DIR")
-        ->required();
+    command.add_option("--out", out_, "folder for frame_00000.png, frame_00001.png, …")->type_name("DIR")->required();
     command.add_option("--frames", frames_, "number of frames")->type_name("N")->capture_default_str();
-    command.add_option("--size", size_, "picture size in pixels")
-        ->type_name("WIDTHxHEIGHT")
-        ->capture_default_str();
+    command.add_option("--size", size_, "picture size in pixels")->type_name("WIDTHxHEIGHT")->capture_default_str();
     command.add_option("--fps", fps_, "frames a simulated second")->type_name("N")->capture_default_str();
-    command.add_option("--every", every_, "write only every Kth frame")
-        ->type_name("K")
-        ->capture_default_str();
+    command.add_option("--every", every_, "write only every Kth frame")->type_name("K")->capture_default_str();
     command.add_option("--from", from_, "simulated time of the first frame")
         ->type_name("SECONDS")
         ->capture_default_str();
     command
-        .add_option("--overlay", overlays_,
-                    "what to draw over the spheres: none, or some of " + join(overlay_names()))
+        .add_option("--overlay", overlays_, "what to draw over the spheres: none, or some of " + join(overlay_names()))
         ->type_name("A,B,…")
         ->capture_default_str();
     command.add_option("--theme", theme_, join(theme_names()))->type_name("NAME")->capture_default_str();
-    command
-        .add_option("--supersample", supersample_, "draw N × N times larger and average, for stills: 1 to 4")
+    command.add_option("--supersample", supersample_, "draw N × N times larger and average, for stills: 1 to 4")
         ->type_name("N")
         ->capture_default_str();
-    command.add_flag("--resume", resume_, "go on after the last whole frame in the folder")
-        ->disable_flag_override();
+    command.add_flag("--resume", resume_, "go on after the last whole frame in the folder")->disable_flag_override();
     command.add_flag("--json", json_, "print a summary as one JSON object")->disable_flag_override();
     arguments_.add_to(command);
   }
@@ -114,8 +105,8 @@ class RenderCommand final : public Command {
     sequence.finish();
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (was_interrupted() && sequence.next_index() < frames) {
-      throw RunError("interrupted after " + std::to_string(sequence.next_index()) + " of " +
-                     std::to_string(frames) + " frames; --resume goes on from there");
+      throw RunError("interrupted after " + std::to_string(sequence.next_index()) + " of " + std::to_string(frames) +
+                     " frames; --resume goes on from there");
     }
     tell(session, context, frames);
   }
@@ -140,11 +131,11 @@ class RenderCommand final : public Command {
       std::cout << summary.dump(2) << "\n";
       return;
     }
-    std::cout << made << " frames of " << session.scene().name << " (" << summary["count"] << " spheres, "
-              << size_ << ") in " << out_ << "\n"
+    std::cout << made << " frames of " << session.scene().name << " (" << summary["count"] << " spheres, " << size_
+              << ") in " << out_ << "\n"
               << summary["frames_per_second"].get<double>() << " frames a second: " << seconds_
-              << " s, of which simulation (" << session.backend() << ") "
-              << summary["simulation_seconds"].get<double>() << " s\n"
+              << " s, of which simulation (" << session.backend() << ") " << summary["simulation_seconds"].get<double>()
+              << " s\n"
               << "drawn by " << context.info().renderer << "\n";
   }
 
@@ -152,14 +143,13 @@ class RenderCommand final : public Command {
   void warn_of_other_frames(int frames) const {
     const int found = next_frame_index(out_);
     if (found > frames) {
-      std::cerr << "ballpit: note: " << frame_name(frames) << " to " << frame_name(found - 1) << " in "
-                << out_ << " are from an earlier run\n";
+      std::cerr << "ballpit: note: " << frame_name(frames) << " to " << frame_name(found - 1) << " in " << out_
+                << " are from an earlier run\n";
     }
   }
 
   SceneArguments arguments_;
-  std::string out_, frames_ = "300", size_ = "1280x720", fps_ = "60", every_ = "1", from_ = "0",
-                    overlays_ = "grid";
+  std::string out_, frames_ = "300", size_ = "1280x720", fps_ = "60", every_ = "1", from_ = "0", overlays_ = "grid";
   std::string theme_{themes().front().name}, supersample_ = "1";
   bool resume_ = false, json_ = false;
   int first_ = 0;

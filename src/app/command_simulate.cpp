@@ -18,8 +18,8 @@ namespace {
 class SimulateCommand final : public Command {
  public:
   void add_options(CLI::App& command) override {
-    time_option_ = command.add_option("--time", time_, "simulated time; default: the scene's duration")
-                       ->type_name("SECONDS");
+    time_option_ =
+        command.add_option("--time", time_, "simulated time; default: the scene's duration")->type_name("SECONDS");
     out_option_ = command.add_option("--out", out_, "write the final state there, as CSV")->type_name("FILE");
     command.add_flag("--json", json_, "print the summary as one JSON object")->disable_flag_override();
     arguments_.add_to(command);
@@ -46,8 +46,8 @@ class SimulateCommand final : public Command {
       return was_interrupted();
     });
     if (was_interrupted()) {
-      throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " +
-                     std::to_string(steps) + " steps");
+      throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " + std::to_string(steps) +
+                     " steps");
     }
   }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The command line: one command, one run, one exit status. 0 done, 1 failed while running, 2 the user's input
 // is wrong.
-#include <malloc.h>
-
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -11,6 +9,7 @@
 #include <new>
 
 #include <CLI/CLI.hpp>
+#include <malloc.h>
 
 #include "app/commands.h"
 #include "app/parse_error.h"
@@ -22,8 +21,7 @@ using namespace ballpit;
 namespace {
 
 constexpr std::array kCommands{
-    CommandEntry{"render", "draw a scene into PNG frames, without a window or a display",
-                 make_render_command},
+    CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
     CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
     CommandEntry{"list", "scenes, methods, backends, overlays, themes", make_list_command},
     CommandEntry{"doctor", "what this machine offers", make_doctor_command},

@@ -19,8 +19,8 @@ T parse_in_range(std::string_view option, const std::string& text, T low, T high
   const auto result = std::from_chars(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end || !(value >= low && value <= high)) {
     std::ostringstream message;
-    message << option << ": found " << (text.empty() ? "nothing" : text) << ", allowed " << kind << " from "
-            << low << " to " << high;
+    message << option << ": found " << (text.empty() ? "nothing" : text) << ", allowed " << kind << " from " << low
+            << " to " << high;
     throw UserError(message.str());
   }
   return value;
@@ -30,14 +30,12 @@ T parse_in_range(std::string_view option, const std::string& text, T low, T high
 
 void SceneArguments::add_to(CLI::App& command) {
   scene_ = kDefaultScene;
-  command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file")
-      ->capture_default_str();
+  command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file")->capture_default_str();
   for (const SettingInfo& setting : setting_table()) {
     const std::string name(setting.name);
     CLI::Option* option =
         command.add_option("--" + name, values_[name], std::string(setting.help) + ": " + setting.allowed());
-    option->type_name(std::string(setting.value_name))
-        ->group("Simulation (default: what the scene asks for)");
+    option->type_name(std::string(setting.value_name))->group("Simulation (default: what the scene asks for)");
     options_.emplace_back(name, option);
   }
 }
@@ -61,8 +59,7 @@ double parse_number(std::string_view option, const std::string& text, double low
 const std::string& parse_choice(std::string_view option, const std::string& text,
                                 const std::vector<std::string>& choices) {
   if (std::find(choices.begin(), choices.end(), text) != choices.end()) return text;
-  throw UserError(std::string(option) + ": found " + (text.empty() ? "nothing" : text) + ", allowed " +
-                  join(choices));
+  throw UserError(std::string(option) + ": found " + (text.empty() ? "nothing" : text) + ", allowed " + join(choices));
 }
 
 const std::string& parse_path(std::string_view option, const std::string& text) {

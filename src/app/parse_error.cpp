@@ -37,8 +37,7 @@ std::string describe_mismatch(const std::string& message, const CLI::App& comman
   const CLI::Option* option = command.get_option_no_throw(name);
   if (option == nullptr) return message;
   if (option->get_items_expected_max() == 0) return name + ": found a value, allowed none";
-  if (option->count() > 1)
-    return name + ": found " + std::to_string(option->count()) + " values, allowed one";
+  if (option->count() > 1) return name + ": found " + std::to_string(option->count()) + " values, allowed one";
   return name + ": found nothing, allowed " + allowed_by(*option);
 }
 
@@ -66,8 +65,8 @@ void check_command(int argc, char** argv, const std::vector<std::string_view>& n
   const std::string_view found = argc < 2 ? "" : argv[1];
   if (found.starts_with("-h") || found.starts_with("--help") || found.starts_with("--version")) return;
   if (std::find(names.begin(), names.end(), found) != names.end()) return;
-  throw UserError("command: found " + (found.empty() ? "nothing" : std::string(found)) + ", allowed " +
-                  join(names) + ", --help, --version");
+  throw UserError("command: found " + (found.empty() ? "nothing" : std::string(found)) + ", allowed " + join(names) +
+                  ", --help, --version");
 }
 
 std::string on_one_line(std::string text) {

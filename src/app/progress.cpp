@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include <unistd.h>
 
 namespace ballpit {
 

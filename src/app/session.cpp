@@ -14,8 +14,7 @@ namespace ballpit {
 namespace {
 
 void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
-  for (const GivenOption& option : given)
-    apply_setting(settings, option.name, option.value, "--" + option.name);
+  for (const GivenOption& option : given) apply_setting(settings, option.name, option.value, "--" + option.name);
 }
 
 void warn_of_small_cells(const Settings& settings) {
@@ -33,8 +32,7 @@ Session::Session(std::string_view scene, const std::vector<GivenOption>& given) 
   Settings overrides;
   apply_given(overrides, given);
   scene_ = load_scene(scene, {overrides.count, overrides.seed});
-  for (const DefaultOption& option : scene_.defaults)
-    apply_setting(settings_, option.key, option.value, option.where);
+  for (const DefaultOption& option : scene_.defaults) apply_setting(settings_, option.key, option.value, option.where);
   apply_given(settings_, given);
   warn_of_small_cells(settings_);
   const Backend backend = select_backend(settings_.backend);
@@ -48,15 +46,14 @@ int64_t Session::steps_until(double time) const {
   const double steps = time / settings_.dt;
   if (!(steps <= kMostSteps)) {
     std::ostringstream message;
-    message << "--dt: found " << settings_.dt << ", which makes " << steps << " steps of " << time
-            << " s, allowed " << kMostSteps << " steps";
+    message << "--dt: found " << settings_.dt << ", which makes " << steps << " steps of " << time << " s, allowed "
+            << kMostSteps << " steps";
     throw UserError(message.str());
   }
   return static_cast<int64_t>(std::llround(steps)) - world_->steps();
 }
 
-FrameView Session::view_of(const Inspection& inspection, float aspect,
-                           const std::vector<std::string>& overlays) const {
+FrameView Session::view_of(const Inspection& inspection, float aspect, const std::vector<std::string>& overlays) const {
   const Domain& domain = scene_.domain;
   const Vec3 low(domain.min), high(domain.max);
   return {inspection,

@@ -39,8 +39,7 @@ class Session {
   int64_t steps_until(double time) const;
 
   /// The present state for the renderer; `inspection` must outlive what is returned.
-  FrameView view_of(const Inspection& inspection, float aspect,
-                    const std::vector<std::string>& overlays) const;
+  FrameView view_of(const Inspection& inspection, float aspect, const std::vector<std::string>& overlays) const;
 
   const Scene& scene() const { return scene_; }
   const Settings& settings() const { return settings_; }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "core/error.h"
 

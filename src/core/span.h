@@ -19,8 +19,8 @@ class Span {
 
   /// A span of const T is made from a span of T.
   template <class U>
-    requires std::is_same_v<const U, T>
-  HOST_DEVICE Span(const Span<U>& other) : data_(other.data()), size_(other.size()) {}
+  requires std::is_same_v<const U, T> HOST_DEVICE Span(const Span<U>& other)
+      : data_(other.data()), size_(other.size()) {}
 
   HOST_DEVICE T& operator[](int64_t i) const {
     assert(i >= 0 && i < size_);

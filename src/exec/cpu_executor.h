@@ -82,9 +82,8 @@ class CpuExecutor {
     std::vector<Entry> from(static_cast<size_t>(n)), to(from.size());
     run(n, kGrain, [&](int i) { from[static_cast<size_t>(i)] = {keys[i], values[i]}; });
     const auto at = [n](int64_t i) { return static_cast<std::ptrdiff_t>(std::min(i, n)); };
-    run((n + kSortRun - 1) / kSortRun, 1, [&](int r) {
-      std::stable_sort(from.begin() + at(r * kSortRun), from.begin() + at((r + 1) * kSortRun));
-    });
+    run((n + kSortRun - 1) / kSortRun, 1,
+        [&](int r) { std::stable_sort(from.begin() + at(r * kSortRun), from.begin() + at((r + 1) * kSortRun)); });
     for (int64_t width = kSortRun; width < n; width *= 2) {
       run((n + 2 * width - 1) / (2 * width), 1, [&](int m) {
         const auto low = from.begin() + at(2 * m * width), mid = from.begin() + at((2 * m + 1) * width);

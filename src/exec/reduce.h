@@ -54,9 +54,9 @@ T reduce(Exec& exec, const char* name, int64_t n, T identity, Map map, Combine c
   exec.parallel_for(name, current.size(), ReduceBlock<T, Map, Combine>{map, combine, identity, n, current.span()});
   while (current.size() > 1) {
     next.resize(blocks(current.size()));
-    exec.parallel_for(name, next.size(),
-                      ReduceBlock<T, ReadPartial<T>, Combine>{
-                          {current.span()}, combine, identity, current.size(), next.span()});
+    exec.parallel_for(
+        name, next.size(),
+        ReduceBlock<T, ReadPartial<T>, Combine>{{current.span()}, combine, identity, current.size(), next.span()});
     std::swap(current, next);
   }
   return exec.download(current.span())[0];

@@ -40,9 +40,7 @@ class StageTimes {
 class StageTimer {
  public:
   StageTimer(StageTimes& times, const char* name) : times_(times), name_(name) {}
-  ~StageTimer() {
-    times_.add(name_, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
-  }
+  ~StageTimer() { times_.add(name_, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count()); }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
 

@@ -33,8 +33,7 @@ std::string encode_png(const Image& image) {
   const std::vector<uint8_t> rgb = without_alpha(image);
   std::string bytes;
   if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, rgb.data(), image.width * 3)) {
-    throw RunError("cannot encode a PNG of " + std::to_string(image.width) + "x" +
-                   std::to_string(image.height));
+    throw RunError("cannot encode a PNG of " + std::to_string(image.width) + "x" + std::to_string(image.height));
   }
   return bytes;
 }
@@ -45,8 +44,7 @@ bool is_whole_png(const std::string& bytes) {
   using namespace std::string_view_literals;
   constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n"sv;
   constexpr std::string_view kEnd = "\0\0\0\0IEND\xAE\x42\x60\x82"sv;
-  return bytes.size() > kSignature.size() + kEnd.size() &&
-         bytes.compare(0, kSignature.size(), kSignature) == 0 &&
+  return bytes.size() > kSignature.size() + kEnd.size() && bytes.compare(0, kSignature.size(), kSignature) == 0 &&
          bytes.compare(bytes.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
 }
 

@@ -55,20 +55,17 @@ std::vector<uint8_t> filtered_rows(const Image& image) {
     *to++ = kSubFilter;
     for (size_t c = 0; c < 3; ++c) to[c] = from[c];
     for (size_t x = 1; x < width; ++x) {
-      for (size_t c = 0; c < 3; ++c)
-        to[x * 3 + c] = static_cast<uint8_t>(from[x * 4 + c] - from[x * 4 + c - 4]);
+      for (size_t c = 0; c < 3; ++c) to[x * 3 + c] = static_cast<uint8_t>(from[x * 4 + c] - from[x * 4 + c - 4]);
     }
   }
   return rows;
 }
 
 std::string deflated(const std::vector<uint8_t>& rows) {
-  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
-      libdeflate_alloc_compressor(kLevel));
+  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(kLevel));
   if (!compressor) throw RunError("cannot encode a PNG: out of memory");
   std::string bytes(libdeflate_zlib_compress_bound(compressor.get(), rows.size()), '\0');
-  const size_t size =
-      libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), bytes.data(), bytes.size());
+  const size_t size = libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), bytes.data(), bytes.size());
   if (size == 0) throw RunError("cannot encode a PNG: libdeflate_zlib_compress found no room");
   bytes.resize(size);
   return bytes;

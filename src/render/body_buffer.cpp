@@ -38,8 +38,7 @@ std::vector<Mark> contact_marks(int64_t count, const std::vector<Pair>& contacts
 
 BodyBuffer::BodyBuffer() {
   const GLuint array = vertex_array_.name();
-  for (GLuint attribute : {kPosition, kRadius, kMark})
-    glVertexArrayAttribBinding(array, attribute, attribute);
+  for (GLuint attribute : {kPosition, kRadius, kMark}) glVertexArrayAttribBinding(array, attribute, attribute);
   glVertexArrayAttribFormat(array, kRadius, 1, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribIFormat(array, kMark, 1, GL_UNSIGNED_BYTE, 0);
   glEnableVertexArrayAttrib(array, kPosition);

@@ -15,8 +15,7 @@ constexpr float kElevation = 20.0f * 3.14159265f / 180;
 
 std::array<Vec3, 8> corners(Vec3 min, Vec3 max) {
   std::array<Vec3, 8> result;
-  for (int i = 0; i < 8; ++i)
-    result[i] = {i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z};
+  for (int i = 0; i < 8; ++i) result[i] = {i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z};
   return result;
 }
 

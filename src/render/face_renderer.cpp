@@ -20,8 +20,7 @@ FaceRenderer::FaceRenderer() : shader_("face.vert", "face.frag") {
 
 void FaceRenderer::draw(const std::vector<Face>& faces) {
   if (faces.empty()) return;
-  glNamedBufferData(buffer_.name(), static_cast<GLsizeiptr>(faces.size() * sizeof(Face)), faces.data(),
-                    GL_STREAM_DRAW);
+  glNamedBufferData(buffer_.name(), static_cast<GLsizeiptr>(faces.size() * sizeof(Face)), faces.data(), GL_STREAM_DRAW);
   shader_.use();
   glBindVertexArray(vertex_array_.name());
   glDepthMask(GL_FALSE);  // faces may be translucent: they hide nothing

@@ -74,8 +74,7 @@ EglDeviceInfo describe(EGLDeviceEXT device, int index) {
     if (const char* file = eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT)) info.name = file;
   }
   EGLAttrib ordinal = -1;
-  if (has_word(extensions, "EGL_NV_device_cuda") &&
-      eglQueryDeviceAttribEXT(device, EGL_CUDA_DEVICE_NV, &ordinal)) {
+  if (has_word(extensions, "EGL_NV_device_cuda") && eglQueryDeviceAttribEXT(device, EGL_CUDA_DEVICE_NV, &ordinal)) {
     info.cuda_device = static_cast<int>(ordinal);
   }
   return info;
@@ -104,8 +103,8 @@ std::vector<Candidate> candidates(int cuda_device) {
                       eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr)});
   }
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-    result.push_back({"EGL surfaceless",
-                      eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+    result.push_back(
+        {"EGL surfaceless", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
   }
   return result;
 }
@@ -162,8 +161,7 @@ GlInfo current_gl_info(std::string platform) {
   info.version = gl_string(GL_VERSION);
   info.platform = std::move(platform);
   info.software = info.renderer.find("llvmpipe") != std::string::npos ||
-                  info.renderer.find("softpipe") != std::string::npos ||
-                  info.renderer.find("SWR") != std::string::npos;
+                  info.renderer.find("softpipe") != std::string::npos || info.renderer.find("SWR") != std::string::npos;
   return info;
 }
 

@@ -6,9 +6,7 @@
 namespace ballpit {
 
 Rgba to_rgba(const Vec3& color, float opacity) {
-  const auto byte = [](float x) {
-    return static_cast<Rgba>(std::lround(std::fmin(std::fmax(x, 0.0f), 1.0f) * 255));
-  };
+  const auto byte = [](float x) { return static_cast<Rgba>(std::lround(std::fmin(std::fmax(x, 0.0f), 1.0f) * 255)); };
   return byte(color.r) | byte(color.g) << 8 | byte(color.b) << 16 | byte(opacity) << 24;
 }
 
@@ -29,8 +27,7 @@ LineRenderer::LineRenderer() : shader_("line.vert", "line.frag") {
 
 void LineRenderer::draw(const std::vector<Line>& lines, float width) {
   if (lines.empty()) return;
-  glNamedBufferData(buffer_.name(), static_cast<GLsizeiptr>(lines.size() * sizeof(Line)), lines.data(),
-                    GL_STREAM_DRAW);
+  glNamedBufferData(buffer_.name(), static_cast<GLsizeiptr>(lines.size() * sizeof(Line)), lines.data(), GL_STREAM_DRAW);
   shader_.set("width", width);
   shader_.use();
   glBindVertexArray(vertex_array_.name());

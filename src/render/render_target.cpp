@@ -24,8 +24,7 @@ int checked_side(int width, int height, int side) {
   const int largest = largest_side();
   if (width >= 1 && height >= 1 && width <= largest && height <= largest) return side;
   throw UserError("cannot draw a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                  " pixels; each side may be 1 to " + std::to_string(largest) +
-                  " here, supersampling included");
+                  " pixels; each side may be 1 to " + std::to_string(largest) + " here, supersampling included");
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ namespace {
 
 std::string_view shader_text(const std::string& file) {
   const auto& files = shader_files();
-  const auto found =
-      std::find_if(files.begin(), files.end(), [&](const EmbeddedFile& f) { return f.name == file; });
+  const auto found = std::find_if(files.begin(), files.end(), [&](const EmbeddedFile& f) { return f.name == file; });
   if (found == files.end()) throw RunError("shader " + file + " is not compiled into this program");
   return found->text;
 }
@@ -29,8 +28,7 @@ std::string preprocessed(const std::string& file) {
     const std::string_view text = rest.substr(0, end);
     rest.remove_prefix(end);
     if (text.substr(0, kInclude.size()) == kInclude) {
-      const std::string_view name =
-          text.substr(kInclude.size(), text.find('"', kInclude.size()) - kInclude.size());
+      const std::string_view name = text.substr(kInclude.size(), text.find('"', kInclude.size()) - kInclude.size());
       result += preprocessed(std::string(name)) + "#line " + std::to_string(line + 1) + "\n";
     } else {
       result += text;

@@ -26,8 +26,7 @@ Scene load_scene(std::string_view name_or_path, const SceneOverrides& overrides)
     return read_scene(std::filesystem::path(name_or_path), overrides);
   }
   for (const EmbeddedFile& file : scene_files()) {
-    if (file.name == std::string(name_or_path) + ".toml")
-      return parse_scene(file.text, file.name, {}, overrides);
+    if (file.name == std::string(name_or_path) + ".toml") return parse_scene(file.text, file.name, {}, overrides);
   }
   std::vector<std::string> names;
   for (const SceneInfo& scene : built_in_scenes()) names.push_back(scene.name);

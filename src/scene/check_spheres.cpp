@@ -11,9 +11,7 @@ namespace {
 
 constexpr std::string_view kAxes = "xyz";
 
-Place place_of(const SphereLines& lines, int64_t i) {
-  return {lines.file, lines.line[static_cast<size_t>(i)]};
-}
+Place place_of(const SphereLines& lines, int64_t i) { return {lines.file, lines.line[static_cast<size_t>(i)]}; }
 
 std::string key_of(const SphereLines& lines, int axis) {
   return lines.csv ? std::string(1, kAxes[static_cast<size_t>(axis)])
@@ -22,8 +20,7 @@ std::string key_of(const SphereLines& lines, int axis) {
 
 void check_periodic(const Domain& domain, const SphereLines& lines, int64_t i, int axis, double& x) {
   if (x < domain.min[axis] || x > domain.max[axis]) {
-    throw input_error(place_of(lines, i), key_of(lines, axis),
-                      number_text(x) + " for sphere " + std::to_string(i),
+    throw input_error(place_of(lines, i), key_of(lines, axis), number_text(x) + " for sphere " + std::to_string(i),
                       limits_text({domain.min[axis], domain.max[axis]}) + ", the domain");
   }
   // Also if it would be only after rounding to float.
@@ -38,14 +35,12 @@ void check_walls(const Domain& domain, const SphereLines& lines, int64_t i, int 
   if (!below && (!above || open)) return;
   throw input_error(
       place_of(lines, i), key_of(lines, axis),
-      "sphere " + std::to_string(i) + " reaching from " + number_text(x - radius) + " to " +
-          number_text(x + radius),
+      "sphere " + std::to_string(i) + " reaching from " + number_text(x - radius) + " to " + number_text(x + radius),
       (open ? "above " + number_text(domain.min[axis]) : limits_text({domain.min[axis], domain.max[axis]})) +
           ", the domain");
 }
 
-void check_inside(const Domain& domain, const Physics& physics, const SphereLines& lines, int64_t i,
-                  Bodies& bodies) {
+void check_inside(const Domain& domain, const Physics& physics, const SphereLines& lines, int64_t i, Bodies& bodies) {
   const auto k = static_cast<size_t>(i);
   if (domain.dimensions == 2) bodies.position[k].z = bodies.velocity[k].z = 0.0;
   for (int axis = 0; axis < domain.dimensions; ++axis) {
@@ -61,8 +56,8 @@ void check_inside(const Domain& domain, const Physics& physics, const SphereLine
 [[noreturn]] void fail_overlap(const SphereLines& lines, int64_t i, int64_t j, double overlap, double smaller,
                                double allowed) {
   throw input_error(place_of(lines, j), lines.csv ? "x" : "[[spheres]] position",
-                    "spheres " + std::to_string(i) + " (line " + std::to_string(place_of(lines, i).line) +
-                        ") and " + std::to_string(j) + " overlapping by " + number_text(overlap) + " m, " +
+                    "spheres " + std::to_string(i) + " (line " + std::to_string(place_of(lines, i).line) + ") and " +
+                        std::to_string(j) + " overlapping by " + number_text(overlap) + " m, " +
                         number_text(overlap / smaller) + " of the smaller radius",
                     number_text(allowed) + ", see [physics] initial_overlap");
 }
@@ -83,13 +78,12 @@ void check_spheres(const Domain& domain, const Physics& physics, const SphereLin
   for (const int32_t i : order) {
     const auto k = static_cast<size_t>(i);
     const double radius = bodies.radius[k];
-    index.visit_near(bodies.position[k], radius, 0.0,
-                     [&](const SphereIndex::Sphere& other, double distance2) {
-                       const double overlap = radius + other.radius - std::sqrt(distance2);
-                       if (!(overlap > physics.initial_overlap * radius)) return false;
-                       const auto [first, second] = std::minmax(i, other.id);
-                       fail_overlap(lines, first, second, overlap, radius, physics.initial_overlap);
-                     });
+    index.visit_near(bodies.position[k], radius, 0.0, [&](const SphereIndex::Sphere& other, double distance2) {
+      const double overlap = radius + other.radius - std::sqrt(distance2);
+      if (!(overlap > physics.initial_overlap * radius)) return false;
+      const auto [first, second] = std::minmax(i, other.id);
+      fail_overlap(lines, first, second, overlap, radius, physics.initial_overlap);
+    });
     index.insert(i, bodies.position[k], radius);
   }
 }

@@ -81,8 +81,8 @@ double saturation(const Domain& domain) { return domain.dimensions == 2 ? 0.56 :
   const double percent = std::round(1000.0 * volume_fraction(domain, fill)) / 10.0;
   const std::string only = placed ? ", but only " + std::to_string(*placed) + " found room" : "";
   throw input_error(fill.place, fill.count_key,
-                    std::to_string(fill.count) + " spheres" + only + ": they ask for " +
-                        number_text(percent) + " % of their region, random placement reaches about " +
+                    std::to_string(fill.count) + " spheres" + only + ": they ask for " + number_text(percent) +
+                        " % of their region, random placement reaches about " +
                         (domain.dimensions == 2 ? "54 %" : "38 %"),
                     "fewer or smaller spheres, a larger region, or arrangement = \"lattice\"");
 }
@@ -114,8 +114,7 @@ void draw_properties(const Placement& placement, Random& master) {
     const auto k = static_cast<size_t>(i);
     double radius = fill.radius_min;
     if (fill.radius_min < fill.radius_max) {
-      radius = std::clamp(as_float(radii.uniform(fill.radius_min, fill.radius_max)), fill.radius_min,
-                          fill.radius_max);
+      radius = std::clamp(as_float(radii.uniform(fill.radius_min, fill.radius_max)), fill.radius_min, fill.radius_max);
     }
     bodies.radius[k] = radius;
     bodies.mass[k] = fill.mass.value_or(sphere_mass(radius, placement.scene.physics.density));
@@ -129,8 +128,7 @@ void draw_properties(const Placement& placement, Random& master) {
 
 /// Throws until a sphere of this radius stands free; counts the throws down in `budget`. False if it is given
 /// up.
-bool throw_until_free(const Placement& placement, double radius, Random& random, int64_t& budget,
-                      Vec3d& position) {
+bool throw_until_free(const Placement& placement, double radius, Random& random, int64_t& budget, Vec3d& position) {
   const Domain& domain = placement.scene.domain;
   const CentreBox box = centre_box(domain, placement.fill, radius);
   for (int attempt = 0; attempt < kAttemptsPerSphere && budget > 0; ++attempt, --budget) {
@@ -175,8 +173,7 @@ struct Lattice {
     const int64_t i = index % sites[0];
     const int64_t k = index / sites[0] % sites[2];
     const int64_t j = index / sites[0] / sites[2];
-    const Vec3d p =
-        low + Vec3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)) * spacing;
+    const Vec3d p = low + Vec3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)) * spacing;
     return {as_float(p.x), as_float(p.y), as_float(p.z)};
   }
 };

@@ -35,9 +35,9 @@ inline constexpr int kAttemptsPerSphere = 20'000;
 /// One [[fill]] table, checked as far as it can be before its spheres are placed.
 struct Fill {
   int64_t count = 0;
-  double radius_min = 0.0;  ///< [m] radii are uniform between these
-  double radius_max = 0.0;  ///< [m]
-  double speed = 0.0;       ///< [m/s] in a direction of its own for each sphere, if there is no `velocity`
+  double radius_min = 0.0;        ///< [m] radii are uniform between these
+  double radius_max = 0.0;        ///< [m]
+  double speed = 0.0;             ///< [m/s] in a direction of its own for each sphere, if there is no `velocity`
   std::optional<Vec3d> velocity;  ///< [m/s]
   std::optional<double> mass;     ///< [kg], else density · volume
   Vec3d min{0.0};                 ///< [m] spheres stand wholly inside, except across periodic edges

@@ -12,12 +12,7 @@ namespace {
 /// Length of the UTF-8 character that `text` starts with, 0 if it starts with none. Overlong forms pass.
 size_t character_length(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
-  const size_t length = lead < 0x80   ? 1
-                        : lead < 0xC2 ? 0
-                        : lead < 0xE0 ? 2
-                        : lead < 0xF0 ? 3
-                        : lead < 0xF5 ? 4
-                                      : 0;
+  const size_t length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
   if (length > text.size()) return 0;
   for (size_t i = 1; i < length; ++i) {
     if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return 0;
@@ -44,8 +39,7 @@ std::string visible(std::string_view text) {
 
 }  // namespace
 
-UserError input_error(const Place& place, std::string_view key, std::string_view found,
-                      std::string_view allowed) {
+UserError input_error(const Place& place, std::string_view key, std::string_view found, std::string_view allowed) {
   std::string line = place.file + ':' + std::to_string(place.line) + ": ";
   if (!key.empty()) line.append(key).append(": ");
   line.append("found ").append(found);
@@ -59,9 +53,7 @@ std::string number_text(double value) {
   return error == std::errc() ? std::string(buffer.data(), end) : "?";
 }
 
-std::string limits_text(const Limits& limits) {
-  return number_text(limits.low) + " to " + number_text(limits.high);
-}
+std::string limits_text(const Limits& limits) { return number_text(limits.low) + " to " + number_text(limits.high); }
 
 std::string quoted(std::string_view text) {
   constexpr size_t kLongest = 60;

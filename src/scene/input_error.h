@@ -32,8 +32,7 @@ struct Place {
 };
 
 /// "scene.toml:3: [physics] restitution: found 1.5, allowed 0 to 1", with control characters made visible.
-UserError input_error(const Place& place, std::string_view key, std::string_view found,
-                      std::string_view allowed);
+UserError input_error(const Place& place, std::string_view key, std::string_view found, std::string_view allowed);
 
 /// The shortest text that reads back as `value`: "0.1", "1e-06", "nan".
 std::string number_text(double value);

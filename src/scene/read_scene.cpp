@@ -14,9 +14,8 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::string_view kTopLevelKeys[] = {"title",    "description", "title_de", "description_de",
-                                              "domain",   "physics",     "spheres",  "fill",
-                                              "defaults", "needs"};
+constexpr std::string_view kTopLevelKeys[] = {"title",   "description", "title_de", "description_de", "domain",
+                                              "physics", "spheres",     "fill",     "defaults",       "needs"};
 
 std::string stem_of(std::string_view file_name) { return std::filesystem::path(file_name).stem().string(); }
 
@@ -31,8 +30,8 @@ SceneInfo read_info(const TableReader& reader, std::string_view file_name) {
 }
 
 /// `spheres = "file.csv"` or tables [[spheres]].
-SphereLines read_listed_spheres(const TableReader& reader, const std::string& file,
-                                const std::filesystem::path& folder, Scene& scene) {
+SphereLines read_listed_spheres(const TableReader& reader, const std::string& file, const std::filesystem::path& folder,
+                                Scene& scene) {
   SphereLines lines{file, {}};
   const toml::node* node = reader.table().get("spheres");
   if (node != nullptr && node->is_string()) {
@@ -57,15 +56,14 @@ SphereLines read_listed_spheres(const TableReader& reader, const std::string& fi
 }
 
 /// An integer of [defaults], which the reader of the scene needs before the option table sees it.
-std::optional<int64_t> default_integer(const toml::table* defaults, const std::string& file,
-                                       std::string_view key, int64_t high) {
+std::optional<int64_t> default_integer(const toml::table* defaults, const std::string& file, std::string_view key,
+                                       int64_t high) {
   if (defaults == nullptr || !defaults->contains(key)) return std::nullopt;
   const toml::node& node = *defaults->get(key);
   const auto* value = node.as_integer();
   if (value != nullptr && value->get() >= 0 && value->get() <= high) return value->get();
-  throw input_error({file, std::max(1, static_cast<int>(node.source().begin.line))},
-                    "[defaults] " + std::string(key), describe(node),
-                    "an integer, 0 to " + std::to_string(high));
+  throw input_error({file, std::max(1, static_cast<int>(node.source().begin.line))}, "[defaults] " + std::string(key),
+                    describe(node), "an integer, 0 to " + std::to_string(high));
 }
 
 /// Shares `total` out in proportion to the counts; what rounding leaves goes to the first fills.
@@ -74,8 +72,7 @@ void scale_counts(std::vector<Fill>& fills, int64_t total) {
   for (const Fill& fill : fills) sum += static_cast<double>(fill.count);
   int64_t left = total;
   for (Fill& fill : fills) {
-    const double share =
-        sum > 0.0 ? static_cast<double>(fill.count) / sum : 1.0 / static_cast<double>(fills.size());
+    const double share = sum > 0.0 ? static_cast<double>(fill.count) / sum : 1.0 / static_cast<double>(fills.size());
     fill.count = std::min(left, static_cast<int64_t>(share * static_cast<double>(total)));
     left -= fill.count;
   }
@@ -126,8 +123,7 @@ double largest_radius(const Bodies& bodies, const std::vector<Fill>& fills) {
 /// The values of the file, before any sphere.
 Scene read_values(const TableReader& reader, const std::string& file, const SceneOverrides& overrides) {
   SceneInfo info = read_info(reader, file);
-  Scene scene{info.name, info.title, info.description, info.title_de, info.description_de, {}, {}, {},
-              {},        {}};
+  Scene scene{info.name, info.title, info.description, info.title_de, info.description_de, {}, {}, {}, {}, {}};
   if (const auto* table = reader.subtable("domain")) scene.domain = read_domain(*table, file);
   if (const auto* table = reader.subtable("physics")) {
     scene.physics = read_physics(*table, file, scene.domain.dimensions);

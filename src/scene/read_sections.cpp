@@ -63,10 +63,10 @@ Domain read_domain(const toml::table& table, const std::string& file) {
   if (domain.dimensions == 2) domain.min.z = domain.max.z = 0.0;
   for (int axis = 0; axis < domain.dimensions; ++axis) {
     if (domain.min[axis] < domain.max[axis]) continue;
-    throw reader.error(reader.has("max") ? "max" : "min",
-                       number_text(domain.min[axis]) + " to " + number_text(domain.max[axis]) + " at [" +
-                           std::to_string(axis) + "]",
-                       "min below max");
+    throw reader.error(
+        reader.has("max") ? "max" : "min",
+        number_text(domain.min[axis]) + " to " + number_text(domain.max[axis]) + " at [" + std::to_string(axis) + "]",
+        "min below max");
   }
   return domain;
 }
@@ -105,10 +105,8 @@ std::vector<DefaultOption> read_defaults(const toml::table& table, const std::st
     const Place place{file, std::max(1, static_cast<int>(node.source().begin.line))};
     const std::string full_key = "[defaults] " + std::string(key.str());
     const std::optional<std::string> value = typed(node);
-    if (!value)
-      throw input_error(place, full_key, describe(node), "a number, a text in quotes, true or false");
-    options.push_back(
-        {std::string(key.str()), *value, file + ':' + std::to_string(place.line) + ": " + full_key});
+    if (!value) throw input_error(place, full_key, describe(node), "a number, a text in quotes, true or false");
+    options.push_back({std::string(key.str()), *value, file + ':' + std::to_string(place.line) + ": " + full_key});
   }
   return options;
 }
@@ -129,10 +127,8 @@ void read_sphere(const toml::table& table, const Domain& domain, const Physics& 
   lines.line.push_back(reader.place("position").line);
 }
 
-Fill read_fill(const toml::table& table, const std::string& file, const Domain& domain,
-               const Physics& physics) {
-  constexpr std::string_view kKeys[] = {"count", "radius", "speed",       "velocity",
-                                        "min",   "max",    "arrangement", "mass"};
+Fill read_fill(const toml::table& table, const std::string& file, const Domain& domain, const Physics& physics) {
+  constexpr std::string_view kKeys[] = {"count", "radius", "speed", "velocity", "min", "max", "arrangement", "mass"};
   constexpr std::string_view kArrangements[] = {"random", "lattice"};  // in the order of Arrangement
   const TableReader reader(table, file, "[[fill]]", kKeys);
   const std::optional<int64_t> count = reader.integer("count", 0, kLargestCount);
@@ -145,8 +141,7 @@ Fill read_fill(const toml::table& table, const std::string& file, const Domain& 
   fill.radius_max = radius->high;
   fill.speed = reader.number("speed", kNotNegative).value_or(0.0);
   fill.velocity = reader.vector("velocity", domain.dimensions, kAnyNumber);
-  if (fill.velocity && reader.has("speed"))
-    throw reader.error("speed", "both speed and velocity", "one of them");
+  if (fill.velocity && reader.has("speed")) throw reader.error("speed", "both speed and velocity", "one of them");
   fill.mass = reader.number("mass", kMass);
   if (!fill.mass) {
     checked_mass(reader, fill.radius_min, physics.density);

@@ -27,7 +27,6 @@ void read_sphere(const toml::table& table, const Domain& domain, const Physics& 
                  Bodies& bodies);
 
 /// One [[fill]] table. Its region lies within `domain`; an open top has no upper bound.
-Fill read_fill(const toml::table& table, const std::string& file, const Domain& domain,
-               const Physics& physics);
+Fill read_fill(const toml::table& table, const std::string& file, const Domain& domain, const Physics& physics);
 
 }  // namespace ballpit

@@ -19,8 +19,7 @@ Vec3d cell_at(const Vec3d& position, double cell) {
 constexpr double kLargestCell = 0x1p52;
 
 bool is_exact(const Vec3d& cell) {
-  return std::abs(cell.x) < kLargestCell && std::abs(cell.y) < kLargestCell &&
-         std::abs(cell.z) < kLargestCell;
+  return std::abs(cell.x) < kLargestCell && std::abs(cell.y) < kLargestCell && std::abs(cell.z) < kLargestCell;
 }
 
 }  // namespace
@@ -69,8 +68,7 @@ size_t SphereIndex::bucket(const Level& level, const Vec3d& cell) {
   return static_cast<size_t>((row >> 32) + x) & (level.head.size() - 1);
 }
 
-SphereIndex::CellRange SphereIndex::cells_in_reach(const Level& level, const Vec3d& position,
-                                                   double reach) const {
+SphereIndex::CellRange SphereIndex::cells_in_reach(const Level& level, const Vec3d& position, double reach) const {
   CellRange range{cell_at(position - reach, level.cell), cell_at(position + reach, level.cell), 0.0};
   if (domain_.dimensions == 2) range.low.z = range.high.z = 0.0;
   const Vec3d extent = range.high - range.low + 1.0;

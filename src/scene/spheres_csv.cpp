@@ -76,8 +76,7 @@ double parse_field(std::string_view field, Column column, const Place& place) {
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc() && end == digits.data() + digits.size() && rule.limits.contains(value))
-    return value;
+  if (error == std::errc() && end == digits.data() + digits.size() && rule.limits.contains(value)) return value;
   throw input_error(place, rule.name, quoted(trimmed(field)), "a number, " + limits_text(rule.limits));
 }
 
@@ -89,8 +88,7 @@ void parse_row(std::string_view line, const std::vector<Column>& columns, const 
     const bool last = k + 1 == columns.size();
     if (last == (line.find(',') != std::string_view::npos)) {
       const auto commas = std::count(row.begin(), row.end(), ',');
-      throw input_error(place, "row",
-                        trimmed(row).empty() ? "an empty line" : std::to_string(commas + 1) + " fields",
+      throw input_error(place, "row", trimmed(row).empty() ? "an empty line" : std::to_string(commas + 1) + " fields",
                         std::to_string(columns.size()) + ", as in the header");
     }
     values[columns[k]] = parse_field(take_until(line, ','), columns[k], place);
@@ -145,9 +143,8 @@ Bodies read_spheres_csv(const std::filesystem::path& path, double density) {
 void write_spheres_csv(const std::filesystem::path& path, const Bodies& bodies) {
   std::string text = "x,y,z,radius,vx,vy,vz,mass\n";
   for (size_t i = 0; i < bodies.position.size(); ++i) {
-    for (const double value :
-         {bodies.position[i].x, bodies.position[i].y, bodies.position[i].z, bodies.radius[i],
-          bodies.velocity[i].x, bodies.velocity[i].y, bodies.velocity[i].z}) {
+    for (const double value : {bodies.position[i].x, bodies.position[i].y, bodies.position[i].z, bodies.radius[i],
+                               bodies.velocity[i].x, bodies.velocity[i].y, bodies.velocity[i].z}) {
       append_number(text, value, ',');
     }
     append_number(text, bodies.mass[i], '\n');

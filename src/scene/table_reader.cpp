@@ -72,12 +72,10 @@ std::optional<std::string> TableReader::text(std::string_view key) const {
   return node->as_string()->get();
 }
 
-std::optional<size_t> TableReader::choice(std::string_view key,
-                                          std::span<const std::string_view> names) const {
+std::optional<size_t> TableReader::choice(std::string_view key, std::span<const std::string_view> names) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;
-  const std::string_view value =
-      node->is_string() ? std::string_view(node->as_string()->get()) : std::string_view{};
+  const std::string_view value = node->is_string() ? std::string_view(node->as_string()->get()) : std::string_view{};
   const auto found = std::find(names.begin(), names.end(), value);
   if (found == names.end()) throw error(key, describe(*node), join(names));
   return static_cast<size_t>(found - names.begin());
@@ -89,8 +87,7 @@ std::optional<Vec3d> TableReader::vector(std::string_view key, int dimensions, c
   const toml::array* array = node->as_array();
   const size_t size = array != nullptr ? array->size() : 0;
   if (size != 3 && (size != 2 || dimensions != 2)) {
-    throw error(key, describe(*node),
-                dimensions == 2 ? "an array of 2 or 3 numbers" : "an array of 3 numbers");
+    throw error(key, describe(*node), dimensions == 2 ? "an array of 2 or 3 numbers" : "an array of 3 numbers");
   }
   Vec3d result(0.0);
   for (size_t axis = 0; axis < size; ++axis) {
@@ -110,10 +107,8 @@ std::optional<Limits> TableReader::range(std::string_view key, const Limits& lim
     return Limits{value, value};
   }
   const std::string name(key);
-  if (array->size() != 2)
-    throw error(key, describe(*node), "a number, or an array of 2 numbers, low and high");
-  const Limits result{number_at((*array)[0], name + "[0]", limits),
-                      number_at((*array)[1], name + "[1]", limits)};
+  if (array->size() != 2) throw error(key, describe(*node), "a number, or an array of 2 numbers, low and high");
+  const Limits result{number_at((*array)[0], name + "[0]", limits), number_at((*array)[1], name + "[1]", limits)};
   if (result.low <= result.high) return result;
   throw error(key, number_text(result.low) + " before " + number_text(result.high), "low before high");
 }
@@ -125,8 +120,7 @@ std::vector<const toml::table*> TableReader::tables(std::string_view key) const 
   const std::string allowed = "tables [[" + std::string(key) + "]]";
   if (!node->is_array()) throw error(key, describe(*node), allowed);
   for (const toml::node& element : *node->as_array()) {
-    if (!element.is_table())
-      throw input_error({file_, line_of(element)}, full_key(key), describe(element), allowed);
+    if (!element.is_table()) throw input_error({file_, line_of(element)}, full_key(key), describe(element), allowed);
     result.push_back(element.as_table());
   }
   return result;

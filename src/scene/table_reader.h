@@ -20,8 +20,7 @@ namespace ballpit {
 class TableReader {
  public:
   /// Throws UserError if `table` has keys other than `keys`. `label` is "[physics]", or "" at the top level.
-  TableReader(const toml::table& table, std::string file, std::string label,
-              std::span<const std::string_view> keys);
+  TableReader(const toml::table& table, std::string file, std::string label, std::span<const std::string_view> keys);
 
   const toml::table& table() const { return table_; }
   bool has(std::string_view key) const { return table_.contains(key); }
@@ -52,9 +51,7 @@ class TableReader {
   UserError error(std::string_view key, std::string_view found, std::string_view allowed) const {
     return input_error(place(key), full_key(key), found, allowed);
   }
-  UserError missing(std::string_view key, std::string_view allowed) const {
-    return error(key, "nothing", allowed);
-  }
+  UserError missing(std::string_view key, std::string_view allowed) const { return error(key, "nothing", allowed); }
 
  private:
   double number_at(const toml::node& node, std::string_view key, const Limits& limits) const;

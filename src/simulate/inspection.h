@@ -36,8 +36,8 @@ struct BodySnapshot {
 /// origin + (x, y, z) ∘ edge to origin + (x+1, y+1, z+1) ∘ edge, and lists its bodies from head[index] along next[].
 struct GridInspection {
   Vec3 origin{0.0f};
-  Vec3 edge{0.0f};    ///< [m] the same along every axis, unless a periodic domain stretches it to a whole number of cells
-  IVec3 cells{0};     ///< z is 1 in planar scenes
+  Vec3 edge{0.0f};  ///< [m] the same along every axis, unless a periodic domain stretches it to a whole number of cells
+  IVec3 cells{0};   ///< z is 1 in planar scenes
   std::vector<int32_t> head;  ///< one entry per cell: its first body, or −1
   std::vector<int32_t> next;  ///< one entry per body: the one linked before it, or −1
 };

@@ -63,8 +63,7 @@ struct MotionOf {
 
 template <class V, class Exec>
 void measure_motion(Exec& exec, const BodiesView<V>& bodies, const V& gravity, Report& report) {
-  const Motion motion =
-      reduce(exec, "sum motion", bodies.size(), Motion{}, MotionOf<V>{bodies, gravity}, Sum{});
+  const Motion motion = reduce(exec, "sum motion", bodies.size(), Motion{}, MotionOf<V>{bodies, gravity}, Sum{});
   report.kinetic_energy = motion.kinetic;
   report.potential_energy = motion.potential;
   report.momentum = {motion.px, motion.py, motion.pz};
@@ -100,8 +99,8 @@ struct WallOverlap {
 /// The largest overlap of two spheres, or of a sphere and a wall, as a fraction of the smaller radius.
 template <class V, class Exec>
 double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const ContactsView<V>& contacts) {
-  const double spheres = reduce(exec, "largest overlap", contacts.pairs.size(), 0.0,
-                                ContactOverlap<V>{bodies, contacts}, Largest{});
+  const double spheres =
+      reduce(exec, "largest overlap", contacts.pairs.size(), 0.0, ContactOverlap<V>{bodies, contacts}, Largest{});
   const double walls = reduce(exec, "largest overlap", bodies.size(), 0.0, WallOverlap<V>{bodies, box}, Largest{});
   return spheres < walls ? walls : spheres;
 }

@@ -67,9 +67,7 @@ constexpr std::array kTable{
                 [](Settings& s, std::string_view v) { return set_number(v, 0, 256, s.threads); }},
     SettingInfo{"count", "N", "spheres to generate, in place of the scene's own number",
                 [] { return std::string("1 to 100000000"); },
-                [](Settings& s, std::string_view v) {
-                  return set_number(v, int64_t{1}, int64_t{100000000}, s.count);
-                }},
+                [](Settings& s, std::string_view v) { return set_number(v, int64_t{1}, int64_t{100000000}, s.count); }},
     SettingInfo{"seed", "N", "start of the random numbers", [] { return std::string("0 to 18446744073709551615"); },
                 [](Settings& s, std::string_view v) { return set_number(v, uint64_t{0}, UINT64_MAX, s.seed); }},
 };

@@ -17,9 +17,9 @@ struct Settings {
   std::string integrator = "symplectic-euler";
   std::string precision = "float";
   std::string backend = "auto";
-  double dt = 1.0 / 240;  ///< [s]
-  int substeps = 1;       ///< parts of dt, each detected and responded to by itself
-  int threads = 0;        ///< 0: all cores
+  double dt = 1.0 / 240;         ///< [s]
+  int substeps = 1;              ///< parts of dt, each detected and responded to by itself
+  int threads = 0;               ///< 0: all cores
   std::optional<int64_t> count;  ///< spheres generated, in place of the scene's own number
   std::optional<uint64_t> seed;
 };

@@ -19,10 +19,10 @@ namespace ballpit {
 
 template <class V>
 struct BodiesView {
-  Span<const V> position;             ///< [m]
-  Span<const V> velocity;             ///< [m/s]
-  PerBody<Scalar<V>> radius;          ///< [m]
-  PerBody<Scalar<V>> inverse_mass;    ///< [1/kg]
+  Span<const V> position;           ///< [m]
+  Span<const V> velocity;           ///< [m/s]
+  PerBody<Scalar<V>> radius;        ///< [m]
+  PerBody<Scalar<V>> inverse_mass;  ///< [1/kg]
 
   HOST_DEVICE int64_t size() const { return position.size(); }
 };

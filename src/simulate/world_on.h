@@ -174,8 +174,7 @@ class WorldOn final : public World {
     response_.respond(*exec_, view(), box_, list_.view(), dt, after_);
     std::swap(velocity_, after_);
 
-    exec_->parallel_for("drift", n,
-                        Drift<V>{box_, dt, velocity_.span(), response_.correction(), position_.span()});
+    exec_->parallel_for("drift", n, Drift<V>{box_, dt, velocity_.span(), response_.correction(), position_.span()});
     is_detected_ = false;
     check();
   }
@@ -186,8 +185,9 @@ class WorldOn final : public World {
     if (bad < 0) return;
     const Vec3d p = widen(exec_->download(position_.span())[static_cast<size_t>(bad)]);
     std::ostringstream message;
-    message << "step " << steps_ << " (t = " << time() << " s): sphere " << bad << " left the domain: its centre is at ("
-            << p.x << ", " << p.y << ", " << p.z << "); a smaller --dt or more --substeps may help";
+    message << "step " << steps_ << " (t = " << time() << " s): sphere " << bad
+            << " left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z
+            << "); a smaller --dt or more --substeps may help";
     throw RunError(message.str());
   }
 

@@ -44,8 +44,7 @@ TEST_CASE("a folder that cannot be made is named with the reason") {
 TEST_CASE("a state that cannot be written is named with the reason") {
   const Scratch scratch;
   write_text(scratch / "file", "x");
-  CHECK_THAT(failure_to_write(scratch / "file/state.csv"),
-             Contains("file/state.csv") && Contains("Not a directory"));
+  CHECK_THAT(failure_to_write(scratch / "file/state.csv"), Contains("file/state.csv") && Contains("Not a directory"));
   CHECK_THAT(failure_to_write(scratch / "missing/state.csv"), Contains("No such file"));
   CHECK_THAT(failure_to_write("/proc/state.csv"), Contains("/proc/state.csv"));
   CHECK_THAT(failure_to_write(scratch.path().string()), Contains(scratch.path().string()));
@@ -59,8 +58,7 @@ TEST_CASE("a full disk is named with the file that found no room, and leaves who
   CHECK(fs::is_empty(scratch.path()));
 
   fs::create_symlink("/dev/full", scratch / "frame_00002.png.part");
-  CHECK_THAT(failure_to_render(scratch.path().string()),
-             Contains("frame_00002.png: cannot write: No space left"));
+  CHECK_THAT(failure_to_render(scratch.path().string()), Contains("frame_00002.png: cannot write: No space left"));
   CHECK(fs::exists(scratch / "frame_00001.png"));
   CHECK_FALSE(fs::exists(scratch / "frame_00002.png"));
   CHECK_FALSE(fs::is_symlink(scratch / "frame_00002.png.part"));
@@ -96,8 +94,8 @@ TEST_CASE("a sphere that leaves the domain stops the run with its number and the
   CHECK_THAT(failure_of({"simulate", "bouncing-balls", "--count", "50", "--time", "100", "--dt", "2"}),
              Contains("step ") && Contains("sphere ") && Contains("left the domain") && Contains("--dt"));
   const Scratch scratch;
-  CHECK_THAT(failure_of({"render", "bouncing-balls", "--count", "50", "--dt", "2", "--fps", "0.5", "--size",
-                         "64x36", "--frames", "9", "--out", scratch.path().string()}),
+  CHECK_THAT(failure_of({"render", "bouncing-balls", "--count", "50", "--dt", "2", "--fps", "0.5", "--size", "64x36",
+                         "--frames", "9", "--out", scratch.path().string()}),
              Contains("left the domain"));
   CHECK(fs::exists(scratch / "frame_00000.png"));
 }

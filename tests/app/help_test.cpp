@@ -35,8 +35,7 @@ TEST_CASE("the option --help names every command, and ends with status 0") {
     const Outcome outcome = run_program({option});
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
-    for (const char* command : {"render", "simulate", "list", "doctor"})
-      CHECK_THAT(outcome.out, Contains(command));
+    for (const char* command : {"render", "simulate", "list", "doctor"}) CHECK_THAT(outcome.out, Contains(command));
   }
 }
 
@@ -51,8 +50,7 @@ TEST_CASE("the help of render and simulate names every setting and its allowed v
     const Outcome outcome = run_program({command, "--help"});
     CHECK(outcome.status == 0);
     for (const SettingInfo& setting : setting_table()) {
-      CHECK_THAT(outcome.out,
-                 Contains("--" + std::string(setting.name) + " " + std::string(setting.value_name)));
+      CHECK_THAT(outcome.out, Contains("--" + std::string(setting.name) + " " + std::string(setting.value_name)));
       CHECK_THAT(outcome.out, Contains(std::string(setting.help) + ": " + setting.allowed()));
     }
     CHECK_THAT(outcome.out, Contains(std::string(kDefaultScene)));
@@ -114,6 +112,5 @@ TEST_CASE("doctor --json is one object that tells what there is, or why not") {
 TEST_CASE("doctor says the same for people") {
   const Outcome outcome = run_program({"doctor"});
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out,
-             Contains("CPU threads") && Contains("CUDA") && Contains("OpenGL") && Contains("ffmpeg"));
+  CHECK_THAT(outcome.out, Contains("CPU threads") && Contains("CUDA") && Contains("OpenGL") && Contains("ffmpeg"));
 }

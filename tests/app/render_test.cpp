@@ -26,8 +26,7 @@ std::string frame(int index) {
 }
 
 /// The bytes of the frames of a small film of colliding balls.
-std::vector<std::string> film(const std::vector<std::string>& options,
-                              const std::string& scene = "bouncing-balls") {
+std::vector<std::string> film(const std::vector<std::string>& options, const std::string& scene = "bouncing-balls") {
   const Scratch scratch;
   std::vector<std::string> arguments{"render", scene, "--size", "160x90", "--out", scratch / "film"};
   if (scene == "bouncing-balls") arguments.insert(arguments.end(), {"--count", "200"});

@@ -59,8 +59,7 @@ int count_whole_frames(const Scratch& folder, bool allow_parts) {
 void check_same_frames(const Scratch& a, const Scratch& b, int count) {
   for (int k = 0; k < count; ++k) {
     INFO("frame " << k);
-    const bool is_same =
-        read_text(frame(a, k)) == read_text(frame(b, k));  // not in CHECK, which would print the bytes
+    const bool is_same = read_text(frame(a, k)) == read_text(frame(b, k));  // not in CHECK, which would print the bytes
     CHECK(is_same);
   }
 }
@@ -153,8 +152,7 @@ TEST_CASE("frames of an earlier, longer film are told and left alone") {
 
 TEST_CASE("Ctrl-C ends simulate with status 1 and the steps made, without a state") {
   const Scratch folder;
-  Program program(
-      {"simulate", "bouncing-balls", "--count", "100", "--time", "1e6", "--out", folder / "state.csv"});
+  Program program({"simulate", "bouncing-balls", "--count", "100", "--time", "1e6", "--out", folder / "state.csv"});
   std::this_thread::sleep_for(std::chrono::milliseconds(1000));
   program.signal(SIGINT);
   const Outcome outcome = program.wait();

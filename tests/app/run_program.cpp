@@ -84,9 +84,7 @@ bool is_sanitized() {
 #endif
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
+void write_text(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 std::string read_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

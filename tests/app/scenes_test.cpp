@@ -38,8 +38,7 @@ void check_inside(const Domain& domain, const Bodies& bodies) {
 TEST_CASE("every built-in scene shows at its end what it needs") {
   for (const SceneInfo& info : built_in_scenes()) {
     Session session(info.name, {});
-    if (is_sanitized() && session.world().report().count > 10'000)
-      continue;  // minutes; the others run the same code
+    if (is_sanitized() && session.world().report().count > 10'000) continue;  // minutes; the others run the same code
     const Needs& needs = session.scene().needs;
     const double energy_before = energy(session.world().report());
     const double speed = step_to(session, needs.duration);

@@ -78,9 +78,7 @@ TEST_CASE("500 steps give the same bits for 1, 2 and 8 threads and for every bro
 }
 
 TEST_CASE("the seed decides where spheres start") {
-  const auto hash_of = [](const char* seed) {
-    return simulate({"--time", "0", "--seed", seed})["state_hash"];
-  };
+  const auto hash_of = [](const char* seed) { return simulate({"--time", "0", "--seed", seed})["state_hash"]; };
   CHECK(hash_of("5") == hash_of("5"));
   CHECK(hash_of("5") != hash_of("6"));
 }
@@ -94,8 +92,7 @@ TEST_CASE("a written state starts again with the same bits, and goes on as the r
   const std::string physics = "[physics]\ngravity = [0, -9.81, 0]\ninitial_overlap = 1\n";
   const std::string domain = GENERATE(as<std::string>{}, "", "[domain]\nboundary = 'periodic'\n",
                                       "[domain]\nboundary = 'open-top'\n", "[domain]\ndimensions = 2\n");
-  write_text(scratch / "first.toml",
-             domain + physics + "[[fill]]\ncount = 60\nradius = [0.02, 0.04]\nspeed = 1\n");
+  write_text(scratch / "first.toml", domain + physics + "[[fill]]\ncount = 60\nradius = [0.02, 0.04]\nspeed = 1\n");
   write_text(scratch / "second.toml", "spheres = 'state.csv'\n" + domain + physics);
   const nlohmann::json written =
       simulate({scratch / "first.toml", "--dt", "0.001", "--time", "0.4", "--out", scratch / "state.csv"});
@@ -109,8 +106,7 @@ TEST_CASE("a written state starts again with the same bits, and goes on as the r
 }
 
 TEST_CASE("a cell size below one is run, with a warning that contacts are missed") {
-  const Outcome outcome =
-      run_program({"simulate", "two-spheres", "--time", "0", "--cell-size", "0.5", "--json"});
+  const Outcome outcome = run_program({"simulate", "two-spheres", "--time", "0", "--cell-size", "0.5", "--json"});
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.err, Catch::Contains("--cell-size 0.5") && Catch::Contains("missed"));
   CHECK(outcome.json()["count"] == 2);

@@ -124,8 +124,7 @@ TEST_CASE("numbers that are none, not finite or out of range are refused by ever
   for (const SettingInfo& setting : setting_table())
     options.push_back({"simulate", std::string(setting.name), setting.allowed()});
   for (const Option& option : options) {
-    for (const char* value :
-         {"nan", "inf", "-inf", "-1", "", "abc", "1e999", "99999999999999999999", "0x10", "1 "}) {
+    for (const char* value : {"nan", "inf", "-inf", "-1", "", "abc", "1e999", "99999999999999999999", "0x10", "1 "}) {
       const std::string name = "--" + option.name;
       Arguments arguments = valid(option.command);
       if (option.name == "time" || option.name == "frames") arguments.resize(arguments.size() - 2);
@@ -146,11 +145,9 @@ TEST_CASE("shared options are refused by render as by simulate") {
 }
 
 TEST_CASE("sizes that are none are refused") {
-  for (const char* size :
-       {"640x", "x360", "640", "640x360x3", "640X360", "8x8", "99999x16", "640x-360", "1e3x16"}) {
-    CHECK_THAT(
-        error_of(with(valid("render"), {"--size", size})),
-        Contains("--size: found " + std::string(size) + ", allowed WIDTHxHEIGHT, each from 16 to 16384"));
+  for (const char* size : {"640x", "x360", "640", "640x360x3", "640X360", "8x8", "99999x16", "640x-360", "1e3x16"}) {
+    CHECK_THAT(error_of(with(valid("render"), {"--size", size})),
+               Contains("--size: found " + std::string(size) + ", allowed WIDTHxHEIGHT, each from 16 to 16384"));
   }
 }
 
@@ -192,7 +189,6 @@ TEST_CASE("a scene that does not exist is refused with those that do") {
   CHECK_THAT(error_of({"render", "nosuch", "--out", "/proc/nowhere"}), Contains("SCENE: found \"nosuch\""));
   CHECK_THAT(error_of({"simulate", ""}), Contains("SCENE: found \"\""));
   CHECK_THAT(error_of({"simulate", "nosuch.toml"}), Contains("nosuch.toml: cannot read: No such file"));
-  CHECK_THAT(error_of({"simulate", "/nowhere/x.toml"}),
-             Contains("/nowhere/x.toml: cannot read: No such file"));
+  CHECK_THAT(error_of({"simulate", "/nowhere/x.toml"}), Contains("/nowhere/x.toml: cannot read: No such file"));
   CHECK_THAT(error_of({"simulate", "/tmp/"}), Contains("/tmp/: is a folder"));
 }

@@ -43,8 +43,7 @@ TEST_CASE("errors in a scene reach the user with file, line and key") {
       {"title = 'x'\n[domain\n", "2: found a syntax error"},
       {"titel = 'x'", "1: titel: found an unknown key, allowed title"},
       {"[physics]\nrestitution = 1.5", "2: [physics] restitution: found 1.5, allowed 0 to 1"},
-      {"[physics]\n\ngravity = 'down'",
-       "3: [physics] gravity: found \"down\", allowed an array of 3 numbers"},
+      {"[physics]\n\ngravity = 'down'", "3: [physics] gravity: found \"down\", allowed an array of 3 numbers"},
       {"[[spheres]]\nposition = [0.5, 0.95, 0.5]\nradius = 0.1",
        "2: [[spheres]] position[1]: found sphere 0 reaching from 0.85 to 1.05, allowed 0 to 1, the domain"},
       {"[[spheres]]\nposition = [0.5, 0.5, 0.5]\nradius = 0.1\n[[spheres]]\nposition = [0.6, 0.5, "
@@ -85,7 +84,6 @@ TEST_CASE("errors in a CSV file reach the user with its name and line") {
       {scene, "2: x: found \"abc\"", header + "abc,0.5,0.5,0.1\n"},
       {scene, "2: ", header + "0.5,0.5\n"},
       {scene, "1: ", "a,b,c\n1,2,3\n"},
-      {scene, "3: x: found spheres 0 (line 2) and 1 overlapping by 0.1",
-       header + "0.5,0.5,0.5,0.1\n0.6,0.5,0.5,0.1\n"},
+      {scene, "3: x: found spheres 0 (line 2) and 1 overlapping by 0.1", header + "0.5,0.5,0.5,0.1\n0.6,0.5,0.5,0.1\n"},
   });
 }

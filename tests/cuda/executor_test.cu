@@ -101,8 +101,7 @@ TEST_CASE("sorting pairs by key on CUDA is stable") {
   const std::vector<int> sorted_keys = exec.download(key_buffer.span()), order = exec.download(value_buffer.span());
   for (int i = 0; i < n; ++i) REQUIRE(sorted_keys[i] == keys[order[i]]);
   for (int i = 1; i < n; ++i) {
-    REQUIRE((sorted_keys[i - 1] < sorted_keys[i] ||
-             (sorted_keys[i - 1] == sorted_keys[i] && order[i - 1] < order[i])));
+    REQUIRE((sorted_keys[i - 1] < sorted_keys[i] || (sorted_keys[i - 1] == sorted_keys[i] && order[i - 1] < order[i])));
   }
 }
 

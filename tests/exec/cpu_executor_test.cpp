@@ -111,8 +111,9 @@ TEST_CASE("a floating-point sum has the same bits for any number of threads") {
   for (double& value : values) value = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-8, 8));
   const auto sum = [&](int threads) {
     CpuExecutor exec(threads);
-    return reduce(exec, "sum", static_cast<int64_t>(values.size()), 0.0,
-                  [&](int i) { return values[static_cast<size_t>(i)]; }, Plus{});
+    return reduce(
+        exec, "sum", static_cast<int64_t>(values.size()), 0.0, [&](int i) { return values[static_cast<size_t>(i)]; },
+        Plus{});
   };
   const double one = sum(1);
   CHECK(one == Approx(std::accumulate(values.begin(), values.end(), 0.0)));

@@ -45,8 +45,7 @@ TEST_CASE("pushed frames lie in the folder, numbered in order and whole") {
   sequence.finish();
   CHECK(count_files(folder.path / "new" / "film") == 20);
   for (int i = 0; i < 20; ++i) {
-    CHECK(read_file(folder.path / "new" / "film" / frame_name(i)) ==
-          encode_png_fast(frame(static_cast<uint8_t>(i))));
+    CHECK(read_file(folder.path / "new" / "film" / frame_name(i)) == encode_png_fast(frame(static_cast<uint8_t>(i))));
   }
   CHECK(frame_name(12) == "frame_00012.png");
 }

@@ -35,8 +35,7 @@ Image test_picture(int width, int height) {
   Random random(1);
   for (size_t i = 0; i < image.pixels.size(); ++i) {
     if (i % 4 == 3) continue;
-    image.pixels[i] =
-        i < image.pixels.size() / 2 ? static_cast<uint8_t>(random.bits()) : static_cast<uint8_t>(i / 64);
+    image.pixels[i] = i < image.pixels.size() / 2 ? static_cast<uint8_t>(random.bits()) : static_cast<uint8_t>(i / 64);
   }
   return image;
 }
@@ -66,8 +65,7 @@ TEST_CASE("half a PNG is not a whole one") {
 }
 
 TEST_CASE("a picture that cannot be written names its path") {
-  CHECK_THROWS_WITH(write_png("/nonexistent/a.png", test_picture(4, 4)),
-                    Catch::Contains("/nonexistent/a.png"));
+  CHECK_THROWS_WITH(write_png("/nonexistent/a.png", test_picture(4, 4)), Catch::Contains("/nonexistent/a.png"));
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "ballpit-single.png";
   write_png(path, test_picture(4, 4));
   CHECK(is_whole_png(read_file(path)));

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Rule {
-  std::set<std::string> folders;           ///< may be included whole
-  std::set<std::string> headers_besides;   ///< single headers of other folders that may be included as well
+  std::set<std::string> folders;          ///< may be included whole
+  std::set<std::string> headers_besides;  ///< single headers of other folders that may be included as well
 };
 
 const std::map<std::string, Rule>& rules() {
@@ -133,7 +133,8 @@ TEST_CASE("GLM is included by core/math.h alone, and CUDA's headers by cuda/ and
       for (std::string text; std::getline(in, text);) {
         INFO(entry.path().string() << ": " << text);
         if (std::regex_search(text, glm)) CHECK(entry.path().filename() == "math.h");
-        if (std::regex_search(text, cuda)) CHECK((std::string(folder) == "cuda" || entry.path().filename() == "math.h"));
+        if (std::regex_search(text, cuda))
+          CHECK((std::string(folder) == "cuda" || entry.path().filename() == "math.h"));
       }
     }
   }

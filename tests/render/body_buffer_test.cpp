@@ -19,8 +19,7 @@ TEST_CASE("the position buffer holds the simulation's floats as they are") {
     BodyBuffer buffer;
     buffer.upload(bodies);
     std::vector<float> stored(bodies.position.size());
-    glGetNamedBufferSubData(buffer.position_buffer(), 0, static_cast<GLsizeiptr>(stored.size() * 4),
-                            stored.data());
+    glGetNamedBufferSubData(buffer.position_buffer(), 0, static_cast<GLsizeiptr>(stored.size() * 4), stored.data());
     CHECK(stored == bodies.position);
   }
   check_gl("reading a buffer");
@@ -40,8 +39,7 @@ TEST_CASE("buffers stay the same until they must grow or change shape") {
 }
 
 TEST_CASE("bodies in a contact are marked, others are not") {
-  CHECK(contact_marks(4, {{0, 2}}) ==
-        std::vector<Mark>{Mark::contact, Mark::none, Mark::contact, Mark::none});
+  CHECK(contact_marks(4, {{0, 2}}) == std::vector<Mark>{Mark::contact, Mark::none, Mark::contact, Mark::none});
 }
 
 TEST_CASE("one radius for all draws the same picture as the same radius each") {

@@ -34,8 +34,7 @@ TEST_CASE("a box fills the frame up to the margin, centred, at any shape of box 
     for (const float aspect : {16.0f / 9, 1.0f, 9.0f / 16, 4.0f}) {
       const Vec3 min(-0.5f, 2, 1);
       const Extent extent = project(frame_box(min, min + max, 3, aspect), min, min + max);
-      CHECK(std::max(extent.right - extent.left, extent.top - extent.bottom) ==
-            Approx(2 * 0.88f).epsilon(1e-3));
+      CHECK(std::max(extent.right - extent.left, extent.top - extent.bottom) == Approx(2 * 0.88f).epsilon(1e-3));
       CHECK(extent.right == Approx(-extent.left).margin(1e-3));
       CHECK(extent.top == Approx(-extent.bottom).margin(1e-3));
       CHECK(extent.nearest > -1);

@@ -26,21 +26,18 @@ Inspection stored(const std::string& name, const DomainBox& domain, float edge) 
 
 TEST_CASE("golden: a cloud of spheres with its grid, on white") {
   const Inspection cloud = stored("cloud", kBox, 0.125f);
-  CHECK(compare_with_golden("cloud_grid", draw(view_of(cloud, kBox, kAspect, {"grid"}), kWidth, kHeight)) ==
-        "");
+  CHECK(compare_with_golden("cloud_grid", draw(view_of(cloud, kBox, kAspect, {"grid"}), kWidth, kHeight)) == "");
 }
 
 TEST_CASE("golden: a cloud of spheres in an open box, on dark") {
   const Inspection cloud = stored("cloud", kOpen, 0);
   const RenderOptions dark{theme_named("dark"), 1};
-  CHECK(compare_with_golden("cloud_open_dark", draw(view_of(cloud, kOpen, kAspect), kWidth, kHeight, dark)) ==
-        "");
+  CHECK(compare_with_golden("cloud_open_dark", draw(view_of(cloud, kOpen, kAspect), kWidth, kHeight, dark)) == "");
 }
 
 TEST_CASE("golden: a planar scene with its grid") {
   const Inspection plane = stored("plane", kPlane, 1);
-  CHECK(compare_with_golden("plane_grid", draw(view_of(plane, kPlane, kAspect, {"grid"}), kWidth, kHeight)) ==
-        "");
+  CHECK(compare_with_golden("plane_grid", draw(view_of(plane, kPlane, kAspect, {"grid"}), kWidth, kHeight)) == "");
 }
 
 TEST_CASE("the comparison of pictures sees a missing sphere, but not rounding") {
@@ -53,9 +50,9 @@ TEST_CASE("the comparison of pictures sees a missing sphere, but not rounding") 
 
   // The nearest sphere is not hidden.
   const Vec3 eye = view_of(all, kBox, kAspect).camera.eye;
-  const auto nearest = std::min_element(
-      spheres.begin(), spheres.end(),
-      [&](const Sphere& a, const Sphere& b) { return length(a.center - eye) < length(b.center - eye); });
+  const auto nearest = std::min_element(spheres.begin(), spheres.end(), [&](const Sphere& a, const Sphere& b) {
+    return length(a.center - eye) < length(b.center - eye);
+  });
   spheres.erase(nearest);
   const Inspection fewer = inspect(spheres, kBox);
   CHECK(worst_block(draw(view_of(fewer, kBox, kAspect), kWidth, kHeight), whole) > 8);

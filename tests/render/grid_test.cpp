@@ -56,8 +56,7 @@ TEST_CASE("a spatial grid draws around occupied cells only, and spheres hide wha
   const Image image = draw(view, 320, 180);
   const auto place = [&](Vec3 point) {
     const Vec4 clip = view.camera.projection() * view.camera.view() * Vec4(point, 1);
-    return IVec3(static_cast<int>((clip.x / clip.w + 1) * 160), static_cast<int>((1 - clip.y / clip.w) * 90),
-                 0);
+    return IVec3(static_cast<int>((clip.x / clip.w + 1) * 160), static_cast<int>((1 - clip.y / clip.w) * 90), 0);
   };
   const IVec3 middle = place({0.125f, 0.125f, 0.875f});
   int inside = 0;
@@ -78,8 +77,7 @@ TEST_CASE("a spatial grid draws around occupied cells only, and spheres hide wha
 TEST_CASE("without a grid to show, the overlay draws nothing") {
   const DomainBox box;
   const Inspection inspection = inspect({{{0.5f, 0.5f, 0.5f}, 0.1f}}, box);
-  CHECK(draw(view_of(inspection, box, 1, {"grid"}), 90, 90).pixels ==
-        draw(view_of(inspection, box, 1), 90, 90).pixels);
+  CHECK(draw(view_of(inspection, box, 1, {"grid"}), 90, 90).pixels == draw(view_of(inspection, box, 1), 90, 90).pixels);
 }
 
 TEST_CASE("cells that reach beyond the domain are drawn up to its wall") {
@@ -88,7 +86,7 @@ TEST_CASE("cells that reach beyond the domain are drawn up to its wall") {
   REQUIRE(inspection.grid->cells.x == 3);
   const Image image = draw(view_of(inspection, kPlane, 1, {"grid"}), 400, 400);
   const Vec3 ground = themes().front().background;
-  CHECK(difference(image.pixel(360, 60), ground) > 8);  // inside, in the corner cell
+  CHECK(difference(image.pixel(360, 60), ground) > 8);   // inside, in the corner cell
   CHECK(difference(image.pixel(390, 60), ground) <= 8);  // right of the domain
   CHECK(difference(image.pixel(360, 8), ground) <= 8);   // above it
 }

@@ -56,8 +56,7 @@ int worst_block(const Image& actual, const Image& expected) {
     for (int left = 0; left < actual.width; left += 8) {
       int count = 0;
       for (int y = top; y < std::min(top + 8, actual.height); ++y) {
-        for (int x = left; x < std::min(left + 8, actual.width); ++x)
-          count += differs(actual, expected, x, y);
+        for (int x = left; x < std::min(left + 8, actual.width); ++x) count += differs(actual, expected, x, y);
       }
       worst = std::max(worst, count);
     }
@@ -69,12 +68,10 @@ Image read_png(const std::string& path) {
   const std::string bytes = read_file(path);
   Image image;
   int channels = 0;
-  uint8_t* pixels =
-      stbi_load_from_memory(reinterpret_cast<const uint8_t*>(bytes.data()), static_cast<int>(bytes.size()),
-                            &image.width, &image.height, &channels, 4);
+  uint8_t* pixels = stbi_load_from_memory(reinterpret_cast<const uint8_t*>(bytes.data()),
+                                          static_cast<int>(bytes.size()), &image.width, &image.height, &channels, 4);
   if (!pixels) throw RunError(path + ": " + stbi_failure_reason());
-  image.pixels.assign(pixels,
-                      pixels + static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 4);
+  image.pixels.assign(pixels, pixels + static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 4);
   stbi_image_free(pixels);
   return image;
 }
@@ -86,8 +83,7 @@ std::string compare_with_golden(const std::string& name, const Image& actual) {
     return "";
   }
   const Image expected = read_png(golden);
-  if (expected.width != actual.width || expected.height != actual.height)
-    return name + ": other size than " + golden;
+  if (expected.width != actual.width || expected.height != actual.height) return name + ": other size than " + golden;
   const int worst = worst_block(actual, expected);
   if (worst <= 8) return "";
   const std::filesystem::path folder = std::filesystem::current_path() / "golden-failures";
@@ -95,8 +91,7 @@ std::string compare_with_golden(const std::string& name, const Image& actual) {
   write_png(folder / (name + ".actual.png"), actual);
   write_png(folder / (name + ".expected.png"), expected);
   write_png(folder / (name + ".diff.png"), difference_picture(actual, expected));
-  return name + ": " + std::to_string(worst) + " of 64 pixels of a block differ (8 may); see " +
-         folder.string();
+  return name + ": " + std::to_string(worst) + " of 64 pixels of a block differ (8 may); see " + folder.string();
 }
 
 }  // namespace ballpit

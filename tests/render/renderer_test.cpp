@@ -103,8 +103,7 @@ TEST_CASE("rows go from top to bottom: what is high in the scene is high in the 
     int upper = 0;
     int lower = 0;
     for (int y = 0; y < 100; ++y) {
-      for (int x = 0; x < 100; ++x)
-        (y < 50 ? upper : lower) += difference(image.pixel(x, y), without.pixel(x, y)) > 8;
+      for (int x = 0; x < 100; ++x) (y < 50 ? upper : lower) += difference(image.pixel(x, y), without.pixel(x, y)) > 8;
     }
     CHECK(upper > 100);
     CHECK(lower < upper / 10);

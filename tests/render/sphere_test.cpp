@@ -52,8 +52,7 @@ Run covered_columns(const Image& image, int row) {
 }  // namespace
 
 TEST_CASE("a sphere's outline lies where its tangent cone meets the picture") {
-  for (const Sphere& sphere :
-       {Sphere{{0, 0, -3}, 0.5f}, Sphere{{0.5f, 0, -3}, 0.3f}, Sphere{{-0.2f, 0, -1}, 0.1f}}) {
+  for (const Sphere& sphere : {Sphere{{0, 0, -3}, 0.5f}, Sphere{{0.5f, 0, -3}, 0.3f}, Sphere{{-0.2f, 0, -1}, 0.1f}}) {
     const Image image = draw_spheres({sphere});
     const float direction = std::atan2(sphere.center.x, -sphere.center.z);
     const float half_angle = std::asin(sphere.radius / length(sphere.center));
@@ -89,8 +88,7 @@ TEST_CASE("a nearer sphere hides a farther one, in whichever order they are draw
 
 TEST_CASE("spheres that overlap meet in the plane between them: depth is that of the surface") {
   // A large sphere in front; a small one stuck into its side shows a cap, though its centre lies deeper.
-  Inspection inspection =
-      inspect({{{0, 0, -3}, 0.5f}, {{0.45f, 0, -2.9f}, 0.2f}, {{9, 9, 9}, 0.1f}}, DomainBox{});
+  Inspection inspection = inspect({{{0, 0, -3}, 0.5f}, {{0.45f, 0, -2.9f}, 0.2f}, {{9, 9, 9}, 0.1f}}, DomainBox{});
   inspection.contacts = {{1, 2}};  // orange: the small one and one out of sight
   const Image image = draw(along_z(inspection), kSize, kSize);
   // Along the middle row, the surface seen is the sphere whose near root is smaller.

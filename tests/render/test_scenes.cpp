@@ -78,8 +78,7 @@ std::vector<Sphere> read_spheres(const std::string& path) {
 
 FrameView view_of(const Inspection& inspection, const DomainBox& domain, float aspect,
                   std::vector<std::string> overlays) {
-  return {inspection, domain, frame_box(domain.min, domain.max, domain.dimensions, aspect),
-          std::move(overlays)};
+  return {inspection, domain, frame_box(domain.min, domain.max, domain.dimensions, aspect), std::move(overlays)};
 }
 
 Image draw(const FrameView& view, int width, int height, const RenderOptions& options) {

@@ -39,8 +39,7 @@ double smallest_gap(const Scene& scene) {
     for (size_t j = 0; j < i; ++j) {
       Vec3d d = as_float(bodies.position[i]) - as_float(bodies.position[j]);
       for (int axis = 0; axis < scene.domain.dimensions; ++axis) {
-        if (scene.domain.boundary == Boundary::periodic)
-          d[axis] -= edge[axis] * std::round(d[axis] / edge[axis]);
+        if (scene.domain.boundary == Boundary::periodic) d[axis] -= edge[axis] * std::round(d[axis] / edge[axis]);
       }
       const double radii = as_float(bodies.radius[i]) + as_float(bodies.radius[j]);
       smallest = std::min(smallest, length(d) / radii - 1.0);
@@ -124,8 +123,7 @@ TEST_CASE("a region holds its spheres, also above an open top") {
       "min = [0.5, 0.9, 0]\nmax = [1, 3, 0.5]");
   CHECK(all_inside(scene, {0.5, 0.9, 0.0}, {1.0, 3.0, 0.5}));
   CHECK(smallest_gap(scene) > 0.0);
-  const Scene edge =
-      filled(kPeriodic + "[[fill]]\ncount = 200\nradius = 0.02\nmin = [0, 0, 0]\nmax = [1, 0.3, 1]");
+  const Scene edge = filled(kPeriodic + "[[fill]]\ncount = 200\nradius = 0.02\nmin = [0, 0, 0]\nmax = [1, 0.3, 1]");
   for (const Vec3d& p : edge.bodies.position) CHECK((p.y >= 0.02 && p.y <= 0.28));
 }
 
@@ -142,16 +140,14 @@ TEST_CASE("generated spheres keep clear of listed ones, and stand in the order o
 }
 
 TEST_CASE("a lattice is tight, starts on the floor and never overlaps in float") {
-  for (const std::string& text : {std::string("[[fill]]\ncount = 729\nradius = 0.0555\n"),
-                                  kPeriodic + "[[fill]]\ncount = 729\nradius = 0.0555\n",
-                                  kFarAway + "[[fill]]\ncount = 729\nradius = 0.0554\n",
-                                  kPlane + "[[fill]]\ncount = 361\nradius = 0.0263\n"}) {
+  for (const std::string& text :
+       {std::string("[[fill]]\ncount = 729\nradius = 0.0555\n"), kPeriodic + "[[fill]]\ncount = 729\nradius = 0.0555\n",
+        kFarAway + "[[fill]]\ncount = 729\nradius = 0.0554\n", kPlane + "[[fill]]\ncount = 361\nradius = 0.0263\n"}) {
     const Scene scene = filled(text + "arrangement = 'lattice'");
     CAPTURE(text);
     CHECK(smallest_gap(scene) > 0.0);
     CHECK(smallest_gap(scene) < 0.01);
-    if (scene.domain.boundary == Boundary::walls)
-      CHECK(all_inside(scene, scene.domain.min, scene.domain.max));
+    if (scene.domain.boundary == Boundary::walls) CHECK(all_inside(scene, scene.domain.min, scene.domain.max));
   }
   const Scene half = filled("[[fill]]\ncount = 100\nradius = 0.05\narrangement = 'lattice'");
   for (const Vec3d& p : half.bodies.position) CHECK(p.y < 0.2);
@@ -195,19 +191,16 @@ TEST_CASE("the same seed gives the same bits everywhere, another seed others") {
   CHECK(hash_of(filled(text, 1).bodies) != hash_of(filled(text, 2).bodies));
   CHECK(hash_of(filled(text, 1).bodies) == 0xE85955FED853D0DBu);
   CHECK(hash_of(filled(text, 0xFFFFFFFFFFFFFFFFu).bodies) == 0x2C7DC1D5A9B12B4Fu);
-  CHECK(hash_of(
-            filled(kPeriodicPlane + "[[fill]]\ncount = 300\nradius = [0.005, 0.04]\nspeed = 1", 1).bodies) ==
+  CHECK(hash_of(filled(kPeriodicPlane + "[[fill]]\ncount = 300\nradius = [0.005, 0.04]\nspeed = 1", 1).bodies) ==
         0x74194B4817B64399u);
 }
 
 TEST_CASE("a fill gives up in bounded time and says how far it came") {
   CHECK_THROWS_WITH(filled("[[fill]]\ncount = 999\nradius = 0.05"),
                     Catch::Contains("999 spheres, but only 5") && Catch::Contains("52.3 %"));
-  CHECK_THROWS_WITH(filled("[[fill]]\ncount = 100000000\nradius = [1e-6, 0.01]"),
-                    Catch::Contains("random placement"));
+  CHECK_THROWS_WITH(filled("[[fill]]\ncount = 100000000\nradius = [1e-6, 0.01]"), Catch::Contains("random placement"));
 }
 
 TEST_CASE("the order of placing is from large to small, so that wide ranges fit") {
-  CHECK(filled("[[fill]]\ncount = 3000\nradius = 0.01\n[[fill]]\ncount = 1\nradius = 0.35").bodies.size() ==
-        3001);
+  CHECK(filled("[[fill]]\ncount = 3000\nradius = 0.01\n[[fill]]\ncount = 1\nradius = 0.35").bodies.size() == 3001);
 }

@@ -15,9 +15,7 @@ using namespace ballpit;
 
 namespace {
 
-size_t below(Random& random, size_t limit) {
-  return static_cast<size_t>(random.bits() % std::max<size_t>(limit, 1));
-}
+size_t below(Random& random, size_t limit) { return static_cast<size_t>(random.bits() % std::max<size_t>(limit, 1)); }
 
 /// Cut off, bytes flipped, or a piece copied over another.
 std::string damaged(std::string_view text, Random& random) {
@@ -86,8 +84,7 @@ TEST_CASE("a damaged scene with its own count is read or refused in bounded time
 }
 
 TEST_CASE("a damaged CSV file is read or refused, never a crash") {
-  const std::string text =
-      "x,y,z,radius,vx,vy,vz,mass\n0.5,1e-3,-2.25,0.1,0,0,-1.5,1\r\n1,2,3,0.25,4,5,6,7\n";
+  const std::string text = "x,y,z,radius,vx,vy,vz,mass\n0.5,1e-3,-2.25,0.1,0,0,-1.5,1\r\n1,2,3,0.25,4,5,6,7\n";
   Random random(3);
   int misbehaved = 0;
   for (int i = 0; i < 20'000; ++i) {

@@ -99,10 +99,9 @@ TEST_CASE("defaults are kept as they would be typed, with their place") {
   std::vector<std::string> typed;
   for (const DefaultOption& option : scene.defaults) typed.push_back(option.where + " = " + option.value);
   std::sort(typed.begin(), typed.end());
-  CHECK(typed ==
-        std::vector<std::string>{"f.toml:2: [defaults] broadphase = sort-and-sweep",
-                                 "f.toml:3: [defaults] dt = 0.004166667", "f.toml:4: [defaults] substeps = 4",
-                                 "f.toml:5: [defaults] panel = true", "f.toml:6: [defaults] cell-size = 2"});
+  CHECK(typed == std::vector<std::string>{"f.toml:2: [defaults] broadphase = sort-and-sweep",
+                                          "f.toml:3: [defaults] dt = 0.004166667", "f.toml:4: [defaults] substeps = 4",
+                                          "f.toml:5: [defaults] panel = true", "f.toml:6: [defaults] cell-size = 2"});
 }
 
 TEST_CASE("mass defaults to density times the volume of the sphere, in the plane too") {
@@ -157,14 +156,12 @@ TEST_CASE("overlaps across the edge of a periodic domain are found") {
   const std::string pair =
       "[[spheres]]\nposition = [0.05, 0.5, 0.5]\nradius = 0.1\n[[spheres]]\nposition = [0.95, 0.5, "
       "0.5]\nradius = 0.1\n";
-  CHECK_THROWS_WITH(parse_scene("[domain]\nboundary = 'periodic'\n" + pair, "a.toml"),
-                    Catch::Contains("spheres 0"));
+  CHECK_THROWS_WITH(parse_scene("[domain]\nboundary = 'periodic'\n" + pair, "a.toml"), Catch::Contains("spheres 0"));
 }
 
 TEST_CASE("a centre on the upper edge of a periodic domain is the same point on the lower") {
   const Scene scene = parse_scene(
-      "[domain]\nboundary = 'periodic'\n[[spheres]]\nposition = [1, 0.99999999999, 0.5]\nradius = 0.1",
-      "a.toml");
+      "[domain]\nboundary = 'periodic'\n[[spheres]]\nposition = [1, 0.99999999999, 0.5]\nradius = 0.1", "a.toml");
   CHECK(scene.bodies.position[0] == Vec3d(0, 0, 0.5));
 }
 
@@ -204,10 +201,8 @@ TEST_CASE("spheres come from a CSV file beside the scene, and errors name its li
   CHECK(scene.bodies.size() == 12);
   CHECK(scene.bodies.position[1] == Vec3d(0.2, 0.2, 0.2));
   write_file(folder / "balls.csv", "x,y,z,radius\n0.5,0.5,0.5,0.1\n0.5,0.5,0.6,0.1\n");
-  CHECK_THROWS_WITH(read_scene(folder / "s.toml"),
-                    Catch::Contains("balls.csv:3: x: found spheres 0 (line 2) and 1"));
+  CHECK_THROWS_WITH(read_scene(folder / "s.toml"), Catch::Contains("balls.csv:3: x: found spheres 0 (line 2) and 1"));
   write_file(folder / "balls.csv", "x,y,z,radius\n0.5,0.5,0.5,0.1\n0.5,1.5,0.6,0.1\n");
-  CHECK_THROWS_WITH(read_scene(folder / "s.toml"),
-                    Catch::Contains("balls.csv:3: y: found sphere 1 reaching from 1.4"));
+  CHECK_THROWS_WITH(read_scene(folder / "s.toml"), Catch::Contains("balls.csv:3: y: found sphere 1 reaching from 1.4"));
   std::filesystem::remove_all(folder);
 }

@@ -52,8 +52,7 @@ TEST_CASE("unknown keys are refused at every level, with the valid ones") {
       {"[[spheres]]\nposition = [.5, .5, .5]\nr = 1",
        "2: found a syntax error: Error while parsing floating-point: expected decimal digit, saw '.', "
        "allowed TOML 1.0"},
-      {"[[spheres]]\nr = 1",
-       "2: [[spheres]] r: found an unknown key, allowed position, velocity, radius, mass"},
+      {"[[spheres]]\nr = 1", "2: [[spheres]] r: found an unknown key, allowed position, velocity, radius, mass"},
       {"[[fill]]\nnumber = 1",
        "2: [[fill]] number: found an unknown key, allowed count, radius, speed, velocity, min, max, "
        "arrangement, mass"},
@@ -75,40 +74,34 @@ TEST_CASE("wrong types are refused") {
       {"[spheres]", "1: spheres: found a table, allowed tables [[spheres]], or the name of a CSV file"},
       {"spheres = [1]", "1: spheres: found 1, allowed tables [[spheres]]"},
       {"[fill]\ncount = 1", "1: fill: found a table, allowed tables [[fill]]"},
-      {"[physics]\nrestitution = 'high'",
-       "2: [physics] restitution: found \"high\", allowed a number, 0 to 1"},
+      {"[physics]\nrestitution = 'high'", "2: [physics] restitution: found \"high\", allowed a number, 0 to 1"},
       {"[physics]\nrestitution = true", "2: [physics] restitution: found true, allowed a number, 0 to 1"},
       {"[physics]\nrestitution = 1979-05-27",
        "2: [physics] restitution: found a date or time, allowed a number, 0 to 1"},
       {"[physics]\ngravity = 9.81", "2: [physics] gravity: found 9.81, allowed an array of 3 numbers"},
-      {"[physics]\ngravity = [0,\n'x', 0]",
-       "3: [physics] gravity[1]: found \"x\", allowed a number, " + kAny},
+      {"[physics]\ngravity = [0,\n'x', 0]", "3: [physics] gravity[1]: found \"x\", allowed a number, " + kAny},
       {"[physics]\nlaw = 1", "2: [physics] law: found 1, allowed linear, hertz"},
       {"[[fill]]\ncount = 10.0\nradius = 0.1", "2: [[fill]] count: found 10, allowed " + kCount},
       {"[[fill]]\ncount = '10'\nradius = 0.1", "2: [[fill]] count: found \"10\", allowed " + kCount},
       {"[[fill]]\ncount = 1\nradius = 'x'", "3: [[fill]] radius: found \"x\", allowed a number, " + kLength},
       {"[defaults]\ndt = [1]",
        "2: [defaults] dt: found an array of 1 values, allowed a number, a text in quotes, true or false"},
-      {"[defaults]\nseed = 1.5",
-       "2: [defaults] seed: found 1.5, allowed an integer, 0 to 9223372036854775807"},
+      {"[defaults]\nseed = 1.5", "2: [defaults] seed: found 1.5, allowed an integer, 0 to 9223372036854775807"},
   });
 }
 
 TEST_CASE("impossible values of the domain are refused") {
   check_all({
-      {"[domain]\nmin = [0, 0, 0]\nmax = [1, 0, 1]",
-       "3: [domain] max: found 0 to 0 at [1], allowed min below max"},
+      {"[domain]\nmin = [0, 0, 0]\nmax = [1, 0, 1]", "3: [domain] max: found 0 to 0 at [1], allowed min below max"},
       {"[domain]\nmin = [0, 0, 2]", "2: [domain] min: found 2 to 1 at [2], allowed min below max"},
       {"[domain]\nmax = [1, nan, 1]", "2: [domain] max[1]: found nan, allowed " + kAny},
       {"[domain]\nmax = [1, inf, 1]", "2: [domain] max[1]: found inf, allowed " + kAny},
-      {"[domain]\nmax = [1, 1]",
-       "2: [domain] max: found an array of 2 values, allowed an array of 3 numbers"},
+      {"[domain]\nmax = [1, 1]", "2: [domain] max: found an array of 2 values, allowed an array of 3 numbers"},
       {"[domain]\ndimensions = 2\nmax = [1]",
        "3: [domain] max: found an array of 1 values, allowed an array of 2 or 3 numbers"},
       {"[domain]\ndimensions = 4", "2: [domain] dimensions: found 4, allowed an integer, 2 to 3"},
       {"[domain]\ndimensions = 2.0", "2: [domain] dimensions: found 2, allowed an integer, 2 to 3"},
-      {"[domain]\nboundary = 'wall'",
-       "2: [domain] boundary: found \"wall\", allowed walls, open-top, periodic"},
+      {"[domain]\nboundary = 'wall'", "2: [domain] boundary: found \"wall\", allowed walls, open-top, periodic"},
       {"[domain]\nboundary = 'periodic'\n[[fill]]\ncount = 1\nradius = 0.3",
        "1: [domain] max: found an edge of 1 along x with radius 0.3, allowed at least four radii, 1.2, in a "
        "periodic domain"},
@@ -146,8 +139,7 @@ TEST_CASE("impossible spheres are refused") {
       {half + "radius = 0.1\nmass = -2", "4: [[spheres]] mass: found -2, allowed 1e-30 to 1e+30"},
       {half + "radius = 0.1\nvelocity = [1, 2]",
        "4: [[spheres]] velocity: found an array of 2 values, allowed an array of 3 numbers"},
-      {half + "radius = 0.1\nvelocity = [1, 2, nan]",
-       "4: [[spheres]] velocity[2]: found nan, allowed " + kAny},
+      {half + "radius = 0.1\nvelocity = [1, 2, nan]", "4: [[spheres]] velocity[2]: found nan, allowed " + kAny},
       {half + "radius = 1e12",
        "3: [[spheres]] radius: found 1e+12, which makes a mass of 4.188790204786391e+39 kg, allowed 1e-30 "
        "to 1e+30 "
@@ -182,14 +174,12 @@ TEST_CASE("impossible fills are refused") {
       {one + "radius = [0.2]",
        "3: [[fill]] radius: found an array of 1 values, allowed a number, or an array of 2 numbers, low and "
        "high"},
-      {one + "radius = 0.6",
-       "2: [[fill]] radius: found 0.6, allowed at most half the region, whose edge along x is 1"},
+      {one + "radius = 0.6", "2: [[fill]] radius: found 0.6, allowed at most half the region, whose edge along x is 1"},
       {ball + "speed = -1", "4: [[fill]] speed: found -1, allowed 0 to 1e+15"},
       {ball + "speed = 1\nvelocity = [0, 0, 0]",
        "4: [[fill]] speed: found both speed and velocity, allowed one of them"},
       {ball + "mass = 0", "4: [[fill]] mass: found 0, allowed 1e-30 to 1e+30"},
-      {ball + "arrangement = 'hexagonal'",
-       "4: [[fill]] arrangement: found \"hexagonal\", allowed random, lattice"},
+      {ball + "arrangement = 'hexagonal'", "4: [[fill]] arrangement: found \"hexagonal\", allowed random, lattice"},
       {ball + "min = [-1, 0, 0]", "4: [[fill]] min: found -1 at [0], allowed at least 0, the domain's"},
       {ball + "max = [1, 2, 1]", "4: [[fill]] max: found 2 at [1], allowed at most 1, the domain's"},
       {ball + "min = [0, 0.5, 0]\nmax = [1, 0.5, 1]",
@@ -217,23 +207,19 @@ TEST_CASE("impossible fills are refused") {
 TEST_CASE("overrides that a scene cannot follow are refused") {
   SceneOverrides count;
   count.count = 10;
-  CHECK(message_of("title = 'x'", count) ==
-        "a.toml:1: --count: found 10, allowed only in a scene with a [[fill]]");
+  CHECK(message_of("title = 'x'", count) == "a.toml:1: --count: found 10, allowed only in a scene with a [[fill]]");
   count.count = -1;
   CHECK(message_of("[[fill]]\ncount = 1\nradius = 0.1", count) ==
         "a.toml:1: --count: found -1, allowed 0 to 100000000");
   count.count = 100'000;
-  CHECK_THAT(
-      message_of("\n[[fill]]\ncount = 1\nradius = 0.1", count),
-      Catch::StartsWith("a.toml:3: [[fill]] count (--count): found 100000 spheres: they ask for 41887.9 %"));
-  CHECK_THAT(
-      message_of("[[fill]]\ncount = 100000000\nradius = 1e-6\n[[fill]]\ncount = 1\nradius = 1e-6"),
-      Catch::StartsWith("a.toml:5: [[fill]] count: found 100000001 spheres altogether, allowed at most"));
+  CHECK_THAT(message_of("\n[[fill]]\ncount = 1\nradius = 0.1", count),
+             Catch::StartsWith("a.toml:3: [[fill]] count (--count): found 100000 spheres: they ask for 41887.9 %"));
+  CHECK_THAT(message_of("[[fill]]\ncount = 100000000\nradius = 1e-6\n[[fill]]\ncount = 1\nradius = 1e-6"),
+             Catch::StartsWith("a.toml:5: [[fill]] count: found 100000001 spheres altogether, allowed at most"));
 }
 
 TEST_CASE("a syntax error names its line") {
   CHECK_THAT(message_of("title = 'x'\n[domain\n"), Catch::StartsWith("a.toml:2: found a syntax error: "));
   CHECK_THAT(message_of("a = 1\na = 2\n"), Catch::StartsWith("a.toml:2: found a syntax error: "));
-  CHECK_THAT(message_of(std::string("\xFF\xFE\0rubbish", 10)),
-             Catch::StartsWith("a.toml:1: found a syntax error: "));
+  CHECK_THAT(message_of(std::string("\xFF\xFE\0rubbish", 10)), Catch::StartsWith("a.toml:1: found a syntax error: "));
 }

@@ -76,8 +76,7 @@ void check_against_brute_force(const World& world) {
     index.insert(static_cast<int32_t>(i), world.balls[i].position, world.balls[i].radius);
   }
   int disagreements = 0;
-  for (const Ball& ball : world.balls)
-    disagreements += near_by_index(index, ball) != near_by_brute_force(world, ball);
+  for (const Ball& ball : world.balls) disagreements += near_by_index(index, ball) != near_by_brute_force(world, ball);
   CHECK(disagreements == 0);
 }
 
@@ -107,8 +106,7 @@ TEST_CASE("spheres on the borders of cells are found") {
   World world;
   for (int x = -2; x <= 2; ++x) {
     for (int y = -2; y <= 2; ++y) {
-      for (const double shift : {0.0, -1e-20, 1e-20, -0.25, 0.25})
-        world.balls.push_back({{x + shift, y, 0.0}, 0.5});
+      for (const double shift : {0.0, -1e-20, 1e-20, -0.25, 0.25}) world.balls.push_back({{x + shift, y, 0.0}, 0.5});
     }
   }
   check_against_brute_force(world);

@@ -26,9 +26,8 @@ std::string message_of(std::string_view text) {
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
-    return std::bit_cast<uint64_t>(x) == std::bit_cast<uint64_t>(y);
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return std::bit_cast<uint64_t>(x) == std::bit_cast<uint64_t>(y); });
 }
 
 std::vector<double> flat(const std::vector<Vec3d>& vectors) {
@@ -40,8 +39,7 @@ std::vector<double> flat(const std::vector<Vec3d>& vectors) {
 }  // namespace
 
 TEST_CASE("columns are found by name, in any order") {
-  const Bodies bodies =
-      parse_spheres_csv("radius,vz, z ,y,x,mass\n0.5,4,3,2,1,7\n+.25,-4,-3e0,2,1,8\n", "a.csv");
+  const Bodies bodies = parse_spheres_csv("radius,vz, z ,y,x,mass\n0.5,4,3,2,1,7\n+.25,-4,-3e0,2,1,8\n", "a.csv");
   REQUIRE(bodies.size() == 2);
   CHECK(bodies.position[0] == Vec3d(1, 2, 3));
   CHECK(bodies.velocity[0] == Vec3d(0, 0, 4));

@@ -10,7 +10,8 @@ using namespace ballpit;
 namespace {
 
 Scene heap(int dimensions) {
-  Scene scene = make_cloud({.count = dimensions == 2 ? 150 : 600, .dimensions = dimensions, .smallest = 0.05, .largest = 0.08}, 5);
+  Scene scene = make_cloud(
+      {.count = dimensions == 2 ? 150 : 600, .dimensions = dimensions, .smallest = 0.05, .largest = 0.08}, 5);
   scene.physics.gravity = {0, -9.81, 0};
   for (Vec3d& p : scene.bodies.position) p = glm::clamp(p, Vec3d(-0.9), Vec3d(0.9));
   return scene;
@@ -77,7 +78,8 @@ TEST_CASE("a sphere that leaves the domain stops the run, with its number and th
   Settings settings;
   settings.dt = 0.01;
   const auto world = make_cpu_world(scene, settings);
-  CHECK_THROWS_WITH(world->step(), Catch::Contains("step 1 ") && Catch::Contains("sphere 1") && Catch::Contains("--dt"));
+  CHECK_THROWS_WITH(world->step(),
+                    Catch::Contains("step 1 ") && Catch::Contains("sphere 1") && Catch::Contains("--dt"));
 }
 
 TEST_CASE("a velocity that is not a number stops the run") {

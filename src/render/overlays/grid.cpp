@@ -94,13 +94,12 @@ void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const Do
     const Vec3 a = lattice_point(grid, domain, start);
     const Vec3 b = lattice_point(grid, domain, end);
     const float opacity = spatial_opacity(count);
-    lines.push_back(
-        {a, to_rgba(theme.grid, opacity * fade.at(a)), b, to_rgba(theme.grid, opacity * fade.at(b))});
+    lines.push_back({a, to_rgba(theme.grid, opacity * fade.at(a)), b, to_rgba(theme.grid, opacity * fade.at(b))});
   }
 }
 
-std::vector<Line> occupied_edges(const GridInspection& grid, const DomainBox& domain,
-                                 const std::vector<int>& counts, const Camera& camera, const Theme& theme) {
+std::vector<Line> occupied_edges(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
+                                 const Camera& camera, const Theme& theme) {
   const DepthFade fade(grid, camera);
   std::vector<Line> lines;
   for (int axis = 0; axis < 3; ++axis) {
@@ -116,8 +115,8 @@ std::vector<Line> occupied_edges(const GridInspection& grid, const DomainBox& do
   return lines;
 }
 
-std::vector<Face> occupied_squares(const GridInspection& grid, const DomainBox& domain,
-                                   const std::vector<int>& counts, const Theme& theme) {
+std::vector<Face> occupied_squares(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
+                                   const Theme& theme) {
   std::vector<Face> faces;
   for (int y = 0; y < grid.cells.y; ++y) {
     for (int x = 0; x < grid.cells.x; ++x) {
@@ -138,8 +137,7 @@ std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domai
   const Rgba color = to_rgba(theme.grid, 0.7f);
   const auto on_border = [&](const Vec3& point, int axis) {
     const float tolerance = 1e-3f * grid.edge[axis];
-    return std::abs(point[axis] - domain.min[axis]) < tolerance ||
-           std::abs(point[axis] - domain.max[axis]) < tolerance;
+    return std::abs(point[axis] - domain.min[axis]) < tolerance || std::abs(point[axis] - domain.max[axis]) < tolerance;
   };
   for (int x = 0; x <= grid.cells.x; ++x) {
     const Vec3 foot = lattice_point(grid, domain, {x, 0, 0});
@@ -157,8 +155,7 @@ std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domai
 std::vector<int> count_per_cell(const GridInspection& grid) {
   std::vector<int> counts(grid.head.size(), 0);
   for (size_t cell = 0; cell < counts.size(); ++cell) {
-    for (int32_t body = grid.head[cell]; body >= 0; body = grid.next[static_cast<size_t>(body)])
-      ++counts[cell];
+    for (int32_t body = grid.head[cell]; body >= 0; body = grid.next[static_cast<size_t>(body)]) ++counts[cell];
   }
   return counts;
 }

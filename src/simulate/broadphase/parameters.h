@@ -19,8 +19,8 @@ template <class V>
 struct BroadPhaseParameters {
   Box<V> box;
   int64_t count = 0;
-  Scalar<V> largest_radius = 0;      ///< [m]
-  std::optional<double> cell_size;   ///< in units of 2·r_max; chosen by the method where empty
+  Scalar<V> largest_radius = 0;     ///< [m]
+  std::optional<double> cell_size;  ///< in units of 2·r_max; chosen by the method where empty
 };
 
 }  // namespace ballpit

@@ -97,9 +97,7 @@ class ContactList {
     exec.parallel_for("sort incoming", n, SortIncoming{incoming_first_.span(), incoming_.span()});
   }
 
-  ContactsView<V> view() const {
-    return {pairs_, geometry_.span(), first_, incoming_first_.span(), incoming_.span()};
-  }
+  ContactsView<V> view() const { return {pairs_, geometry_.span(), first_, incoming_first_.span(), incoming_.span()}; }
 
  private:
   Span<const Pair> pairs_;

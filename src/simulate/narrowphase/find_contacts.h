@@ -106,13 +106,13 @@ class ContactFinder {
     found_.resize(n);
     first_.resize(n + 1);
     kept_.resize(n * kKept);
-    exec.parallel_for("count contacts", n,
-                      CountContacts<V, Candidates>{candidates, bodies, box, tested_.span(), found_.span(), kept_.span()});
+    exec.parallel_for(
+        "count contacts", n,
+        CountContacts<V, Candidates>{candidates, bodies, box, tested_.span(), found_.span(), kept_.span()});
     const int64_t total = exec.exclusive_scan("scan contacts", found_.span(), first_.span());
     pairs_.resize(checked_count(total, "contacts"));
     exec.parallel_for("fill contacts", n,
-                      FillContacts<V, Candidates>{candidates, bodies, box, first_.span(), kept_.span(),
-                                                  pairs_.span()});
+                      FillContacts<V, Candidates>{candidates, bodies, box, first_.span(), kept_.span(), pairs_.span()});
   }
 
   Span<const Pair> pairs() const { return pairs_.span(); }

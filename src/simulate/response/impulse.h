@@ -16,15 +16,17 @@
 // Taking u₀ before the kick makes a ball that bounces with e = 1 rise to where it fell from: the kick of the step of
 // impact is not reflected. A ball at rest stays at rest.
 //
-// Overlap that a contact entered during the last step is undone by position, as far as its new velocity does not take it
-// out by itself: that adds no energy. Overlap that was there before is what carries a heap: where gravity presses, it
-// wants a speed of parting, u* = push · overlap / dt, at most push_limit, so that n layers rest at an overlap of at most about
-// c/push·n·g·dt². Without gravity nothing presses, and it is removed by position as well.
+// Overlap that a contact entered during the last step is undone by position, as far as its new velocity does not take
+// it out by itself: that adds no energy. Overlap that was there before is what carries a heap: where gravity presses,
+// it wants a speed of parting, u* = push · overlap / dt, at most push_limit, so that n layers rest at an overlap of at
+// most about c/push·n·g·dt². Without gravity nothing presses, and it is removed by position as well.
 //
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), one launch.
 // Source: mass splitting: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
 // simulation" (2012), doi 10.1145/2185520.2185601; impulse of a pair: Δp = (1+e)·μ·(v₁₂·n)·n with the reduced mass μ.
 #pragma once
+
+#include <utility>
 
 #include "simulate/state.h"
 
@@ -36,7 +38,7 @@ struct ImpulseParameters {
   double push = 0.8;              ///< part of the old overlap that a step pushes out by velocity …
   double push_limit = 0.0;        ///< [m/s] … at this speed at most
   double correction = 0.0;        ///< part of the old overlap that a step removes by position
-  double slop = 0.005;            ///< overlap left alone, as a fraction of r_i + r_j, or of r at a wall: contacts stay contacts
+  double slop = 0.005;  ///< overlap left alone, as a fraction of r_i + r_j, or of r at a wall: contacts stay contacts
   int iterations = 4;
 };
 
@@ -110,11 +112,9 @@ struct ConstrainContact {
     const Pair pair = view.contacts.pairs[c];
     const ContactGeometry<V>& contact = view.contacts.geometry[c];
     const auto& [position, velocity, radius, inverse_mass] = view.bodies;
-    const Scalar<V> softness =
-        view.share[pair.i] * inverse_mass[pair.i] + view.share[pair.j] * inverse_mass[pair.j];
+    const Scalar<V> softness = view.share[pair.i] * inverse_mass[pair.i] + view.share[pair.j] * inverse_mass[pair.j];
     const Scalar<V> radii = radius[pair.i] + radius[pair.j];
-    constraints[c] = {contact.normal,
-                      view.wanted(view.restitution, contact.separation, contact.overlap, radii),
+    constraints[c] = {contact.normal, view.wanted(view.restitution, contact.separation, contact.overlap, radii),
                       view.removable(contact.separation, contact.overlap, radii), 1 / softness};
   }
 };
@@ -201,8 +201,17 @@ class ImpulseResponse {
     other_.resize(n);
     constraints_.resize(m);
     const auto& p = parameters_;
-    const ImpulseView<V> view{bodies, box, contacts, share_.span(), dt, Real(p.restitution), Real(p.wall_restitution),
-                              Real(p.push), Real(p.push_limit), Real(p.correction), Real(p.slop)};
+    const ImpulseView<V> view{bodies,
+                              box,
+                              contacts,
+                              share_.span(),
+                              dt,
+                              Real(p.restitution),
+                              Real(p.wall_restitution),
+                              Real(p.push),
+                              Real(p.push_limit),
+                              Real(p.correction),
+                              Real(p.slop)};
     exec.parallel_for("count shares", n, CountShares<V>{bodies, box, contacts, share_.span()});
     exec.parallel_for("constrain contacts", m, ConstrainContact<V>{view, constraints_.span()});
     for (int k = 0; k < p.iterations; ++k) {
