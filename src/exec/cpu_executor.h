@@ -123,7 +123,7 @@ class CpuExecutor {
   }
 
   /// A copy of the kernel that nothing else can point to, and all calls inlined: its spans and scalars then stay in
-  /// registers. Measured: a third off the step.
+  /// registers. Measured: about a seventh off the step.
   template <class Kernel>
   [[gnu::flatten]] static void run_range(int64_t begin, int64_t end, const Kernel& shared) {
     const Kernel kernel = shared;
