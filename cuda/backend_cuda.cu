@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Worlds on an NVIDIA GPU: the kernels of src/simulate instantiated for CUDA, in two and three dimensions.
+// Worlds and pair searches on an NVIDIA GPU: the kernels of src/simulate instantiated for CUDA, in two and three dimensions.
 #include "cuda_executor.h"
+#include "simulate/pair_search_on.h"
 #include "simulate/world_on.h"
 
 namespace ballpit {
@@ -30,8 +31,12 @@ std::string describe_device() {
 
 Backend cuda_backend() {
   const std::string reason = why_unavailable();
-  return {"cuda", reason, reason.empty() ? describe_device() : "", [](const Scene& scene, const Settings& settings) {
+  return {"cuda", reason, reason.empty() ? describe_device() : "",
+          [](const Scene& scene, const Settings& settings) {
             return make_world_on(std::make_unique<CudaExecutor>(), scene, settings);
+          },
+          [](const Settings& settings) -> std::unique_ptr<PairSearch> {
+            return std::make_unique<PairSearchOn<CudaExecutor>>(std::make_unique<CudaExecutor>(), settings);
           }};
 }
 

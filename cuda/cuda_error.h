@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every CUDA call is checked where it returns; the message names the expression that failed.
+// Every CUDA call is checked where it returns; the message names the expression that failed, or the stage whose launch did.
 #pragma once
 
 #include <string>

@@ -37,6 +37,7 @@ class DeviceBuffer {
   }
 
   int64_t size() const { return size_; }
+  int64_t bytes() const { return capacity_ * int64_t(sizeof(T)); }  ///< held
   Span<T> span() { return {data_, size_}; }
   Span<const T> span() const { return {data_, size_}; }
 

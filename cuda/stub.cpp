@@ -4,6 +4,6 @@
 
 namespace ballpit {
 
-Backend cuda_backend() { return {"cuda", "this program was built without the CUDA Toolkit", "", nullptr}; }
+Backend cuda_backend() { return {"cuda", "this program was built without the CUDA Toolkit", "", nullptr, nullptr}; }
 
 }  // namespace ballpit

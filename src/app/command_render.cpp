@@ -11,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
+#include "app/session.h"
 #include "core/error.h"
 #include "export/frame_sequence.h"
 #include "render/gl_context.h"
@@ -37,15 +38,12 @@ std::vector<std::string> parse_overlay_names(const std::string& text) {
   std::vector<std::string> result;
   if (text == "none") return result;
   const std::vector<std::string> known = overlay_names();
-  for (size_t start = 0; start <= text.size();) {
-    const size_t end = std::min(text.find(',', start), text.size());
-    const std::string name = text.substr(start, end - start);
+  for (const std::string& name : split_list(text)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw UserError("--overlay: found " + (name.empty() ? "nothing" : name) + ", allowed none alone, or some of " +
                       join(known) + ", with commas between");
     }
     result.push_back(name);
-    start = end + 1;
   }
   return result;
 }

@@ -7,6 +7,7 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
+#include "app/session.h"
 #include "app/summary.h"
 #include "core/error.h"
 #include "scene/spheres_csv.h"

@@ -31,6 +31,8 @@ struct CommandEntry {
 
 std::unique_ptr<Command> make_render_command();
 std::unique_ptr<Command> make_simulate_command();
+std::unique_ptr<Command> make_pairs_command();
+std::unique_ptr<Command> make_bench_command();
 std::unique_ptr<Command> make_list_command();
 std::unique_ptr<Command> make_doctor_command();
 

@@ -23,6 +23,8 @@ namespace {
 constexpr std::array kCommands{
     CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
     CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
+    CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file", make_pairs_command},
+    CommandEntry{"bench", "time per step by method, backend, threads and number of spheres", make_bench_command},
     CommandEntry{"list", "scenes, methods, backends, overlays, themes", make_list_command},
     CommandEntry{"doctor", "what this machine offers", make_doctor_command},
 };

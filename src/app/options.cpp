@@ -28,24 +28,29 @@ T parse_in_range(std::string_view option, const std::string& text, T low, T high
 
 }  // namespace
 
-void SceneArguments::add_to(CLI::App& command) {
-  scene_ = kDefaultScene;
-  command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file")->capture_default_str();
+void SettingOptions::add_to(CLI::App& command, const std::string& heading, std::span<const std::string_view> names) {
   for (const SettingInfo& setting : setting_table()) {
+    if (!names.empty() && std::find(names.begin(), names.end(), setting.name) == names.end()) continue;
     const std::string name(setting.name);
     CLI::Option* option =
         command.add_option("--" + name, values_[name], std::string(setting.help) + ": " + setting.allowed());
-    option->type_name(std::string(setting.value_name))->group("Simulation (default: what the scene asks for)");
+    option->type_name(std::string(setting.value_name))->group(heading);
     options_.emplace_back(name, option);
   }
 }
 
-std::vector<GivenOption> SceneArguments::given() const {
+std::vector<GivenOption> SettingOptions::given() const {
   std::vector<GivenOption> result;
   for (const auto& [name, option] : options_) {
     if (option->count() > 0) result.push_back({name, values_.find(name)->second});
   }
   return result;
+}
+
+void SceneArguments::add_to(CLI::App& command) {
+  scene_ = kDefaultScene;
+  command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file")->capture_default_str();
+  settings_.add_to(command, "Simulation (default: what the scene asks for)");
 }
 
 int64_t parse_integer(std::string_view option, const std::string& text, int64_t low, int64_t high) {
@@ -60,6 +65,16 @@ const std::string& parse_choice(std::string_view option, const std::string& text
                                 const std::vector<std::string>& choices) {
   if (std::find(choices.begin(), choices.end(), text) != choices.end()) return text;
   throw UserError(std::string(option) + ": found " + (text.empty() ? "nothing" : text) + ", allowed " + join(choices));
+}
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> items;
+  for (size_t start = 0; start <= text.size();) {
+    const size_t end = std::min(text.find(',', start), text.size());
+    items.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return items;
 }
 
 const std::string& parse_path(std::string_view option, const std::string& text) {

@@ -4,15 +4,30 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "app/session.h"
+#include "app/given_options.h"
 
 namespace ballpit {
+
+/// Options of the shared table, on the command line of a command.
+class SettingOptions {
+ public:
+  /// Adds those of these names, or all where none is named, under a heading. The object must outlive the parsing.
+  void add_to(CLI::App& command, const std::string& heading, std::span<const std::string_view> names = {});
+
+  /// Those that were given, in the order of their table.
+  std::vector<GivenOption> given() const;
+
+ private:
+  std::map<std::string, std::string, std::less<>> values_;  // as typed; absent options are empty
+  std::vector<std::pair<std::string, CLI::Option*>> options_;
+};
 
 /// The arguments that every simulating command takes: SCENE and the shared options.
 class SceneArguments {
@@ -21,14 +36,11 @@ class SceneArguments {
   void add_to(CLI::App& command);
 
   const std::string& scene() const { return scene_; }
-
-  /// The shared options that were given, in the order of their table.
-  std::vector<GivenOption> given() const;
+  std::vector<GivenOption> given() const { return settings_.given(); }
 
  private:
   std::string scene_;
-  std::map<std::string, std::string, std::less<>> values_;  // as typed; absent options are empty
-  std::vector<std::pair<std::string, CLI::Option*>> options_;
+  SettingOptions settings_;
 };
 
 /// An integer in [low, high]. Throws UserError naming the option.
@@ -40,6 +52,9 @@ double parse_number(std::string_view option, const std::string& text, double low
 /// One of `choices`. Throws UserError naming the option.
 const std::string& parse_choice(std::string_view option, const std::string& text,
                                 const std::vector<std::string>& choices);
+
+/// The items of a list "a,b,c"; an empty one is an item, too.
+std::vector<std::string> split_list(const std::string& text);
 
 /// A path that is not empty. Throws UserError naming the option.
 const std::string& parse_path(std::string_view option, const std::string& text);

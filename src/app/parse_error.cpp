@@ -18,9 +18,11 @@ std::string describe_extra(const CLI::App& command) {
   const std::vector<std::string> extras = command.remaining(true);
   const std::string found = extras.empty() ? "more than it takes" : extras.front();
   if (!found.starts_with('-')) {
-    const bool takes_scene = command.get_option_no_throw("SCENE") != nullptr;
-    return command.get_name() + ": found " + found + ", allowed " +
-           (takes_scene ? "one SCENE and options" : "options alone");
+    std::string allowed = "options alone";
+    for (const std::string argument : {"SCENE", "FILE"}) {
+      if (command.get_option_no_throw(argument) != nullptr) allowed = "one " + argument + " and options";
+    }
+    return command.get_name() + ": found " + found + ", allowed " + allowed;
   }
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {

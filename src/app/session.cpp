@@ -2,7 +2,6 @@
 #include "app/session.h"
 
 #include <cmath>
-#include <iostream>
 #include <sstream>
 
 #include "app/backends.h"
@@ -10,23 +9,6 @@
 #include "scene/catalog.h"
 
 namespace ballpit {
-
-namespace {
-
-void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
-  for (const GivenOption& option : given) apply_setting(settings, option.name, option.value, "--" + option.name);
-}
-
-void warn_of_small_cells(const Settings& settings) {
-  if (settings.cell_size && *settings.cell_size < 1) {
-    std::cerr << "ballpit: warning: --cell-size " << *settings.cell_size
-              << " is below 1: the block of cells around a sphere does not reach all that touch it, so "
-                 "contacts are "
-                 "missed\n";
-  }
-}
-
-}  // namespace
 
 Session::Session(std::string_view scene, const std::vector<GivenOption>& given) {
   Settings overrides;

@@ -8,18 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "app/given_options.h"
 #include "render/frame_view.h"
 #include "scene/scene.h"
 #include "simulate/settings.h"
 #include "simulate/world.h"
 
 namespace ballpit {
-
-/// A shared option as given: "--dt" "0.01".
-struct GivenOption {
-  std::string name;
-  std::string value;
-};
 
 class Session {
  public:

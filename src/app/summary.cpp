@@ -16,15 +16,15 @@ std::string hexadecimal(uint64_t value) {
   return text;
 }
 
-Json stages_of(const Report& report) {
-  Json stages = Json::array();
-  for (const Stage& stage : report.stages) {
-    stages.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"launches", stage.launches}});
-  }
-  return stages;
-}
-
 }  // namespace
+
+Json list_stages(const std::vector<Stage>& stages) {
+  Json list = Json::array();
+  for (const Stage& stage : stages) {
+    list.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"launches", stage.launches}});
+  }
+  return list;
+}
 
 Json summarize(Session& session) {
   const Report report = session.world().report();
@@ -49,7 +49,7 @@ Json summarize(Session& session) {
           {"momentum", {report.momentum.x, report.momentum.y, report.momentum.z}},
           {"max_overlap", report.max_overlap},
           {"state_hash", hexadecimal(report.state_hash)},
-          {"stages", stages_of(report)}};
+          {"stages", list_stages(report.stages)}};
 }
 
 std::string describe(const Json& summary) {

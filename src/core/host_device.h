@@ -8,3 +8,14 @@
 #else
 #define HOST_DEVICE
 #endif
+
+namespace ballpit {
+
+/// Whether this code is being compiled for the GPU: for the few places where what suits one processor hurts the other.
+#ifdef __CUDA_ARCH__
+inline constexpr bool kOnDevice = true;
+#else
+inline constexpr bool kOnDevice = false;
+#endif
+
+}  // namespace ballpit

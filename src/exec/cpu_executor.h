@@ -5,14 +5,19 @@
 //     exec.parallel_for("link bodies", n, LinkBody{…})      kernel(i) for each i in 0 … n−1, in any order, at once
 //     exec.fill("clear cells", span, −1)                    every element set
 //     exec.exclusive_scan("offsets", counts, offsets)       offsets[i] = counts[0] + … + counts[i−1]; returns the total
-//     exec.sort_pairs("sort endpoints", keys, values)       stable, by key
+//     exec.sort_pairs("sort endpoints", keys, values)       stable, by unsigned key
+//     exec.bin("sort by cell", key_of, offsets, order)      indices by small keys, stable, and where each key's begin
+//     exec.bin("…", key_of, value_of, offsets, values)      values of indices, the same way
 //     exec.upload(buffer, host) / exec.download(span)       copies from and to the host
 // and reduce() of exec/reduce.h. Results do not depend on the number of threads. Every launch is timed under its name.
 // Its sibling is CudaExecutor in cuda/.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/span.h"
@@ -38,6 +43,13 @@ class CpuExecutor {
   void parallel_for(const char* name, int64_t n, const Kernel& kernel) {
     const StageTimer timer(times_, name);
     run(n, kGrain, kernel);
+  }
+
+  /// Calls body(b) for each b in 0 … blocks−1; for loops that are divided already, and not only into kernels.
+  template <class Body>
+  void parallel_for_blocks(const char* name, int64_t blocks, const Body& body) {
+    const StageTimer timer(times_, name);
+    run(blocks, 1, [&](int64_t b) { body(b); });
   }
 
   template <class T>
@@ -68,39 +80,79 @@ class CpuExecutor {
     return starts.back();
   }
 
-  /// Sorts values by their keys; values of equal keys keep their order. Merge sort: runs sorted at once, then merged
-  /// in pairs.
+  /// Sorts values by the lowest `bits` bits of their keys; values of equal keys keep their order. Radix sort, from the
+  /// least significant digit on: a counting sort for each.
   template <class Key, class Value>
-  void sort_pairs(const char* name, Span<Key> keys, Span<Value> values) {
+  void sort_pairs(const char* name, Span<Key> keys, Span<Value> values, int bits = int(sizeof(Key) * 8)) {
+    static_assert(std::is_unsigned_v<Key>, "digits are taken by shifting");
     const StageTimer timer(times_, name);
-    struct Entry {
-      Key key;
-      Value value;
-      bool operator<(const Entry& other) const { return key < other.key; }
-    };
     const int64_t n = keys.size();
-    std::vector<Entry> from(static_cast<size_t>(n)), to(from.size());
-    run(n, kGrain, [&](int i) { from[static_cast<size_t>(i)] = {keys[i], values[i]}; });
-    const auto at = [n](int64_t i) { return static_cast<std::ptrdiff_t>(std::min(i, n)); };
-    run((n + kSortRun - 1) / kSortRun, 1,
-        [&](int r) { std::stable_sort(from.begin() + at(r * kSortRun), from.begin() + at((r + 1) * kSortRun)); });
-    for (int64_t width = kSortRun; width < n; width *= 2) {
-      run((n + 2 * width - 1) / (2 * width), 1, [&](int m) {
-        const auto low = from.begin() + at(2 * m * width), mid = from.begin() + at((2 * m + 1) * width);
-        std::merge(low, mid, mid, from.begin() + at((2 * m + 2) * width), to.begin() + at(2 * m * width));
+    HostBuffer<Key> key_scratch;
+    HostBuffer<Value> value_scratch;
+    key_scratch.resize(n);
+    value_scratch.resize(n);
+    Span<Key> from = keys, to = key_scratch.span();
+    Span<Value> from_values = values, to_values = value_scratch.span();
+    for (int shift = 0; shift < bits; shift += kDigitBits) {
+      const Key mask = (Key(1) << std::min(kDigitBits, bits - shift)) - 1;
+      const auto digit = [=](int64_t i) { return static_cast<int>((from[i] >> shift) & mask); };
+      const int64_t bins = int64_t(mask) + 1, blocks = sort_blocks(n, bins);
+      counting_sort(n, bins, blocks, counters(blocks * bins), digit, digit, [=](int64_t i, int place) {
+        to[place] = from[i];
+        to_values[place] = from_values[i];
       });
       std::swap(from, to);
+      std::swap(from_values, to_values);
     }
-    run(n, kGrain, [&](int i) {
-      keys[i] = from[static_cast<size_t>(i)].key;
-      values[i] = from[static_cast<size_t>(i)].value;
-    });
+    if (from.data() != keys.data()) {
+      std::copy(from.begin(), from.end(), keys.data());
+      std::copy(from_values.begin(), from_values.end(), values.data());
+    }
+  }
+
+  /// Sorts value_of(0) … value_of(n−1) into bins, by a counting sort (n = values.size()): those with key_of(i) = k are
+  /// values[offsets[k]] … values[offsets[k + 1] − 1], in the order of i. Keys lie in 0 … offsets.size() − 2.
+  template <class KeyOf, class ValueOf, class T>
+  void bin(const char* name, const KeyOf& key_of, const ValueOf& value_of, Span<int> offsets, Span<T> values) {
+    const StageTimer timer(times_, name);
+    const int64_t n = values.size(), bins = offsets.size() - 1, blocks = sort_blocks(n, bins);
+    keys_.resize(n);
+    const Span<int> keys = keys_.span();
+    // One block counts where the offsets will stand: as its counters move on to the ends of their bins, they become them.
+    offsets[0] = 0;
+    int* const counts = blocks == 1 ? offsets.data() + 1 : counters(blocks * bins);
+    counting_sort(
+        n, bins, blocks, counts, [=](int64_t i) { return keys[i] = key_of(static_cast<int>(i)); },
+        [=](int64_t i) { return keys[i]; },
+        [=](int64_t i, int place) { values[place] = value_of(static_cast<int>(i)); });
+    if (blocks == 1) return;
+    const int* const ends = counts + (blocks - 1) * bins;  // where the last block's part of each bin ends
+    run(bins, kGrain, [=](int64_t k) { offsets[k + 1] = ends[k]; });
+  }
+
+  /// The same for the indices themselves.
+  template <class KeyOf>
+  void bin(const char* name, const KeyOf& key_of, Span<int> offsets, Span<int> order) {
+    bin(name, key_of, [](int i) { return i; }, offsets, order);
+  }
+
+  /// Memory for n values that lasts until the next call with this index, 0 or 1.
+  template <class T>
+  Span<T> scratch(int index, int64_t n) {
+    HostBuffer<std::max_align_t>& buffer = scratch_[index];
+    const auto words = (n * int64_t(sizeof(T)) + int64_t(sizeof(std::max_align_t)) - 1) / int64_t(sizeof(std::max_align_t));
+    buffer.resize(words);
+    return {reinterpret_cast<T*>(buffer.span().data()), n};
   }
 
   template <class T>
+  void upload(HostBuffer<T>& buffer, const T* values, int64_t n) {
+    buffer.resize(n);
+    std::copy(values, values + n, buffer.span().data());
+  }
+  template <class T>
   void upload(HostBuffer<T>& buffer, const std::vector<T>& values) {
-    buffer.resize(static_cast<int64_t>(values.size()));
-    std::copy(values.begin(), values.end(), buffer.span().data());
+    upload(buffer, values.data(), static_cast<int64_t>(values.size()));
   }
 
   template <class T>
@@ -111,7 +163,59 @@ class CpuExecutor {
  private:
   static constexpr int64_t kGrain = 512;  // smaller loops cost less on one thread than the handing out
   static constexpr int64_t kScanBlock = 1 << 14;
-  static constexpr int64_t kSortRun = 1 << 13;
+  static constexpr int64_t kSortBlock = 1 << 15;
+  static constexpr int kDigitBits = 11;
+
+  /// Blocks of indices for a counting sort: one a thread, unless the counters would be far more than what they count.
+  int64_t sort_blocks(int64_t n, int64_t bins) const {
+    const int64_t most = std::min(n / kSortBlock, 4 * n / std::max<int64_t>(bins, 1));
+    return std::clamp<int64_t>(most, 1, pool_.threads());
+  }
+
+  int* counters(int64_t count) {
+    counts_.resize(count);
+    return counts_.span().data();
+  }
+
+  /// Stable counting sort: calls put(i, place) for each i in 0 … n−1 with its place by key, in 0 … bins−1. The first
+  /// look at a key is by count_key(i), the second by key_of(i). Each block of indices has a counter for every bin;
+  /// afterwards they hold where the block's part of each bin ends.
+  template <class CountKey, class KeyOf, class Put>
+  void counting_sort(int64_t n, int64_t bins, int64_t blocks, int* counts, const CountKey& count_key,
+                     const KeyOf& key_of, const Put& put) {
+    run(blocks, 1, [&](int64_t b) {
+      int* const mine = counts + b * bins;
+      std::fill(mine, mine + bins, 0);
+      const CountKey key = count_key;  // a copy that nothing else can point to, as in run_range()
+      for (int64_t i = n * b / blocks; i < n * (b + 1) / blocks; ++i) ++mine[key(i)];
+    });
+    scan_counts(counts, blocks, bins);
+    run(blocks, 1, [&](int64_t b) {
+      int* const mine = counts + b * bins;
+      for (int64_t i = n * b / blocks; i < n * (b + 1) / blocks; ++i) put(i, mine[key_of(i)]++);
+    });
+  }
+
+  /// counts[block][bin] ← the sum of all counts of lower bins, and of lower blocks in the same bin.
+  void scan_counts(int* counts, int64_t blocks, int64_t bins) {
+    std::vector<int> sums(static_cast<size_t>(blocks) + 1, 0);
+    if (blocks > 1) {
+      run(blocks, 1, [&](int64_t part) {
+        int sum = 0;
+        for (int64_t b = 0; b < blocks; ++b) {
+          for (int64_t k = bins * part / blocks; k < bins * (part + 1) / blocks; ++k) sum += counts[b * bins + k];
+        }
+        sums[static_cast<size_t>(part) + 1] = sum;
+      });
+      for (int64_t part = 0; part < blocks; ++part) sums[part + 1] += sums[part];
+    }
+    run(blocks, 1, [&](int64_t part) {
+      int sum = sums[static_cast<size_t>(part)];
+      for (int64_t k = bins * part / blocks; k < bins * (part + 1) / blocks; ++k) {
+        for (int64_t b = 0; b < blocks; ++b) sum += std::exchange(counts[b * bins + k], sum);
+      }
+    });
+  }
 
   template <class Kernel>
   void run(int64_t n, int64_t grain, const Kernel& kernel) {
@@ -132,6 +236,8 @@ class CpuExecutor {
 
   ThreadPool pool_;
   StageTimes times_;
+  HostBuffer<int> keys_, counts_;  // of bin() and counting_sort(), kept from call to call
+  HostBuffer<std::max_align_t> scratch_[2];
 };
 
 }  // namespace ballpit

@@ -31,6 +31,7 @@ class HostBuffer {
   }
 
   int64_t size() const { return size_; }
+  int64_t bytes() const { return capacity_ * int64_t(sizeof(T)); }  ///< held
   Span<T> span() { return {data_.get(), size_}; }
   Span<const T> span() const { return {data_.get(), size_}; }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "core/host_device.h"
 #include "core/span.h"
@@ -17,6 +18,14 @@
 namespace ballpit {
 
 inline constexpr int64_t kReduceBlock = 64;
+
+/// Combine: a + b.
+struct Sum {
+  template <class T>
+  HOST_DEVICE T operator()(const T& a, const T& b) const {
+    return a + b;
+  }
+};
 
 /// Kernel: combines one block of map(i).
 template <class T, class Map, class Combine>
@@ -43,23 +52,22 @@ struct ReadPartial {
   HOST_DEVICE T operator()(int i) const { return values[i]; }
 };
 
-/// combine(… combine(combine(identity, map(0)), map(1)) …) over i in 0 … n−1, bracketed in blocks.
+/// combine(… combine(combine(identity, map(0)), map(1)) …) over i in 0 … n−1, bracketed in blocks. Partial results lie in
+/// the executor's scratch memory, so that a reduction in every step allocates nothing.
 template <class Exec, class T, class Map, class Combine>
 T reduce(Exec& exec, const char* name, int64_t n, T identity, Map map, Combine combine) {
-  using Buffer = typename Exec::template Buffer<T>;
   if (n == 0) return identity;
-  Buffer current, next;
   const auto blocks = [](int64_t count) { return (count + kReduceBlock - 1) / kReduceBlock; };
-  current.resize(blocks(n));
-  exec.parallel_for(name, current.size(), ReduceBlock<T, Map, Combine>{map, combine, identity, n, current.span()});
+  Span<T> current = exec.template scratch<T>(0, blocks(n));
+  Span<T> next = exec.template scratch<T>(1, blocks(blocks(n)));
+  exec.parallel_for(name, current.size(), ReduceBlock<T, Map, Combine>{map, combine, identity, n, current});
   while (current.size() > 1) {
-    next.resize(blocks(current.size()));
-    exec.parallel_for(
-        name, next.size(),
-        ReduceBlock<T, ReadPartial<T>, Combine>{{current.span()}, combine, identity, current.size(), next.span()});
+    next = {next.data(), blocks(current.size())};
+    exec.parallel_for(name, next.size(),
+                      ReduceBlock<T, ReadPartial<T>, Combine>{{current}, combine, identity, current.size(), next});
     std::swap(current, next);
   }
-  return exec.download(current.span())[0];
+  return exec.download(current)[0];
 }
 
 }  // namespace ballpit

@@ -5,10 +5,12 @@
 #include <array>
 #include <charconv>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/file.h"
 #include "scene/input_error.h"
+#include "scene/line_reader.h"
 
 namespace ballpit {
 
@@ -24,6 +26,7 @@ struct ColumnRule {
 constexpr ColumnRule kRules[kColumns] = {{"x", kAnyNumber},     {"y", kAnyNumber},  {"z", kAnyNumber},
                                          {"radius", kPositive}, {"vx", kAnyNumber}, {"vy", kAnyNumber},
                                          {"vz", kAnyNumber},    {"mass", kMass}};
+using Row = std::array<double, kColumns>;
 constexpr std::string_view kHeaderRule = "columns x, y, z, radius and optionally vx, vy, vz, mass";
 
 std::string_view trimmed(std::string_view text) {
@@ -32,18 +35,11 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Splits off the text before `separator`; `text` keeps what follows it, nothing at the end.
-std::string_view take_until(std::string_view& text, char separator) {
-  const size_t end = text.find(separator);
-  const std::string_view taken = text.substr(0, end);
-  text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
-  return taken;
-}
-
-std::string_view take_line(std::string_view& text) {
-  std::string_view line = take_until(text, '\n');
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
+/// Splits off the text before the next comma; `text` keeps what follows it, nothing at the end.
+std::string_view take_field(std::string_view& text) {
+  const std::string_view field = text.substr(0, text.find(','));
+  text.remove_prefix(std::min(field.size() + 1, text.size()));
+  return field;
 }
 
 /// The column that each field of a row belongs to.
@@ -53,7 +49,7 @@ std::vector<Column> parse_header(std::string_view line, const Place& place) {
   const bool empty = trimmed(line).empty();
   for (bool more = !empty; more;) {
     more = line.find(',') != std::string_view::npos;
-    const std::string_view name = trimmed(take_until(line, ','));
+    const std::string_view name = trimmed(take_field(line));
     int column = 0;
     while (column < kColumns && kRules[column].name != name) ++column;
     if (column == kColumns) throw input_error(place, "header", quoted(name), kHeaderRule);
@@ -80,18 +76,39 @@ double parse_field(std::string_view field, Column column, const Place& place) {
   throw input_error(place, rule.name, quoted(trimmed(field)), "a number, " + limits_text(rule.limits));
 }
 
+[[noreturn]] void refuse_row(std::string_view row, size_t columns, const Place& place) {
+  const auto commas = std::count(row.begin(), row.end(), ',');
+  throw input_error(place, "row", trimmed(row).empty() ? "an empty line" : std::to_string(commas + 1) + " fields",
+                    std::to_string(columns) + ", as in the header");
+}
+
 /// Reads one row into the slots that belong to its columns.
-void parse_row(std::string_view line, const std::vector<Column>& columns, const Place& place,
-               std::array<double, kColumns>& values) {
-  const std::string_view row = line;
+void parse_row(std::string_view line, const std::vector<Column>& columns, const Place& place, Row& row) {
+  std::string_view rest = line;
   for (size_t k = 0; k < columns.size(); ++k) {
-    const bool last = k + 1 == columns.size();
-    if (last == (line.find(',') != std::string_view::npos)) {
-      const auto commas = std::count(row.begin(), row.end(), ',');
-      throw input_error(place, "row", trimmed(row).empty() ? "an empty line" : std::to_string(commas + 1) + " fields",
-                        std::to_string(columns.size()) + ", as in the header");
+    const size_t end = rest.find(',');
+    const bool is_last = k + 1 == columns.size();
+    if (is_last != (end == std::string_view::npos)) refuse_row(line, columns.size(), place);
+    row[columns[k]] = parse_field(rest.substr(0, end), columns[k], place);
+    rest.remove_prefix(is_last ? rest.size() : end + 1);
+  }
+}
+
+/// Hands every row of the lines to `spheres`, which is told first what will come.
+template <class Spheres>
+void parse_rows(LineReader& lines, Spheres& spheres) {
+  std::string_view line;
+  if (!lines.next(line)) throw input_error({lines.place().file, 1}, "header", "an empty file", kHeaderRule);
+  const std::vector<Column> columns = parse_header(line, lines.place());
+  const bool has_mass = std::find(columns.begin(), columns.end(), mass) != columns.end();
+  spheres.expect(std::min(lines.expected_lines(), kLargestCount), has_mass);
+  Row row{};
+  for (int64_t count = 0; lines.next(line); ++count) {
+    parse_row(line, columns, lines.place(), row);
+    if (count == kLargestCount) {
+      throw input_error(lines.place(), "row", "one sphere too many", "at most " + std::to_string(kLargestCount));
     }
-    values[columns[k]] = parse_field(take_until(line, ','), columns[k], place);
+    spheres.append(row, lines.place());
   }
 }
 
@@ -103,6 +120,50 @@ double default_mass(double sphere_radius, double density, const Place& place) {
                     limits_text(kMass) + " kg");
 }
 
+/// Rows become bodies.
+struct BodyRows {
+  double density;  ///< [kg/m³]
+  Bodies bodies{};
+  bool has_mass = false;
+
+  void expect(int64_t count, bool mass_is_given) {
+    bodies.reserve(count);
+    has_mass = mass_is_given;
+  }
+  void append(const Row& row, const Place& place) {
+    bodies.position.push_back({row[x], row[y], row[z]});
+    bodies.velocity.push_back({row[vx], row[vy], row[vz]});
+    bodies.radius.push_back(row[radius]);
+    bodies.mass.push_back(has_mass ? row[mass] : default_mass(row[radius], density, place));
+  }
+};
+
+/// Rows become centres and radii.
+struct RestingRows {
+  RestingSpheres spheres{};
+
+  void expect(int64_t count, bool) {
+    spheres.position.reserve(static_cast<size_t>(count));
+    spheres.radius.reserve(static_cast<size_t>(count));
+  }
+  void append(const Row& row, const Place&) {
+    spheres.position.push_back(narrow<Vec3>({row[x], row[y], row[z]}));
+    spheres.radius.push_back(static_cast<float>(row[radius]));
+  }
+};
+
+Bodies bodies_in(LineReader lines, double density) {
+  BodyRows rows{density};
+  parse_rows(lines, rows);
+  return std::move(rows.bodies);
+}
+
+RestingSpheres resting_spheres_in(LineReader lines) {
+  RestingRows rows;
+  parse_rows(lines, rows);
+  return std::move(rows.spheres);
+}
+
 void append_number(std::string& text, double value, char separator) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
@@ -112,33 +173,18 @@ void append_number(std::string& text, double value, char separator) {
 }  // namespace
 
 Bodies parse_spheres_csv(std::string_view text, std::string_view file_name, double density) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  Place place{std::string(file_name), 1};
-  if (text.empty()) throw input_error(place, "header", "an empty file", kHeaderRule);
-  const std::vector<Column> columns = parse_header(take_line(text), place);
-  const bool has_mass = std::find(columns.begin(), columns.end(), mass) != columns.end();
-
-  Bodies bodies;
-  bodies.reserve(std::count(text.begin(), text.end(), '\n') + 1);
-  std::array<double, kColumns> values{};
-  while (!text.empty()) {
-    ++place.line;
-    parse_row(take_line(text), columns, place, values);
-    if (bodies.size() == kLargestCount) {
-      throw input_error(place, "row", "one sphere too many", "at most " + std::to_string(kLargestCount));
-    }
-    bodies.position.push_back({values[x], values[y], values[z]});
-    bodies.velocity.push_back({values[vx], values[vy], values[vz]});
-    bodies.radius.push_back(values[radius]);
-    bodies.mass.push_back(has_mass ? values[mass] : default_mass(values[radius], density, place));
-  }
-  return bodies;
+  return bodies_in(LineReader(text, file_name), density);
 }
 
 Bodies read_spheres_csv(const std::filesystem::path& path, double density) {
-  return parse_spheres_csv(read_file(path), path.string(), density);
+  return bodies_in(LineReader(path), density);
 }
+
+RestingSpheres parse_resting_spheres(std::string_view text, std::string_view file_name) {
+  return resting_spheres_in(LineReader(text, file_name));
+}
+
+RestingSpheres read_resting_spheres(const std::filesystem::path& path) { return resting_spheres_in(LineReader(path)); }
 
 void write_spheres_csv(const std::filesystem::path& path, const Bodies& bodies) {
   std::string text = "x,y,z,radius,vx,vy,vz,mass\n";

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "core/math.h"
@@ -32,7 +31,7 @@ struct BodySnapshot {
   }
 };
 
-/// The linked-cell grid: cell (x, y, z) has the index (z · cells.y + y) · cells.x + x, covers
+/// A grid of cells: cell (x, y, z) has the index (z · cells.y + y) · cells.x + x, covers
 /// origin + (x, y, z) ∘ edge to origin + (x+1, y+1, z+1) ∘ edge, and lists its bodies from head[index] along next[].
 struct GridInspection {
   Vec3 origin{0.0f};
@@ -45,7 +44,7 @@ struct GridInspection {
 struct Inspection {
   BodySnapshot bodies;
   std::vector<Pair> contacts;          ///< overlapping pairs, sorted by i, then j
-  std::optional<GridInspection> grid;  ///< where the broad phase has one
+  std::vector<GridInspection> grids;   ///< of the broad phase: one for each size class, or none
 };
 
 }  // namespace ballpit

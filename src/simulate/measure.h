@@ -11,28 +11,12 @@
 
 namespace ballpit {
 
-struct Sum {
-  template <class T>
-  HOST_DEVICE T operator()(const T& a, const T& b) const {
-    return a + b;
-  }
-};
 struct Largest {
   HOST_DEVICE double operator()(double a, double b) const { return a < b ? b : a; }
 };
 struct Smallest {
   HOST_DEVICE int64_t operator()(int64_t a, int64_t b) const { return b < a ? b : a; }
 };
-
-struct Widen {
-  Span<const int> values;
-  HOST_DEVICE int64_t operator()(int i) const { return values[i]; }
-};
-
-template <class Exec>
-int64_t count_candidates(Exec& exec, Span<const int> tested) {
-  return reduce(exec, "sum candidates", tested.size(), int64_t{0}, Widen{tested}, Sum{});
-}
 
 /// Energy and momentum of one body, or of many.
 struct Motion {
@@ -106,22 +90,23 @@ double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& bo
 }
 
 template <class V>
-struct IndexIfOutside {
+struct IdIfOutside {
   BodiesView<V> bodies;
   Box<V> box;
+  Span<const int> id_at;
 
   HOST_DEVICE int64_t operator()(int i) const {
     const V v = bodies.velocity[i];
     const bool is_good = box.holds(bodies.position[i]) && dot(v, v) < Scalar<V>(1e30);  // false for NaN
-    return is_good ? bodies.size() : i;
+    return is_good ? bodies.size() : (id_at.empty() ? i : id_at[i]);
   }
 };
 
-/// The lowest index of a body that is outside the domain or not finite; −1 if there is none.
+/// The lowest id of a body that is outside the domain or not finite; −1 if there is none.
 template <class V, class Exec>
-int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
+int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const int> id_at) {
   const int64_t first =
-      reduce(exec, "check bodies", bodies.size(), bodies.size(), IndexIfOutside<V>{bodies, box}, Smallest{});
+      reduce(exec, "check bodies", bodies.size(), bodies.size(), IdIfOutside<V>{bodies, box, id_at}, Smallest{});
   return first < bodies.size() ? first : -1;
 }
 

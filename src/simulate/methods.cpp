@@ -8,9 +8,15 @@ namespace ballpit {
 namespace {
 
 constexpr std::array kMethods{
-    Method{Family::broadphase, "brute-force", "Brute force", "cpu, cuda", "O(n²) tests, no memory", "slides 5 and 6"},
+    Method{Family::broadphase, "auto", "Best predicted", "cpu, cuda",
+           "chosen by predicted time, with a candidate list (skin 0.1)", ""},
+    Method{Family::broadphase, "brute-force", "Brute force", "cpu, cuda", "O(n²) tests, no structure", "slides 5 and 6"},
+    Method{Family::broadphase, "sort-and-sweep", "Sort and sweep", "cpu, cuda",
+           "O(n) sort by radix, O(n^(5/3)) tests in a cube; 24 bytes a sphere", "slides 2 to 4; Baraff 1992"},
     Method{Family::broadphase, "linked-cell", "Linked cell", "cpu, cuda",
            "O(n) while cells hold O(1) spheres; 4 bytes a cell and 4 a sphere", "slides 8 to 17"},
+    Method{Family::broadphase, "sorted-grid", "Sorted grid", "cpu, cuda",
+           "O(n), a grid for each size class; 4 bytes a cell and 20 a sphere", "Green 2010; Ericson 2005, section 7.2"},
     Method{Family::response, "impulse", "Impulse", "cpu, cuda", "O(n + contacts) an iteration",
            "Tonge et al. 2012, doi 10.1145/2185520.2185601"},
     Method{Family::integrator, "symplectic-euler", "Symplectic Euler", "cpu, cuda", "first order, bounded energy error",

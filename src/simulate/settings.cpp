@@ -29,6 +29,12 @@ bool set_number(std::string_view text, T low, T high, Member& member) {
   return true;
 }
 
+bool set_one_of(std::string_view text, std::initializer_list<std::string_view> names, std::string& member) {
+  if (std::find(names.begin(), names.end(), text) == names.end()) return false;
+  member = text;
+  return true;
+}
+
 template <Family family>
 std::string allowed_methods() {
   return join(method_names(family));
@@ -50,6 +56,15 @@ constexpr std::array kTable{
     SettingInfo{"cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed",
                 [] { return std::string("0.05 to 1000"); },
                 [](Settings& s, std::string_view v) { return set_number(v, 0.05, 1000.0, s.cell_size); }},
+    SettingInfo{"table", "NAME", "cells in an array with a place for each, or hashed into a bounded number of places",
+                [] { return std::string("auto, dense, hashed"); },
+                [](Settings& s, std::string_view v) { return set_one_of(v, {"auto", "dense", "hashed"}, s.table); }},
+    SettingInfo{"axis", "NAME", "axis of sort-and-sweep; auto: the one along which positions vary most",
+                [] { return std::string("auto, x, y, z"); },
+                [](Settings& s, std::string_view v) { return set_one_of(v, {"auto", "x", "y", "z"}, s.axis); }},
+    SettingInfo{"skin", "FRACTION", "skin of the candidate list, of a radius; 0: search in every step",
+                [] { return std::string("0 to 10"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 0.0, 10.0, s.skin); }},
     SettingInfo{"response", "NAME", "what spheres in contact do", allowed_methods<Family::response>,
                 set_method<Family::response, &Settings::response>},
     SettingInfo{"integrator", "NAME", "how velocities and positions advance", allowed_methods<Family::integrator>,
@@ -73,6 +88,8 @@ constexpr std::array kTable{
 };
 
 }  // namespace
+
+double skin_of(const Settings& settings) { return settings.skin.value_or(settings.broadphase == "auto" ? 0.1 : 0.0); }
 
 std::span<const SettingInfo> setting_table() { return kTable; }
 

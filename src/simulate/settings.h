@@ -13,6 +13,9 @@ namespace ballpit {
 struct Settings {
   std::string broadphase = "linked-cell";
   std::optional<double> cell_size;  ///< in units of 2·r_max; empty: the method chooses, at least 1
+  std::string table = "auto";       ///< of a grid's cells
+  std::string axis = "auto";        ///< of the sweep
+  std::optional<double> skin;       ///< of the candidate list, as a fraction of a radius; empty: see skin_of()
   std::string response = "impulse";
   std::string integrator = "symplectic-euler";
   std::string precision = "float";
@@ -23,6 +26,10 @@ struct Settings {
   std::optional<int64_t> count;  ///< spheres generated, in place of the scene's own number
   std::optional<uint64_t> seed;
 };
+
+/// The candidate list's skin: what was asked for; else a tenth where the program chooses the broad phase, and none where
+/// one was named, which is then to be seen at work in every step.
+double skin_of(const Settings& settings);
 
 /// One shared option: "--name VALUE" on the command line, "name = value" in [defaults].
 struct SettingInfo {

@@ -11,6 +11,7 @@
 #include "exec/stage_times.h"
 #include "scene/scene.h"
 #include "simulate/inspection.h"
+#include "simulate/pair_search.h"
 #include "simulate/settings.h"
 
 namespace ballpit {
@@ -22,6 +23,10 @@ struct Report {
   double time = 0;              ///< [s] simulated
   double seconds = 0;           ///< [s] spent in step()
   std::vector<Stage> stages;    ///< where they were spent
+  std::string broadphase;         ///< by name, also where settings ask for auto
+  std::string broadphase_reason;  ///< why auto chose it; empty where it was asked for
+  int64_t searches = 0;           ///< times that the broad phase searched; fewer than steps where there is a skin
+  int64_t detection_bytes = 0;    ///< memory of broad and narrow phase
   int64_t candidates = 0;       ///< narrow-phase tests made to detect the contacts of the present state
   int64_t contacts = 0;         ///< overlapping pairs in the present state, walls not counted
   double kinetic_energy = 0;    ///< [J]
@@ -56,6 +61,7 @@ struct Backend {
   std::string unavailable_reason;  ///< empty where it can serve
   std::string description;         ///< "NVIDIA H100, compute capability 9.0"
   std::unique_ptr<World> (*make_world)(const Scene&, const Settings&);
+  std::unique_ptr<PairSearch> (*make_pair_search)(const Settings&);
 };
 
 Backend cpu_backend();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The world, written once for every executor and number of dimensions. A step, from top to bottom:
 //
+//     sort       now and then, bodies in memory by where they are
 //     detect     broad phase and narrow phase, on frozen positions
 //     kick       gravity
 //     respond    contacts and walls change velocities
@@ -14,17 +15,16 @@
 #include <chrono>
 #include <memory>
 #include <sstream>
-#include <variant>
 
 #include "core/error.h"
 #include "exec/reduce.h"
-#include "simulate/broadphase/brute_force.h"
-#include "simulate/broadphase/linked_cell.h"
+#include "simulate/choose_broad_phase.h"
+#include "simulate/detector.h"
 #include "simulate/integrate/symplectic_euler.h"
 #include "simulate/measure.h"
 #include "simulate/narrowphase/contact_list.h"
-#include "simulate/narrowphase/find_contacts.h"
 #include "simulate/response/impulse.h"
+#include "simulate/spatial_order.h"
 #include "simulate/world.h"
 
 namespace ballpit {
@@ -34,7 +34,6 @@ class WorldOn final : public World {
   using Real = Scalar<V>;
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
-  using BroadPhase = std::variant<BruteForce<V, Exec>, LinkedCell<V, Exec>>;
 
  public:
   WorldOn(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings)
@@ -43,13 +42,17 @@ class WorldOn final : public World {
         gravity_(narrow<V>(scene.physics.gravity)),
         dt_(settings.dt),
         substeps_(settings.substeps),
-        broad_phase_(make_broad_phase(scene, settings)),
+        parameters_(parameters_of(scene, settings, box_)),
+        choice_(choose_broad_phase(settings, parameters_)),
+        detector_(choice_.method, parameters_, skin_of(settings)),
+        order_(box_, scene.bodies.size()),
         response_(impulse_parameters(scene.physics, settings)) {
     upload(scene.bodies);
   }
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
+    if (order_.is_due(steps_)) sort_bodies();
     ++steps_;
     for (int k = 0; k < substeps_; ++k) substep(static_cast<Real>(dt_ / substeps_));
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -60,37 +63,43 @@ class WorldOn final : public World {
     Inspection result;
     result.bodies.count = position_.size();
     result.bodies.dimensions = kDimensions<V>;
-    result.bodies.position = flat(exec_->download(position_.span()));
-    result.bodies.velocity = flat(exec_->download(velocity_.span()));
-    const auto radius = exec_->download(radius_.span());
+    result.bodies.position = flat(downloaded(position_));
+    result.bodies.velocity = flat(downloaded(velocity_));
+    const auto radius = downloaded(radius_);
     result.bodies.radius.assign(radius.begin(), radius.end());
-    result.contacts = exec_->download(contacts_.pairs());
-    result.grid = std::visit([&](auto& method) { return method.inspect(*exec_); }, broad_phase_);
+    result.contacts = exec_->download(detector_.pairs());
+    result.grids = detector_.inspect(*exec_, view());
+    const std::vector<int> id_at = exec_->download(order_.id_at());
+    if (!id_at.empty()) name_by_id(result, id_at);
     return result;
   }
 
   Report report() override {
     detect();
-    list_.build(*exec_, contacts_, view(), box_);
+    list_.build(*exec_, detector_.pairs(), detector_.first(), view(), box_);
     Report report;
+    report.broadphase = choice_.method;
+    report.broadphase_reason = choice_.reason;
     report.count = position_.size();
     report.steps = steps_;
     report.time = time();
     report.seconds = seconds_;
-    report.contacts = contacts_.pairs().size();
-    report.candidates = count_candidates(*exec_, contacts_.tested());
+    report.contacts = detector_.pairs().size();
+    report.candidates = detector_.candidates(*exec_);
+    report.searches = detector_.searches();
+    report.detection_bytes = detector_.bytes();
     measure_motion(*exec_, view(), gravity_, report);
     report.max_overlap = largest_overlap(*exec_, view(), box_, list_.view());
-    report.state_hash = hash_state(exec_->download(position_.span()), exec_->download(velocity_.span()));
+    report.state_hash = hash_state(downloaded(position_), downloaded(velocity_));
     report.stages = exec_->stage_times().stages();
     return report;
   }
 
   Bodies bodies() override {
     Bodies result;
-    for (const V& p : exec_->download(position_.span())) result.position.push_back(widen(p));
-    for (const V& v : exec_->download(velocity_.span())) result.velocity.push_back(widen(v));
-    const auto radius = exec_->download(radius_.span()), inverse = exec_->download(inverse_mass_.span());
+    for (const V& p : downloaded(position_)) result.position.push_back(widen(p));
+    for (const V& v : downloaded(velocity_)) result.velocity.push_back(widen(v));
+    const auto radius = downloaded(radius_), inverse = downloaded(inverse_mass_);
     for (size_t i = 0; i < result.position.size(); ++i) {
       result.radius.push_back(radius[radius.size() == 1 ? 0 : i]);
       result.mass.push_back(1.0 / inverse[inverse.size() == 1 ? 0 : i]);
@@ -102,16 +111,10 @@ class WorldOn final : public World {
   double time() const override { return static_cast<double>(steps_) * dt_; }
 
  private:
-  static BroadPhase make_broad_phase(const Scene& scene, const Settings& settings) {
-    BroadPhaseParameters<V> parameters;
-    parameters.box = {narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary};
-    parameters.count = scene.bodies.size();
-    for (const double radius : scene.bodies.radius) {
-      parameters.largest_radius = std::max(parameters.largest_radius, static_cast<Real>(radius));
-    }
-    parameters.cell_size = settings.cell_size;
-    if (settings.broadphase == "brute-force") return BruteForce<V, Exec>(parameters);
-    return LinkedCell<V, Exec>(parameters);
+  static BroadPhaseParameters<V> parameters_of(const Scene& scene, const Settings& settings, const Box<V>& box) {
+    const std::vector<Real> radius(scene.bodies.radius.begin(), scene.bodies.radius.end());
+    const auto count = static_cast<int64_t>(radius.size());
+    return broad_phase_parameters<V>(settings, box, Span<const Real>(radius.data(), count), count);
   }
 
   static ImpulseParameters impulse_parameters(const Physics& physics, const Settings& settings) {
@@ -152,22 +155,35 @@ class WorldOn final : public World {
     return {position_.span(), velocity_.span(), per_body(radius_), per_body(inverse_mass_)};
   }
 
+  /// The values of all bodies by id; one value where all are equal.
+  template <class T>
+  std::vector<T> downloaded(const Buffer<T>& buffer) const {
+    return by_id(exec_->download(buffer.span()), exec_->download(order_.id_at()));
+  }
+
   /// Finds the contacts of the present state, once: looking at them before a step saves the step the work.
   void detect() {
     if (is_detected_) return;
-    std::visit(
-        [&](auto& method) {
-          method.prepare(*exec_, view());
-          contacts_.find(*exec_, method.candidates(), view(), box_);
-        },
-        broad_phase_);
+    detector_.find(*exec_, view());
     is_detected_ = true;
+  }
+
+  /// Sorts the bodies in memory by where they are.
+  void sort_bodies() {
+    order_.sort(*exec_, position_.span());
+    order_.rearrange(*exec_, position_, after_);
+    order_.rearrange(*exec_, velocity_, after_);
+    order_.rearrange(*exec_, radius_, scalar_scratch_);
+    order_.rearrange(*exec_, inverse_mass_, scalar_scratch_);
+    order_.commit(*exec_);
+    detector_.discard();
+    is_detected_ = false;
   }
 
   void substep(Real dt) {
     const int64_t n = position_.size();
     detect();
-    list_.build(*exec_, contacts_, view(), box_);
+    list_.build(*exec_, detector_.pairs(), detector_.first(), view(), box_);
 
     after_.resize(n);
     exec_->parallel_for("kick", n, Kick<V>{velocity_.span(), gravity_ * dt, after_.span()});
@@ -181,9 +197,9 @@ class WorldOn final : public World {
 
   /// Throws where a body is not a number or outside the domain.
   void check() {
-    const int64_t bad = first_outside(*exec_, view(), box_);
+    const int64_t bad = first_outside(*exec_, view(), box_, order_.id_at());
     if (bad < 0) return;
-    const Vec3d p = widen(exec_->download(position_.span())[static_cast<size_t>(bad)]);
+    const Vec3d p = widen(downloaded(position_)[static_cast<size_t>(bad)]);
     std::ostringstream message;
     message << "step " << steps_ << " (t = " << time() << " s): sphere " << bad
             << " left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z
@@ -211,9 +227,11 @@ class WorldOn final : public World {
   int substeps_;
 
   Buffer<V> position_, velocity_, after_;
-  Buffer<Real> radius_, inverse_mass_;
-  BroadPhase broad_phase_;
-  ContactFinder<V, Exec> contacts_;
+  Buffer<Real> radius_, inverse_mass_, scalar_scratch_;
+  BroadPhaseParameters<V> parameters_;
+  BroadPhaseChoice choice_;
+  Detector<V, Exec> detector_;
+  SpatialOrder<V, Exec> order_;
   ContactList<V, Exec> list_;
   ImpulseResponse<V, Exec> response_;
 

@@ -35,7 +35,9 @@ TEST_CASE("the option --help names every command, and ends with status 0") {
     const Outcome outcome = run_program({option});
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
-    for (const char* command : {"render", "simulate", "list", "doctor"}) CHECK_THAT(outcome.out, Contains(command));
+    for (const char* command : {"render", "simulate", "pairs", "bench", "list", "doctor"}) {
+      CHECK_THAT(outcome.out, Contains(command));
+    }
   }
 }
 

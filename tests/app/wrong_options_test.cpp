@@ -44,6 +44,8 @@ void check_all(const std::vector<Wrong>& table) {
 /// A command with options that make it a valid one, quick, and without a picture that anybody sees.
 Arguments valid(const std::string& command) {
   if (command == "render") return {"render", "two-spheres", "--out", "/proc/nowhere", "--frames", "1"};
+  if (command == "pairs") return {"pairs", "/proc/nowhere.csv"};
+  if (command == "bench") return {"bench"};
   return {"simulate", "two-spheres", "--time", "0"};
 }
 
@@ -55,7 +57,7 @@ Arguments with(Arguments arguments, const Arguments& more) {
 }  // namespace
 
 TEST_CASE("a command that does not exist is refused with those that do") {
-  const std::string allowed = ", allowed render, simulate, list, doctor, --help, --version\n";
+  const std::string allowed = ", allowed render, simulate, pairs, bench, list, doctor, --help, --version\n";
   check_all({
       {{}, "command: found nothing" + allowed},
       {{""}, "command: found nothing" + allowed},
@@ -67,12 +69,14 @@ TEST_CASE("a command that does not exist is refused with those that do") {
 }
 
 TEST_CASE("an option that does not exist is refused with those that do") {
-  for (const char* command : {"render", "simulate", "list", "doctor"}) {
-    const Arguments required = command == std::string("render") ? Arguments{"--out", "x"} : Arguments{};
-    const std::string error = error_of(with(with({command}, required), {"--frob"}));
-    CHECK_THAT(error, Contains(std::string(command) + ": found unknown option --frob, allowed --help"));
+  const std::vector<Arguments> commands{
+      {"render", "--out", "x"}, {"simulate"}, {"pairs", "x.csv"}, {"bench"}, {"list"}, {"doctor"}};
+  for (const Arguments& arguments : commands) {
+    const std::string& command = arguments.front();
+    const std::string error = error_of(with(arguments, {"--frob"}));
+    CHECK_THAT(error, Contains(command + ": found unknown option --frob, allowed --help"));
     CHECK_THAT(error, Contains("--json"));
-    CHECK_THAT(error, Contains("see `ballpit " + std::string(command) + " --help`"));
+    CHECK_THAT(error, Contains("see `ballpit " + command + " --help`"));
   }
   for (const SettingInfo& setting : setting_table()) {
     CHECK_THAT(error_of({"simulate", "--frob"}), Contains("--" + std::string(setting.name)));
@@ -94,6 +98,11 @@ TEST_CASE("an option without its value, with two, or a flag with one is refused"
       {{"render", "--out"}, "--out: found nothing, allowed DIR"},
       {{"render", "--out", ""}, "--out: found nothing, allowed a path"},
       {{"simulate", "--out", ""}, "--out: found nothing, allowed a path"},
+      {{"pairs"}, "FILE: found nothing, allowed CSV (spheres as CSV"},
+      {{"pairs", ""}, "FILE: found nothing, allowed a path"},
+      {{"pairs", "x.csv", "--out", ""}, "--out: found nothing, allowed a path"},
+      {{"pairs", "x.csv", "--verify=1"}, "--verify: found a value, allowed none"},
+      {{"bench", "--counts"}, "--counts: found nothing, allowed N,… (numbers of spheres"},
   });
 }
 
@@ -102,6 +111,9 @@ TEST_CASE("words that no option asked for are refused") {
       {{"simulate", "rain", "extra"}, "simulate: found extra, allowed one SCENE and options"},
       {{"list", "extra"}, "list: found extra, allowed options alone"},
       {{"doctor", "extra"}, "doctor: found extra, allowed options alone"},
+      {{"pairs", "x.csv", "extra"}, "pairs: found extra, allowed one FILE and options"},
+      {{"pairs", "x.csv", "--dt", "1"}, "pairs: found unknown option --dt, allowed --help, --out, --repeat"},
+      {{"bench", "extra"}, "bench: found extra, allowed options alone"},
       {{"simulate", "--json", "3"}, "SCENE: found \"3\", allowed bouncing-balls"},
   });
 }
@@ -120,6 +132,11 @@ TEST_CASE("numbers that are none, not finite or out of range are refused by ever
       {"render", "from", "a number from 0 to 1e+09"},
       {"render", "supersample", "an integer from 1 to 4"},
       {"render", "size", "WIDTHxHEIGHT, each from 16 to 16384"},
+      {"pairs", "repeat", "an integer from 1 to 10000"},
+      {"bench", "counts", "an integer from 1 to 100000000"},
+      {"bench", "threads", "an integer from 0 to 256"},
+      {"bench", "repeat", "an integer from 1 to 1000"},
+      {"bench", "limit", "a number from 0.001 to 1e+06"},
   };
   for (const SettingInfo& setting : setting_table())
     options.push_back({"simulate", std::string(setting.name), setting.allowed()});
@@ -142,6 +159,33 @@ TEST_CASE("shared options are refused by render as by simulate") {
     CHECK_THAT(error_of(with(valid("render"), {name, "wrong"})),
                Contains(name + ": found wrong, allowed " + setting.allowed()));
   }
+}
+
+TEST_CASE("settings of a search are refused by pairs as by simulate") {
+  for (const SettingInfo& setting : setting_table()) {
+    const std::string name = "--" + std::string(setting.name);
+    const std::string error = error_of(with(valid("pairs"), {name, "wrong"}));
+    const bool applies = error.find("unknown option") == std::string::npos;
+    if (applies) CHECK_THAT(error, Contains(name + ": found wrong, allowed " + setting.allowed()));
+  }
+  CHECK_THAT(error_of(with(valid("pairs"), {"--broadphase", "magic"})), Contains("--broadphase: found magic, allowed"));
+}
+
+TEST_CASE("methods and backends that bench cannot measure are refused with those that it can") {
+  const std::string methods = ", allowed brute-force, ";
+  check_all({
+      {{"bench", "--methods", "magic"}, "--methods: found magic" + methods},
+      {{"bench", "--methods", "auto"}, "--methods: found auto" + methods},
+      {{"bench", "--methods", "brute-force,"}, "--methods: found nothing" + methods},
+      {{"bench", "--methods", "brute-force linked-cell"}, "--methods: found brute-force linked-cell" + methods},
+      {{"bench", "--backends", "auto"}, "--backends: found auto, allowed cpu, cuda"},
+      {{"bench", "--backends", ","}, "--backends: found nothing, allowed cpu, cuda"},
+      {{"bench", "--counts", "100,,200"}, "--counts: found nothing, allowed an integer from 1"},
+      {{"bench", "--counts", "100;200"}, "--counts: found 100;200, allowed an integer from 1"},
+  });
+  const std::string reason = cuda_backend().unavailable_reason;
+  if (reason.empty()) return;
+  CHECK_THAT(error_of({"bench", "--backends", "cpu,cuda"}), Contains("--backends: found cuda, ") && Contains(reason));
 }
 
 TEST_CASE("sizes that are none are refused") {

@@ -8,22 +8,49 @@ using namespace ballpit;
 
 namespace {
 
+Settings settings_of(const std::string& broadphase, double skin = 0) {
+  Settings settings;
+  settings.broadphase = broadphase;
+  settings.skin = skin;
+  settings.dt = 1.0 / 480;
+  settings.threads = 2;
+  return settings;
+}
+
 struct Twins {
   std::unique_ptr<World> cpu, cuda;
 
-  explicit Twins(const Scene& scene, const std::string& broadphase = "linked-cell") {
-    Settings settings;
-    settings.broadphase = broadphase;
-    settings.dt = 1.0 / 480;
-    cpu = cpu_backend().make_world(scene, settings);
-    cuda = cuda_backend().make_world(scene, settings);
+  Twins(const Scene& scene, const Settings& settings)
+      : cpu(cpu_backend().make_world(scene, settings)), cuda(cuda_backend().make_world(scene, settings)) {}
+
+  void step(int steps) const {
+    for (int k = 0; k < steps; ++k) {
+      cpu->step();
+      cuda->step();
+    }
+  }
+
+  /// Compares what both report of their state; returns the number of contacts.
+  int64_t compare() const {
+    const Report expected = cpu->report(), report = cuda->report();
+    CHECK(report.state_hash == expected.state_hash);
+    CHECK(report.broadphase == expected.broadphase);
+    CHECK(report.broadphase_reason == expected.broadphase_reason);
+    CHECK(report.searches == expected.searches);
+    CHECK(report.candidates == expected.candidates);
+    CHECK(report.contacts == expected.contacts);
+    CHECK(report.kinetic_energy == expected.kinetic_energy);
+    CHECK(report.potential_energy == expected.potential_energy);
+    CHECK(report.momentum == expected.momentum);
+    CHECK(report.max_overlap == expected.max_overlap);
+    return report.contacts;
   }
 };
 
 Scene heap(const Cloud& cloud) {
   Scene scene = make_cloud(cloud, 5);
   scene.physics.gravity = {0, -9.81, 0};
-  for (Vec3d& p : scene.bodies.position) p = glm::clamp(p, Vec3d(-0.9), Vec3d(0.9));
+  for (Vec3d& p : scene.bodies.position) p = glm::clamp(p, Vec3d(cloud.low * 0.9), Vec3d(cloud.high * 0.9));
   if (cloud.dimensions == 2) {
     for (Vec3d& p : scene.bodies.position) p.z = 0;
   }
@@ -33,41 +60,99 @@ Scene heap(const Cloud& cloud) {
 }  // namespace
 
 TEST_CASE("CUDA finds the contacts that the CPU finds, by every broad phase") {
-  const std::string broadphase = GENERATE("linked-cell", "brute-force");
-  const Cloud cloud = GENERATE(Cloud{.count = 200, .smallest = 0.1, .largest = 0.1},
-                               Cloud{.count = 200, .smallest = 0.02, .largest = 0.2},
-                               Cloud{.count = 200, .dimensions = 2, .smallest = 0.05, .largest = 0.05},
-                               Cloud{.count = 200, .smallest = 0.125, .largest = 0.125, .snap = 0.25},
-                               Cloud{.count = 200, .smallest = 0.1, .largest = 0.1, .boundary = Boundary::periodic});
-  const Twins worlds(make_cloud(cloud, 3), broadphase);
+  const std::string broadphase = GENERATE("brute-force", "sort-and-sweep", "linked-cell", "sorted-grid");
+  const std::string table = GENERATE("dense", "hashed");
+  const Cloud cloud = GENERATE(
+      Cloud{.count = 200, .smallest = 0.1, .largest = 0.1}, Cloud{.count = 200, .smallest = 0.02, .largest = 0.2},
+      Cloud{.count = 200, .dimensions = 2, .smallest = 0.05, .largest = 0.05},
+      Cloud{.count = 200, .smallest = 0.125, .largest = 0.125, .snap = 0.25},
+      Cloud{.count = 200, .smallest = 0.1, .largest = 0.1, .boundary = Boundary::open_top},
+      Cloud{.count = 200, .smallest = 0.1, .largest = 0.1, .boundary = Boundary::periodic},
+      Cloud{.count = 200, .smallest = 0.02, .largest = 0.2, .boundary = Boundary::periodic},
+      Cloud{.count = 60, .smallest = 0.45, .largest = 0.45, .boundary = Boundary::periodic},
+      Cloud{.count = 200, .dimensions = 2, .smallest = 0.02, .largest = 0.1, .boundary = Boundary::periodic});
+  if (table == "hashed" && (broadphase == "brute-force" || broadphase == "sort-and-sweep")) return;
+  Settings settings = settings_of(broadphase);
+  settings.table = table;
+  const Twins worlds(make_cloud(cloud, 3), settings);
   const Inspection cpu = worlds.cpu->inspect(), cuda = worlds.cuda->inspect();
+  CAPTURE(broadphase, table, cloud.dimensions, cloud.largest, static_cast<int>(cloud.boundary));
   REQUIRE(cpu.contacts.size() > 10);
   CHECK(cuda.contacts == cpu.contacts);
   CHECK(worlds.cuda->report().candidates == worlds.cpu->report().candidates);
+  REQUIRE(cuda.grids.size() == cpu.grids.size());
+  for (size_t k = 0; k < cuda.grids.size(); ++k) {
+    CHECK(cuda.grids[k].cells == cpu.grids[k].cells);
+    if (broadphase == "linked-cell" && table == "dense") continue;  // the order within a list is that of the exchanges
+    CHECK(cuda.grids[k].head == cpu.grids[k].head);
+    CHECK(cuda.grids[k].next == cpu.grids[k].next);
+  }
 }
 
-TEST_CASE("the state on CUDA has the bits that it has on the CPU") {
-  const Cloud cloud = GENERATE(Cloud{.count = 250, .smallest = 0.06, .largest = 0.1},
-                               Cloud{.count = 120, .dimensions = 2, .smallest = 0.05, .largest = 0.05});
-  const Twins worlds(heap(cloud));
-  for (int k = 0; k < 12; ++k) {
+TEST_CASE("the state on CUDA has the bits that it has on the CPU, by every broad phase, with a skin and without") {
+  const std::string broadphase = GENERATE("brute-force", "sort-and-sweep", "linked-cell", "sorted-grid", "auto");
+  const double skin = GENERATE(0.0, 0.3);
+  const Cloud cloud = GENERATE(Cloud{.count = 150, .smallest = 0.1, .largest = 0.15},
+                               Cloud{.count = 100, .dimensions = 2, .smallest = 0.05, .largest = 0.05});
+  CAPTURE(broadphase, skin, cloud.dimensions);
+  const Twins worlds(heap(cloud), settings_of(broadphase, skin));
+  worlds.step(12);
+  CHECK(worlds.compare() > 10);
+}
+
+TEST_CASE("periodic worlds on CUDA have the bits that they have on the CPU") {
+  const std::string broadphase = GENERATE("sort-and-sweep", "linked-cell", "sorted-grid");
+  const double skin = GENERATE(0.0, 0.3);
+  CAPTURE(broadphase, skin);
+  const Scene scene = make_cloud({.count = 150, .smallest = 0.1, .largest = 0.15, .boundary = Boundary::periodic}, 6);
+  const Twins worlds(scene, settings_of(broadphase, skin));
+  worlds.step(12);
+  CHECK(worlds.compare() > 10);
+}
+
+TEST_CASE("bodies sorted in memory on CUDA move as on the CPU") {
+  // So many bodies are sorted before the first step, and before the 65th.
+  const std::string broadphase = GENERATE("sorted-grid", "linked-cell");
+  const double skin = broadphase == "sorted-grid" ? 0.0 : 0.4;
+  const Scene scene = heap({.count = 4200, .low = -1.5, .high = 1.5, .smallest = 0.06, .largest = 0.1});
+  const Twins worlds(scene, settings_of(broadphase, skin));
+  CAPTURE(broadphase, skin);
+  worlds.step(broadphase == "sorted-grid" ? 66 : 3);
+  CHECK(worlds.compare() > 100);
+  const Inspection cpu = worlds.cpu->inspect(), cuda = worlds.cuda->inspect();
+  CHECK(cuda.contacts == cpu.contacts);
+  CHECK(cuda.bodies.position == cpu.bodies.position);
+  CHECK(cuda.bodies.radius == cpu.bodies.radius);
+}
+
+TEST_CASE("a sphere that leaves the domain is named on CUDA as on the CPU") {
+  Scene scene = make_cloud({.count = 40, .smallest = 0.05, .largest = 0.05}, 7);
+  scene.bodies.velocity[23] = {1e6, 0, 0};
+  const Twins worlds(scene, settings_of("sorted-grid"));
+  std::string expected, message;
+  try {
     worlds.cpu->step();
-    worlds.cuda->step();
+  } catch (const std::exception& error) {
+    expected = error.what();
   }
-  const Report cpu = worlds.cpu->report(), cuda = worlds.cuda->report();
-  CHECK(cuda.contacts > 10);
-  CHECK(cuda.state_hash == cpu.state_hash);
-  CHECK(cuda.kinetic_energy == cpu.kinetic_energy);
-  CHECK(cuda.max_overlap == cpu.max_overlap);
+  try {
+    worlds.cuda->step();
+  } catch (const std::exception& error) {
+    message = error.what();
+  }
+  CHECK_THAT(message, Catch::Contains("sphere 23 left the domain"));
+  CHECK(message == expected);
 }
 
 TEST_CASE("worlds of zero, one and two spheres run on CUDA") {
-  Scene scene;
-  for (int n = 0; n <= 2; ++n) {
-    const Twins worlds(scene);
-    worlds.cpu->step();
-    worlds.cuda->step();
-    CHECK(worlds.cuda->report().state_hash == worlds.cpu->report().state_hash);
-    add_sphere(scene, {0.4 + 0.09 * n, 0.5, 0.5}, {0.1, 0, 0});
+  for (const std::string broadphase : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid", "auto"}) {
+    Scene scene;
+    for (int n = 0; n <= 2; ++n) {
+      CAPTURE(broadphase, n);
+      const Twins worlds(scene, settings_of(broadphase, 0.1));
+      worlds.step(2);
+      CHECK(worlds.compare() == (n == 2 ? 1 : 0));
+      add_sphere(scene, {0.4 + 0.09 * n, 0.5, 0.5}, {0.1, 0, 0});
+    }
   }
 }

@@ -3,41 +3,18 @@
 
 #include <atomic>
 #include <chrono>
-#include <numeric>
 #include <thread>
 
 #include <catch2/catch.hpp>
 
-#include "core/random.h"
 #include "exec/atomics.h"
-#include "exec/reduce.h"
+#include "tests/exec/arrays.h"
 
 using namespace ballpit;
 
-namespace {
-
-std::vector<int> random_ints(int64_t n, int limit, uint64_t seed) {
-  Random random(seed);
-  std::vector<int> values(static_cast<size_t>(n));
-  for (int& value : values) value = static_cast<int>(random.uniform() * limit);
-  return values;
-}
-
-struct SpanOf {
-  std::vector<int>& values;
-  operator Span<int>() const { return {values.data(), static_cast<int64_t>(values.size())}; }
-  operator Span<const int>() const { return {values.data(), static_cast<int64_t>(values.size())}; }
-};
-
-struct Plus {
-  HOST_DEVICE double operator()(double a, double b) const { return a + b; }
-};
-
-}  // namespace
-
 TEST_CASE("parallel_for calls each index once") {
   const int threads = GENERATE(1, 2, 8);
-  const int n = GENERATE(0, 1, 511, 513, 100000);
+  const int n = GENERATE(0, 1, 511, 512, 513, 100000);
   CpuExecutor exec(threads);
   std::vector<int> calls(static_cast<size_t>(n), 0);
   exec.parallel_for("count", n, [&](int i) { atomic_add(&calls[static_cast<size_t>(i)], 1); });
@@ -60,6 +37,27 @@ TEST_CASE("eight threads run at once, even on fewer cores") {
   CHECK(most >= 3);
 }
 
+TEST_CASE("parallel_for_blocks calls each block once") {
+  const int threads = GENERATE(1, 2, 8);
+  const int blocks = GENERATE(0, 1, 2, 7, 300);
+  CpuExecutor exec(threads);
+  std::vector<int> calls(static_cast<size_t>(blocks), 0);
+  exec.parallel_for_blocks("count", blocks, [&](int64_t b) { atomic_add(&calls[static_cast<size_t>(b)], 1); });
+  CHECK(std::count(calls.begin(), calls.end(), 1) == blocks);
+  CHECK(exec.stage_times().stages().at(0).launches == 1);
+}
+
+TEST_CASE("few blocks run at once too, unlike few kernels") {
+  CpuExecutor exec(2);
+  std::atomic<int> here{0};
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  exec.parallel_for_blocks("meet", 2, [&](int64_t) {
+    ++here;
+    while (here < 2 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+  });
+  CHECK(std::chrono::steady_clock::now() < deadline);
+}
+
 TEST_CASE("launches are timed under their names") {
   CpuExecutor exec(2);
   for (int k = 0; k < 3; ++k) exec.parallel_for("a", 10, [](int) {});
@@ -74,8 +72,8 @@ TEST_CASE("exclusive scan gives each element the sum of those before it") {
   const int threads = GENERATE(1, 2, 8);
   const int n = GENERATE(0, 1, 1000, 16384, 16385, 200000);
   CpuExecutor exec(threads);
-  std::vector<int> counts = random_ints(n, 100, 3), offsets(counts.size() + 1, -1);
-  const int64_t total = exec.exclusive_scan("scan", SpanOf{counts}, SpanOf{offsets});
+  std::vector<int> counts = random_values<int>(n, 100, 3), offsets(counts.size() + 1, -1);
+  const int64_t total = exec.exclusive_scan("scan", Span<const int>(span_of(counts)), span_of(offsets));
   int sum = 0;
   for (size_t i = 0; i < counts.size(); ++i) {
     REQUIRE(offsets[i] == sum);
@@ -88,55 +86,50 @@ TEST_CASE("exclusive scan gives each element the sum of those before it") {
 TEST_CASE("exclusive scan reports totals beyond 32 bits") {
   CpuExecutor exec(1);
   std::vector<int> counts(3, 2000000000), offsets(4);
-  CHECK(exec.exclusive_scan("scan", SpanOf{counts}, SpanOf{offsets}) == 6000000000);
+  CHECK(exec.exclusive_scan("scan", Span<const int>(span_of(counts)), span_of(offsets)) == 6000000000);
 }
 
-TEST_CASE("sorting pairs by key is stable") {
-  const int threads = GENERATE(1, 2, 8);
-  const int n = GENERATE(0, 1, 8192, 8193, 100000);
+TEST_CASE("fill sets every element and no other") {
+  const int threads = GENERATE(1, 8);
+  const int n = GENERATE(0, 1, 513, 10000);
   CpuExecutor exec(threads);
-  std::vector<int> keys = random_ints(n, 50, 5), values(keys.size());
-  std::iota(values.begin(), values.end(), 0);
-  const std::vector<int> original = keys;
-  exec.sort_pairs("sort", Span<int>(SpanOf{keys}), Span<int>(SpanOf{values}));
-  for (size_t i = 0; i < keys.size(); ++i) REQUIRE(keys[i] == original[static_cast<size_t>(values[i])]);
-  for (size_t i = 1; i < keys.size(); ++i) {
-    REQUIRE((keys[i - 1] < keys[i] || (keys[i - 1] == keys[i] && values[i - 1] < values[i])));
-  }
+  std::vector<int> values(static_cast<size_t>(n) + 1, 7);
+  exec.fill("clear", Span<int>(values.data(), n), -1);
+  CHECK(std::count(values.begin(), values.end(), -1) == n);
+  CHECK(values.back() == 7);
 }
 
-TEST_CASE("a floating-point sum has the same bits for any number of threads") {
-  Random random(11);
-  std::vector<double> values(100003);
-  for (double& value : values) value = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-8, 8));
-  const auto sum = [&](int threads) {
-    CpuExecutor exec(threads);
-    return reduce(
-        exec, "sum", static_cast<int64_t>(values.size()), 0.0, [&](int i) { return values[static_cast<size_t>(i)]; },
-        Plus{});
-  };
-  const double one = sum(1);
-  CHECK(one == Approx(std::accumulate(values.begin(), values.end(), 0.0)));
-  CHECK(sum(2) == one);
-  CHECK(sum(8) == one);
-}
-
-TEST_CASE("exchange hands each value on exactly once, however many threads swap") {
-  CpuExecutor exec(8);
-  const int n = 20000;
-  int head = -1;
-  std::vector<int> next(n, -2);
-  exec.parallel_for("link", n, [&](int i) { next[static_cast<size_t>(i)] = atomic_exchange(&head, i); });
-  int length = 0;
-  for (int i = head; i != -1; i = next[static_cast<size_t>(i)]) ++length;
-  CHECK(length == n);
-}
-
-TEST_CASE("a buffer grows and spans what was asked for") {
+TEST_CASE("what is uploaded comes down again") {
+  CpuExecutor exec(2);
   HostBuffer<int> buffer;
-  CHECK(buffer.span().empty());
-  buffer.resize(10);
-  buffer.span()[9] = 4;
-  buffer.resize(5);
-  CHECK(buffer.size() == 5);
+  const std::vector<int> values = random_values<int>(1000, 100, 1);
+  exec.upload(buffer, values);
+  CHECK(exec.download(buffer.span()) == values);
+  exec.upload(buffer, values.data() + 10, 5);  // less than it holds already
+  CHECK(exec.download(buffer.span()) == std::vector<int>(values.begin() + 10, values.begin() + 15));
+  exec.upload(buffer, std::vector<int>{});
+  CHECK(exec.download(buffer.span()).empty());
+}
+
+TEST_CASE("scratch memory is large enough and aligned for any type, and the two do not overlap") {
+  CpuExecutor exec(2);
+  struct alignas(16) Wide {
+    double values[4];
+  };
+  const Span<Wide> wide = exec.scratch<Wide>(0, 1001);
+  const Span<char> narrow = exec.scratch<char>(1, 17);
+  CHECK(wide.size() == 1001);
+  CHECK(narrow.size() == 17);
+  CHECK(reinterpret_cast<uintptr_t>(wide.data()) % alignof(Wide) == 0);
+  for (Wide& w : wide) w = {{1, 2, 3, 4}};
+  for (char& c : narrow) c = 'x';
+  CHECK(std::all_of(wide.begin(), wide.end(), [](const Wide& w) { return w.values[0] == 1 && w.values[3] == 4; }));
+  CHECK(std::all_of(narrow.begin(), narrow.end(), [](char c) { return c == 'x'; }));
+}
+
+TEST_CASE("scratch memory is kept from call to call") {
+  CpuExecutor exec(1);
+  const void* const first = exec.scratch<double>(0, 1000).data();
+  CHECK(exec.scratch<char>(0, 1000).data() == first);
+  CHECK(exec.scratch<double>(0, 1000).data() == first);
 }

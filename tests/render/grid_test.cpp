@@ -25,7 +25,7 @@ const uint8_t* cell_pixel(const Image& image, int x, int y) {
 TEST_CASE("bodies are counted per cell along the lists") {
   const Inspection inspection =
       inspect({{{0.5f, 0.5f, 0}, 0.1f}, {{0.6f, 0.6f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}}, kPlane, 1);
-  const std::vector<int> counts = count_per_cell(*inspection.grid);
+  const std::vector<int> counts = count_per_cell(inspection.grids.at(0));
   REQUIRE(counts.size() == 25);
   CHECK(counts[0] == 2);
   CHECK(counts[9] == 1);
@@ -83,7 +83,7 @@ TEST_CASE("without a grid to show, the overlay draws nothing") {
 TEST_CASE("cells that reach beyond the domain are drawn up to its wall") {
   // Cells of 2 in a square of 5: three along each axis, the last to 6.
   const Inspection inspection = inspect({{{4.5f, 4.5f, 0}, 0.1f}}, kPlane, 2);
-  REQUIRE(inspection.grid->cells.x == 3);
+  REQUIRE(inspection.grids.at(0).cells.x == 3);
   const Image image = draw(view_of(inspection, kPlane, 1, {"grid"}), 400, 400);
   const Vec3 ground = themes().front().background;
   CHECK(difference(image.pixel(360, 60), ground) > 8);   // inside, in the corner cell

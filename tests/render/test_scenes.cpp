@@ -57,7 +57,7 @@ Inspection inspect(const std::vector<Sphere>& spheres, const DomainBox& domain, 
     bodies.radius.push_back(sphere.radius);
   }
   inspection.contacts = all_contacts(spheres);
-  if (cell_edge > 0) inspection.grid = make_grid(spheres, domain, cell_edge);
+  if (cell_edge > 0) inspection.grids = {make_grid(spheres, domain, cell_edge)};
   return inspection;
 }
 

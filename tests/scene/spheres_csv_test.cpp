@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -16,13 +17,37 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string message_of(std::string_view text) {
+template <class Read>
+std::string message_of(const Read& read) {
   try {
-    parse_spheres_csv(text, "a.csv");
+    read();
   } catch (const UserError& error) {
     return error.what();
   }
   return "no error";
+}
+
+std::string message_for(std::string_view text) {
+  return message_of([&] { parse_spheres_csv(text, "a.csv"); });
+}
+
+/// A file that is removed at the end.
+struct TemporaryFile {
+  fs::path path = fs::temp_directory_path() / ("ballpit-csv-" + std::to_string(::getpid()));
+  explicit TemporaryFile(std::string_view text) { write_file(path, text); }
+  ~TemporaryFile() { fs::remove(path); }
+};
+
+/// Rows of many lengths, three megabytes.
+std::string long_text() {
+  Random random(5);
+  std::string text = "\xEF\xBB\xBFz,radius,x,y,vx\r\n";
+  while (text.size() < 3'000'000) {
+    const double scale = std::ldexp(1.0, static_cast<int>(random.uniform(-30.0, 30.0)));
+    for (int k = 0; k < 4; ++k) text += std::to_string(k == 1 ? 1 + scale : scale * random.uniform(-1.0, 1.0)) + ",";
+    text += random.uniform() < 0.5 ? "1\n" : " -2.5e-7 \r\n";
+  }
+  return text;
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
@@ -106,9 +131,70 @@ TEST_CASE("a wrong CSV file is refused with file, line, column, what was found a
   };
   for (const auto& [text, message] : table) {
     CAPTURE(text);
-    CHECK(message_of(text) == "a.csv:" + message);
+    CHECK(message_for(text) == "a.csv:" + message);
   }
-  CHECK(message_of(std::string(10'000, 'x')).size() < 300);
+  CHECK(message_for(std::string(10'000, 'x')).size() < 300);
+}
+
+TEST_CASE("spheres at rest are refused for the same reasons, but not for a mass that nobody asks for") {
+  const auto message_at_rest = [](std::string_view text) {
+    return message_of([&] { parse_resting_spheres(text, "a.csv"); });
+  };
+  const std::string header = "x,y,z,radius,vx\n";
+  for (const std::string& text : {std::string(), std::string("x,y,z\n"), header + "1,2,3\n", header + "1,2,3,0,5\n",
+                                  header + "1,2,3,4,five\n", header + "nan,2,3,4,5\n"}) {
+    CAPTURE(text);
+    CHECK(message_at_rest(text) == message_for(text));
+    CHECK(message_at_rest(text) != "no error");
+  }
+  CHECK(message_at_rest(header + "1,2,3,1e15,0\n") == "no error");
+}
+
+TEST_CASE("spheres at rest are those of the bodies, rounded to single precision") {
+  const std::string text = long_text();
+  const Bodies bodies = parse_spheres_csv(text, "a.csv", 1e-6);
+  const RestingSpheres spheres = parse_resting_spheres(text, "a.csv");
+  REQUIRE(spheres.size() == bodies.size());
+  REQUIRE(spheres.radius.size() == bodies.radius.size());
+  int64_t different = 0;
+  for (int64_t i = 0; i < bodies.size(); ++i) {
+    different += spheres.position[i] != narrow<Vec3>(bodies.position[i]);
+    different += spheres.radius[i] != static_cast<float>(bodies.radius[i]);
+  }
+  CHECK(different == 0);
+}
+
+TEST_CASE("a file longer than the buffer is read as its text is") {
+  const std::string text = long_text();
+  for (const std::string& variant : {text, text.substr(0, text.size() - 1)}) {
+    const TemporaryFile file(variant);
+    const Bodies expected = parse_spheres_csv(text, "a.csv", 1e-6), read = read_spheres_csv(file.path, 1e-6);
+    CHECK(read.size() > 50'000);
+    CHECK(same_bits(flat(expected.position), flat(read.position)));
+    CHECK(same_bits(flat(expected.velocity), flat(read.velocity)));
+    CHECK(same_bits(expected.radius, read.radius));
+  }
+}
+
+TEST_CASE("an error far into a file names the line") {
+  std::string text = long_text();
+  const auto lines = std::count(text.begin(), text.end(), '\n');
+  const TemporaryFile file(text + "1,2,3,oops,5\n");
+  const auto read = [&] { read_resting_spheres(file.path); };
+  CHECK(message_of(read) == file.path.string() + ":" + std::to_string(lines + 1) +
+                                ": y: found \"oops\", allowed a number, -1e+15 to 1e+15");
+}
+
+TEST_CASE("a line that no buffer holds is refused by its number") {
+  const TemporaryFile file("x,y,z,radius\n1,2,3,4\n" + std::string(2'000'000, '1'));
+  const auto read = [&] { read_resting_spheres(file.path); };
+  CHECK(message_of(read) ==
+        file.path.string() + ":3: line: found more than 1048576 bytes, allowed lines of at most so many");
+}
+
+TEST_CASE("a folder is no CSV file") {
+  const auto read = [] { read_resting_spheres(fs::temp_directory_path()); };
+  CHECK(message_of(read) == fs::temp_directory_path().string() + ": is a folder, a file is needed");
 }
 
 TEST_CASE("a round trip through a file keeps every bit") {
@@ -147,4 +233,5 @@ TEST_CASE("numbers are written as short as they can be") {
 
 TEST_CASE("a CSV file that is not there is the user's error") {
   CHECK_THROWS_AS(read_spheres_csv("/nonexistent/a.csv"), UserError);
+  CHECK_THROWS_AS(read_resting_spheres("/nonexistent/a.csv"), UserError);
 }

@@ -2,6 +2,7 @@
 // Scenes made in code for the tests, and worlds on the CPU.
 #pragma once
 
+#include <cmath>
 #include <memory>
 
 #include "core/random.h"
@@ -19,6 +20,11 @@ struct Cloud {
   double snap = 0.0;                       ///< centres lie on multiples of it, where above 0
   int clusters = 0;                        ///< where above 0, centres gather around as many points
   Boundary boundary = Boundary::walls;
+  Vec3d stretch{1.0};           ///< the domain's length along each axis, as a factor
+  double scatter = 0.1;         ///< distance from a cluster's point, as a fraction of the domain
+  double huge = 0.0;            ///< [m] radius of the first sphere, where above 0
+  double above = 0.0;           ///< [m] how far above the domain's top centres may lie
+  bool is_log_uniform = false;  ///< radii are spread evenly by their logarithm
 };
 
 inline void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity = Vec3d(0.0), double radius = 0.05,
@@ -32,17 +38,24 @@ inline void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocit
 inline Scene make_cloud(const Cloud& cloud, uint64_t seed) {
   Random random(seed);
   Scene scene;
-  scene.domain = {Vec3d(cloud.low), Vec3d(cloud.high), cloud.boundary, cloud.dimensions};
+  const Vec3d low(cloud.low), high = low + (cloud.high - cloud.low) * cloud.stretch;
+  const Vec3d top = high + Vec3d(0, cloud.above, 0);
+  scene.domain = {low, high, cloud.boundary, cloud.dimensions};
   std::vector<Vec3d> centers;
-  for (int k = 0; k < cloud.clusters; ++k) centers.push_back(random.uniform(Vec3d(cloud.low), Vec3d(cloud.high)));
+  for (int k = 0; k < cloud.clusters; ++k) centers.push_back(random.uniform(low, top));
   for (int i = 0; i < cloud.count; ++i) {
-    const double radius = random.uniform(cloud.smallest, cloud.largest);
-    Vec3d p = random.uniform(Vec3d(cloud.low), Vec3d(cloud.high));
+    double radius = random.uniform(cloud.smallest, cloud.largest);
+    if (cloud.is_log_uniform) {
+      radius = cloud.smallest * std::pow(cloud.largest / cloud.smallest, random.uniform());
+    }
+    if (cloud.huge > 0 && i == 0) radius = cloud.huge;
+    Vec3d p = random.uniform(low, top);
     if (!centers.empty()) {
-      p = centers[static_cast<size_t>(i % cloud.clusters)] + 0.1 * (cloud.high - cloud.low) * random.direction(3);
+      p = centers[static_cast<size_t>(i % cloud.clusters)] +
+          cloud.scatter * (cloud.high - cloud.low) * random.direction(3);
     }
     if (cloud.snap > 0) p = glm::round(p / cloud.snap) * cloud.snap;
-    p = glm::clamp(p, Vec3d(cloud.low), Vec3d(cloud.high));
+    p = glm::clamp(p, low, top);
     if (cloud.dimensions == 2) p.z = 0;
     add_sphere(scene, p, random.uniform() * random.direction(cloud.dimensions), radius);
   }

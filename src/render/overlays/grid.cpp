@@ -162,15 +162,16 @@ std::vector<int> count_per_cell(const GridInspection& grid) {
 
 void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
   // A planar grid lies under the discs; a spatial one between the spheres, told apart by depth.
-  if (!view.inspection.grid || (layer == Layer::under) != view.domain.is_planar()) return;
-  const GridInspection& grid = *view.inspection.grid;
-  const std::vector<int> counts = count_per_cell(grid);
+  if ((layer == Layer::under) != view.domain.is_planar()) return;
   const float width = kEdgeWidth * painter.line_unit;
-  if (view.domain.is_planar()) {
-    painter.faces.draw(occupied_squares(grid, view.domain, counts, painter.theme));
-    painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
-  } else {
-    painter.lines.draw(occupied_edges(grid, view.domain, counts, view.camera, painter.theme), width);
+  for (const GridInspection& grid : view.inspection.grids) {
+    const std::vector<int> counts = count_per_cell(grid);
+    if (view.domain.is_planar()) {
+      painter.faces.draw(occupied_squares(grid, view.domain, counts, painter.theme));
+      painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
+    } else {
+      painter.lines.draw(occupied_edges(grid, view.domain, counts, view.camera, painter.theme), width);
+    }
   }
 }
 

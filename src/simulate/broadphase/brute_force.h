@@ -2,42 +2,62 @@
 // Brute force: every pair is a candidate, once.
 //
 //          j 0 1 2 3
-//     i 0    · x x x      thread i tests all j > i
+//     i 0    · x x x      thread i tests all j > i: one range of slots, in the order of the bodies
 //       1    · · x x
-//       2    · · · x      cost: n(n−1)/2 tests, no memory; exact by construction, and so the oracle of the others
+//       2    · · · x      cost: n(n−1)/2 tests, no structure; exact by construction, and so the oracle of the others
 //       3    · · · ·
 //
-// Source: slides 5 and 6. Sibling: linked_cell.h.
+// Source: slides 5 and 6. Siblings: sort_and_sweep.h, linked_cell.h, sorted_grid.h.
 #pragma once
 
 #include "simulate/broadphase/parameters.h"
-#include "simulate/state.h"
+#include "simulate/slots.h"
 
 namespace ballpit {
 
+template <class V>
 struct BruteForceCandidates {
-  int count;
+  SlotsView<V> slots_view;
 
-  /// Calls visit(j) for each j > i.
+  HOST_DEVICE const SlotsView<V>& slots() const { return slots_view; }
+  HOST_DEVICE int threads() const { return slots_view.count; }
+  HOST_DEVICE int slot_of(int thread) const { return thread; }
+
   template <class Visit>
-  HOST_DEVICE void for_each(int i, Visit&& visit) const {
-    for (int j = i + 1; j < count; ++j) {
-      if (!visit(j)) return;
-    }
+  HOST_DEVICE void for_each_range(int slot, Visit&& visit) const {
+    visit(SlotRange{slot + 1, slots_view.count});
   }
+
+  /// All slots up to the limit share what comes after it.
+  template <class Visit>
+  int for_each_range_of_group(int, int limit, Visit&& visit) const {
+    visit(SlotRange{limit, slots_view.count});
+    return limit;
+  }
+};
+
+/// Kernel: the body of a slot is the slot.
+struct KeepOrder {
+  Span<int> body;
+  HOST_DEVICE void operator()(int slot) const { body[slot] = slot; }
 };
 
 template <class V, class Exec>
 class BruteForce {
  public:
-  BruteForce(const BroadPhaseParameters<V>&) {}
+  explicit BruteForce(const BroadPhaseParameters<V>&) {}
 
-  void prepare(Exec&, const BodiesView<V>& bodies) { count_ = static_cast<int>(bodies.size()); }
-  BruteForceCandidates candidates() const { return {count_}; }
-  std::optional<GridInspection> inspect(Exec&) const { return std::nullopt; }
+  void prepare(Exec& exec, const BodiesView<V>& bodies) {
+    slots_.resize(bodies.size());
+    exec.parallel_for("keep order", bodies.size(), KeepOrder{slots_.body()});
+    slots_.gather(exec, bodies.position, bodies.radius);
+  }
+  BruteForceCandidates<V> candidates() const { return {slots_.view()}; }
+  std::vector<GridInspection> inspect(Exec&) const { return {}; }
+  int64_t bytes() const { return slots_.bytes(); }
 
  private:
-  int count_ = 0;
+  Slots<V, Exec> slots_;
 };
 
 }  // namespace ballpit

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The uniform grid over a domain: which cell a point lies in, and which cells are around a cell.
+// The uniform grid over a domain: which cell a point lies in, which cells are around a cell, and where in an array a
+// cell has its place.
 //
 //     ┌────┬────┬────┐
-//     │ 6  │ 7  │ 8  │    index = (z · cells.y + y) · cells.x + x      (slide 9, in two or three dimensions)
+//     │ 6  │ 7  │ 8  │    dense: index = (z · cells.y + y) · cells.x + x      (slide 9, in two or three dimensions)
 //     ├────┼────┼────┤
 //     │ 3  │ 4  │ 5  │    a sphere in cell 4 touches no sphere outside the 3 × 3 (× 3) block around it,
 //     ├────┼────┼────┤    if the edge is at least 2·r_max
 //     │ 0  │ 1  │ 2  │
-//     └────┴────┴────┘
+//     └────┴────┴────┘    hashed: index = (hash(y, z) + x) mod 2^k
+//
+// A dense grid has a place for each cell of the domain; spheres beyond its border count to the cells at the border. A
+// hashed grid has a number of places that depends on the number of spheres alone, however large the domain, and cells
+// without a border; cells may share a place, so who looks into one must check whose cell it is. Cells that are neighbours
+// along x have neighbouring places in both.
 //
 // Slide 7 prints the bound Δcell ≥ r_min; the block is complete only from 2·r_max on (docs/model.md shows why).
+// Hashing: Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable Objects" (2003).
 #pragma once
 
 #include <cmath>
@@ -25,20 +32,55 @@ struct Grid {
   V origin{};
   V edge{};          ///< [m] equal along all axes, but stretched in periodic domains to fit a whole number of times
   V inverse_edge{};  ///< [1/m]
-  IVec3 cells{1};
+  IVec3 cells{1};    ///< of the domain; a hashed grid has more, unless it is periodic
+  int border = 0;     ///< cells around the domain's that no body counts to, so that each body's cell has all neighbours
+  unsigned mask = 0;  ///< hashed grids: number of places − 1
+  bool is_hashed = false;
   bool is_periodic = false;
 
-  HOST_DEVICE int64_t size() const { return int64_t(cells.x) * cells.y * cells.z; }
-  HOST_DEVICE int index(const IVec3& cell) const { return (cell.z * cells.y + cell.y) * cells.x + cell.x; }
+  /// Places in the array.
+  HOST_DEVICE int64_t size() const { return is_hashed ? int64_t(mask) + 1 : int64_t(cells.x) * cells.y * cells.z; }
 
-  /// The cell of a point. Points beyond the border count to the cells at the border, which keeps neighbours neighbours.
+  /// The row of cells (·, y, z): a number that differs from those of all rows within 65 535 of it.
+  HOST_DEVICE unsigned row(int y, int z) const {
+    return is_hashed ? unsigned(z) * 65536u + unsigned(y) : unsigned(z * cells.y + y);
+  }
+
+  /// Tells the cells that may share a place from each other: by row, and in periodic domains by cell, where places that
+  /// wrap around meet cells that do.
+  HOST_DEVICE unsigned tag(const IVec3& cell) const {
+    return is_periodic ? unsigned((cell.z * cells.y + cell.y) * cells.x + cell.x) : row(cell.y, cell.z);
+  }
+
+  /// The place of cell (0, y, z). Wraps around at the end of a hashed grid.
+  HOST_DEVICE unsigned row_place(unsigned row) const {
+    if (!is_hashed) return row * unsigned(cells.x);
+    unsigned hash = row * 0x9E3779B1u;  // Knuth's multiplier, mixed so that the low bits depend on all
+    hash ^= hash >> 15;
+    return hash * 0x85EBCA77u;
+  }
+
+  HOST_DEVICE int place(unsigned row_place, int x) const {
+    const unsigned at = row_place + unsigned(x);
+    return int(is_hashed ? at & mask : at);
+  }
+  HOST_DEVICE int index(const IVec3& cell) const { return place(row_place(row(cell.y, cell.z)), cell.x); }
+
+  HOST_DEVICE int coordinate_of(Real p, int axis) const {
+    const Real x = (p - origin[axis]) * inverse_edge[axis];
+    if (is_hashed && !is_periodic) {
+      const Real limited = x < -kFarthest ? -kFarthest : (x > kFarthest ? kFarthest : x);
+      const int truncated = int(limited);
+      return truncated - int(limited < Real(truncated));
+    }
+    const Real first = Real(border), last = Real(cells[axis] - 1 - border);
+    return int(x < first ? first : (x > last ? last : x));
+  }
+
+  /// The cell of a point.
   HOST_DEVICE IVec3 cell_of(const V& p) const {
     IVec3 cell(0);
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const Real x = std::floor((p[axis] - origin[axis]) * inverse_edge[axis]);
-      const Real last = Real(cells[axis] - 1);
-      cell[axis] = static_cast<int>(x < 0 ? Real(0) : (x > last ? last : x));
-    }
+    for (int axis = 0; axis < kDimensions<V>; ++axis) cell[axis] = coordinate_of(p[axis], axis);
     return cell;
   }
 
@@ -48,12 +90,14 @@ struct Grid {
     const int n = cells[axis];
     first = c - 1;
     last = c + 1;
-    if (!is_periodic) {
+    if (is_periodic) {
+      if (n < 3) {
+        first = c;
+        last = c + n - 1;
+      }
+    } else if (!is_hashed && border == 0) {
       if (first < 0) first = 0;
       if (last > n - 1) last = n - 1;
-    } else if (n < 3) {
-      first = c;
-      last = c + n - 1;
     }
   }
   HOST_DEVICE int wrapped(int axis, int c) const {
@@ -62,7 +106,7 @@ struct Grid {
     return c < 0 ? c + n : (c >= n ? c - n : c);
   }
 
-  /// Calls visit(index) for each cell of the block around `center` until visit returns false.
+  /// Calls visit(cell) for each cell of the block around `center` until visit returns false.
   template <class Visit>
   HOST_DEVICE void for_each_neighbour(const IVec3& center, Visit&& visit) const {
     int z0 = 0, z1 = 0, y0, y1, x0, x1;
@@ -71,22 +115,61 @@ struct Grid {
     neighbours(0, center.x, x0, x1);
     for (int z = z0; z <= z1; ++z) {
       for (int y = y0; y <= y1; ++y) {
-        const int row = (wrapped(2, z) * cells.y + wrapped(1, y)) * cells.x;
         for (int x = x0; x <= x1; ++x) {
-          if (!visit(row + wrapped(0, x))) return;
+          if (!visit(IVec3(wrapped(0, x), wrapped(1, y), wrapped(2, z)))) return;
         }
       }
     }
   }
+
+ private:
+  static constexpr Real kFarthest = Real(1 << 30);
 };
 
-/// The grid for a scene. Without a cell size the edge is 2·r_max, or larger where that many cells would be mostly empty.
-/// A rounding guard keeps spheres that touch within neighbouring cells. Throws UserError where there are more cells
-/// than an index holds.
+/// What a coordinate may be off by rounding [m]: a few units in the last place of the largest one.
 template <class V>
-Grid<V> make_grid(const BroadPhaseParameters<V>& parameters);
+double rounding_guard(const Box<V>& box);
 
-extern template Grid<Vec2> make_grid(const BroadPhaseParameters<Vec2>&);
-extern template Grid<Vec3> make_grid(const BroadPhaseParameters<Vec3>&);
+/// The number of cells of a dense grid.
+template <class V>
+double cell_count(const Box<V>& box, double edge);
+
+/// A grid over the domain for spheres of one size class. Its edge is the cell size, or without one `least_edge` [m],
+/// and at least the class's largest diameter; in a dense grid it is larger where there would be far more cells than
+/// spheres. A rounding guard keeps spheres that touch within neighbouring cells. Throws UserError where there are more
+/// cells than an index holds.
+template <class V>
+Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, double least_edge,
+                  bool is_hashed);
+
+/// The lists of a grid's cells as the slides draw them, built on the host; nothing where there are too many cells to
+/// look at.
+template <class V>
+std::optional<GridInspection> list_cells(const Grid<V>& grid, const std::vector<V>& position,
+                                         const std::vector<int>& bodies);
+
+/// Surrounds a grid with a border of cells that stay empty.
+template <class V>
+Grid<V> with_border(Grid<V> grid) {
+  grid.border = 1;
+  for (int axis = 0; axis < kDimensions<V>; ++axis) {
+    grid.origin[axis] -= grid.edge[axis];
+    grid.cells[axis] += 2;
+  }
+  return grid;
+}
+
+/// The grid without its border, and without lists.
+template <class V>
+GridInspection describe_grid(const Grid<V>& grid) {
+  GridInspection result;
+  for (int axis = 0; axis < kDimensions<V>; ++axis) {
+    result.cells[axis] = grid.cells[axis] - 2 * grid.border;
+    result.origin[axis] = static_cast<float>(grid.origin[axis] + grid.edge[axis] * Scalar<V>(grid.border));
+    result.edge[axis] = static_cast<float>(grid.edge[axis]);
+  }
+  if constexpr (kDimensions<V> == 2) result.cells.z = 1;
+  return result;
+}
 
 }  // namespace ballpit

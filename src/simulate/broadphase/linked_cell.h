@@ -12,9 +12,12 @@
 // found is sorted afterwards.
 //
 // Cost: O(n + cells) to build, then for each body the lists of its 3 × 3 (× 3) block: O(n) while cells hold O(1)
-// bodies. Memory: 4 bytes a cell, 4 bytes a body. Each pair is visited from its lower index alone.
-// Source: slides 8 to 17; Green, "Particle simulation using CUDA" (2010). Sibling: brute_force.h.
+// bodies. Memory: 4 bytes a cell, 4 bytes a body. Each pair is visited from its lower index alone. In a hashed grid a
+// list may hold bodies of several cells: those of the cell that is looked for are told by their positions.
+// Source: slides 8 to 17; Green, "Particle simulation using CUDA" (2010). Sibling with its cells sorted: sorted_grid.h.
 #pragma once
+
+#include <numeric>
 
 #include "exec/atomics.h"
 #include "simulate/broadphase/grid.h"
@@ -44,11 +47,24 @@ struct LinkedCellCandidates {
   /// Calls visit(j) for each j > i in the block around i's cell, until visit returns false.
   template <class Visit>
   HOST_DEVICE void for_each(int i, Visit&& visit) const {
+    if (kOnDevice || grid.is_hashed) {
+      walk_lists(i, visit);
+    } else {
+      walk_lists_in_batches(i, visit);
+    }
+  }
+
+ private:
+  static constexpr int kBatch = 32;
+
+  /// For CPUs, which predict branches, and keep the arrays in a cache; a GPU does neither.
+  template <class Visit>
+  HOST_DEVICE void walk_lists_in_batches(int i, Visit&& visit) const {
     // First the lists that are not empty, without a branch for each cell: whether a cell is empty is hard to predict.
     int starts[kDimensions<V> == 3 ? 27 : 9];
     int lists = 0;
-    grid.for_each_neighbour(grid.cell_of(position[i]), [&](int cell) {
-      starts[lists] = head[cell];
+    grid.for_each_neighbour(grid.cell_of(position[i]), [&](const IVec3& cell) {
+      starts[lists] = head[grid.index(cell)];
       lists += starts[lists] != -1;
       return true;
     });
@@ -65,8 +81,15 @@ struct LinkedCellCandidates {
     visit_all(higher, count, visit);
   }
 
- private:
-  static constexpr int kBatch = 32;
+  template <class Visit>
+  HOST_DEVICE void walk_lists(int i, Visit&& visit) const {
+    grid.for_each_neighbour(grid.cell_of(position[i]), [&](const IVec3& cell) {
+      for (int j = head[grid.index(cell)]; j != -1; j = next[j]) {
+        if (j > i && (!grid.is_hashed || grid.cell_of(position[j]) == cell) && !visit(j)) return false;
+      }
+      return true;
+    });
+  }
 
   /// Empties the batch; false if a visit returned false.
   template <class Visit>
@@ -82,7 +105,9 @@ struct LinkedCellCandidates {
 template <class V, class Exec>
 class LinkedCell {
  public:
-  explicit LinkedCell(const BroadPhaseParameters<V>& parameters) : grid_(make_grid(parameters)) {}
+  explicit LinkedCell(const BroadPhaseParameters<V>& parameters)
+      : grid_(make_grid(parameters, SizeClass<V>{parameters.largest_radius(), parameters.count}, 0,
+                        parameters.table == CellTable::hashed)) {}
 
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     head_.resize(grid_.size());
@@ -94,17 +119,20 @@ class LinkedCell {
 
   LinkedCellCandidates<V> candidates() const { return {grid_, position_, head_.span(), next_.span()}; }
 
-  std::optional<GridInspection> inspect(Exec& exec) const {
-    GridInspection result;
-    result.cells = grid_.cells;
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      result.origin[axis] = static_cast<float>(grid_.origin[axis]);
-      result.edge[axis] = static_cast<float>(grid_.edge[axis]);
+  std::vector<GridInspection> inspect(Exec& exec) const {
+    if (grid_.is_hashed) {
+      std::vector<int> bodies(static_cast<size_t>(next_.size()));
+      std::iota(bodies.begin(), bodies.end(), 0);
+      const std::optional<GridInspection> listed = list_cells(grid_, exec.download(position_), bodies);
+      return listed ? std::vector<GridInspection>{*listed} : std::vector<GridInspection>{};
     }
+    GridInspection result = describe_grid(grid_);
     result.head = exec.download(head_.span());
     result.next = exec.download(next_.span());
-    return result;
+    return {result};
   }
+
+  int64_t bytes() const { return head_.bytes() + next_.bytes(); }
 
  private:
   Grid<V> grid_;

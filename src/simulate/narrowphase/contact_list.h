@@ -6,13 +6,13 @@
 //     pairs           (0,3)  (0,7)  (2,7)
 //     body                  0  1  2  3  4  5  6  7
 //     contacts as i       0,1     2                   contiguous, since pairs are sorted by i
-//     contacts as j                  0           1,2  "incoming", by count, scan and fill; rows sorted
+//     contacts as j                  0           1,2  "incoming", by a stable counting sort
 //
 // Cost: O(contacts + n).
 #pragma once
 
-#include "exec/atomics.h"
-#include "simulate/narrowphase/find_contacts.h"
+#include <cmath>
+
 #include "simulate/state.h"
 
 namespace ballpit {
@@ -37,40 +37,16 @@ struct MeasureContact {
   }
 };
 
-/// Kernel: counts contact c for its second body.
-struct CountIncoming {
+/// Key: the second body of contact c.
+struct SecondBody {
   Span<const Pair> pairs;
-  Span<int> count;
-
-  HOST_DEVICE void operator()(int c) const { atomic_add(&count[pairs[c].j], 1); }
+  HOST_DEVICE int operator()(int c) const { return pairs[c].j; }
 };
 
-/// Kernel: lists contact c with its second body; `count` counts down to zero.
-struct FillIncoming {
+/// Contact c as its second body lists it.
+struct IncomingAt {
   Span<const Pair> pairs;
-  Span<const int> first;
-  Span<int> count;
-  Span<IncomingContact> incoming;
-
-  HOST_DEVICE void operator()(int c) const {
-    const Pair pair = pairs[c];
-    incoming[first[pair.j] + atomic_add(&count[pair.j], -1) - 1] = {c, pair.i};
-  }
-};
-
-/// Kernel: sorts body i's row, whose order depended on the threads.
-struct SortIncoming {
-  Span<const int> first;
-  Span<IncomingContact> incoming;
-
-  HOST_DEVICE void operator()(int i) const {
-    for (int k = first[i] + 1; k < first[i + 1]; ++k) {
-      const IncomingContact moved = incoming[k];
-      int at = k;
-      for (; at > first[i] && incoming[at - 1].contact > moved.contact; --at) incoming[at] = incoming[at - 1];
-      incoming[at] = moved;
-    }
-  }
+  HOST_DEVICE IncomingContact operator()(int c) const { return {c, pairs[c].i}; }
 };
 
 template <class V, class Exec>
@@ -79,22 +55,15 @@ class ContactList {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  void build(Exec& exec, const ContactFinder<V, Exec>& found, const BodiesView<V>& bodies, const Box<V>& box) {
-    const int64_t n = bodies.size();
-    pairs_ = found.pairs();
-    first_ = found.first();
-    geometry_.resize(pairs_.size());
-    exec.parallel_for("measure contacts", pairs_.size(), MeasureContact<V>{bodies, box, pairs_, geometry_.span()});
-
-    count_.resize(n);
-    incoming_first_.resize(n + 1);
-    incoming_.resize(pairs_.size());
-    exec.fill("clear incoming", count_.span(), 0);
-    exec.parallel_for("count incoming", pairs_.size(), CountIncoming{pairs_, count_.span()});
-    exec.exclusive_scan("scan incoming", count_.span(), incoming_first_.span());
-    exec.parallel_for("fill incoming", pairs_.size(),
-                      FillIncoming{pairs_, incoming_first_.span(), count_.span(), incoming_.span()});
-    exec.parallel_for("sort incoming", n, SortIncoming{incoming_first_.span(), incoming_.span()});
+  void build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies,
+             const Box<V>& box) {
+    pairs_ = pairs;
+    first_ = first;
+    geometry_.resize(pairs.size());
+    incoming_.resize(pairs.size());
+    incoming_first_.resize(bodies.size() + 1);
+    exec.parallel_for("measure contacts", pairs.size(), MeasureContact<V>{bodies, box, pairs, geometry_.span()});
+    exec.bin("sort incoming", SecondBody{pairs}, IncomingAt{pairs}, incoming_first_.span(), incoming_.span());
   }
 
   ContactsView<V> view() const { return {pairs_, geometry_.span(), first_, incoming_first_.span(), incoming_.span()}; }
@@ -103,7 +72,7 @@ class ContactList {
   Span<const Pair> pairs_;
   Span<const int> first_;
   Buffer<ContactGeometry<V>> geometry_;
-  Buffer<int> count_, incoming_first_;
+  Buffer<int> incoming_first_;
   Buffer<IncomingContact> incoming_;
 };
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Our own search on the CPU. Unlike the others it pays for its preparation in find(), and sorts its pairs.
+#include "peer.h"
+#include "simulate/world.h"
+
+namespace ballpit {
+
+namespace {
+
+SphereArrays arrays_of(const Spheres& spheres) {
+  return {{spheres.position.data(), spheres.count()},
+          {spheres.radius.data(), static_cast<int64_t>(spheres.radius.size())}};
+}
+
+class OurPeer : public Peer {
+ public:
+  explicit OurPeer(const PeerOptions& options) {
+    settings_.broadphase = options.broadphase;
+    settings_.threads = options.threads;
+    settings_.skin = options.skin;
+  }
+
+  void find(const Spheres& spheres) override {
+    search_ = cpu_backend().make_pair_search(settings_);
+    search_->find(arrays_of(spheres));
+  }
+
+  void update(const Spheres& spheres) override { search_->find(arrays_of(spheres)); }
+
+  std::vector<Pair> pairs() override { return search_->pairs(); }
+
+ private:
+  Settings settings_;
+  std::unique_ptr<PairSearch> search_;
+};
+
+std::unique_ptr<Peer> make_ours(const PeerOptions& options) { return std::make_unique<OurPeer>(options); }
+
+}  // namespace
+
+PeerInfo ours() { return {"ballpit", "Ballpit", "pair search on the CPU", true, make_ours}; }
+
+}  // namespace ballpit

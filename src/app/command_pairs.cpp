@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// ballpit pairs: the overlapping pairs among spheres in a CSV file, and what it takes to find them.
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <new>
+
+#include <unistd.h>
+
+#include "app/backends.h"
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/machine.h"
+#include "app/options.h"
+#include "app/pairs_summary.h"
+#include "app/progress.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "scene/spheres_csv.h"
+
+namespace ballpit {
+
+namespace {
+
+/// The shared options that change how a single search is made.
+constexpr std::array<std::string_view, 6> kSearchSettings{"broadphase", "cell-size", "axis",
+                                                          "table",      "backend",   "threads"};
+
+/// Says before a long search what write_file() would say after it, as far as that can be known.
+void check_place(const std::filesystem::path& out) {
+  const std::filesystem::path folder = out.parent_path() / ".";
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(out, ignored);
+  if (!is_folder && ::access(folder.c_str(), W_OK | X_OK) == 0) return;
+  throw RunError(out.string() + ": cannot write: " + std::strerror(is_folder ? EISDIR : errno));
+}
+
+/// The search works in float. Far from the origin, that rounds by more than small spheres allow.
+void warn_of_rounding(const RestingSpheres& spheres, const std::string& file) {
+  constexpr float kAllowed = 0.01f;  // of the smallest radius
+  if (spheres.size() == 0) return;
+  float farthest = 0;
+  for (const Vec3& p : spheres.position) {
+    farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  const float step = std::nextafter(farthest, std::numeric_limits<float>::infinity()) - farthest;
+  const float smallest = *std::min_element(spheres.radius.begin(), spheres.radius.end());
+  if (step / 2 <= kAllowed * smallest) return;
+  std::cerr << "ballpit: warning: " << file << ": coordinates as large as " << farthest << " are rounded by up to "
+            << step / 2 << " m in single precision, beside a radius of " << smallest
+            << " m: pairs are those of the rounded spheres\n";
+}
+
+/// Views of the spheres: one radius where all are equal.
+SphereArrays arrays_of(const RestingSpheres& spheres) {
+  const std::vector<float>& radius = spheres.radius;
+  const bool is_uniform =
+      !radius.empty() && std::all_of(radius.begin(), radius.end(), [&](float r) { return r == radius.front(); });
+  return {{spheres.position.data(), spheres.size()}, {radius.data(), is_uniform ? 1 : spheres.size()}};
+}
+
+class PairsCommand final : public Command {
+ public:
+  void add_options(CLI::App& command) override {
+    command.add_option("FILE", file_, "spheres as CSV: a header that names x, y, z, radius")
+        ->type_name("CSV")
+        ->required();
+    out_option_ = command.add_option("--out", out_, "write the pairs there, as CSV")->type_name("FILE");
+    command.add_option("--repeat", repeat_, "searches to make, each from nothing; times are their median")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer")
+        ->disable_flag_override();
+    command.add_flag("--json", json_, "print the summary as one JSON object")->disable_flag_override();
+    settings_.add_to(command, "Search (default: --broadphase auto)", kSearchSettings);
+  }
+
+  void run() override {
+    parse_path("FILE", file_);
+    if (out_option_->count() > 0) check_place(parse_path("--out", out_));
+    const int64_t repeat = parse_integer("--repeat", repeat_, 1, 10000);
+    Settings settings;
+    settings.broadphase = "auto";
+    apply_given(settings, settings_.given());
+    warn_of_small_cells(settings);
+    const Backend backend = select_backend(settings.backend);
+    try {
+      search(backend, settings, repeat);
+    } catch (const std::bad_alloc&) {
+      throw RunError("out of memory: " + file_ + " has more spheres, or more of them overlap, than memory can hold");
+    }
+  }
+
+ private:
+  void search(const Backend& backend, const Settings& settings, int64_t repeat) {
+    const RestingSpheres spheres = read_resting_spheres(file_);
+    warn_of_rounding(spheres, file_);
+    const SphereArrays arrays = arrays_of(spheres);
+    PairsOutcome outcome;
+    outcome.file = file_;
+    outcome.count = spheres.size();
+    outcome.backend = backend.name;
+    if (backend.name == "cpu") outcome.threads = thread_count(settings.threads);
+    const std::unique_ptr<PairSearch> search = search_repeatedly(backend, settings, arrays, repeat, outcome.seconds);
+    outcome.report = search->report();
+    outcome.work = profile_work(search->work_per_thread());
+    if (verify_) outcome.deviation = verify(search->pairs(), arrays);
+    if (!out_.empty()) {
+      catch_interrupts();  // a file is begun: it is also ended
+      write_file(out_, pairs_csv(search->pairs()));
+    }
+    const auto summary = summarize(outcome);
+    constexpr auto kReplace = nlohmann::json::error_handler_t::replace;  // file names may be no UTF-8
+    std::cout << (json_ ? summary.dump(2, ' ', false, kReplace) + "\n" : describe_pairs(summary));
+  }
+
+  /// Every search starts from nothing: threads, buffers and structure are made anew. Returns the last.
+  static std::unique_ptr<PairSearch> search_repeatedly(const Backend& backend, const Settings& settings,
+                                                       const SphereArrays& spheres, int64_t repeat,
+                                                       std::vector<double>& seconds) {
+    Progress progress("searches", repeat);
+    std::unique_ptr<PairSearch> search;
+    for (int64_t k = 0; k < repeat; ++k) {
+      search.reset();
+      const auto start = std::chrono::steady_clock::now();
+      search = backend.make_pair_search(settings);
+      search->find(spheres);
+      seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      progress.show(k + 1);
+    }
+    return search;
+  }
+
+  static Deviation verify(std::vector<Pair> found, const SphereArrays& spheres) {
+    Progress progress("spheres verified", spheres.position.size());
+    const std::vector<Pair> exact = exact_pairs(spheres, [&](int64_t done) { progress.show(done); });
+    return deviation_of(std::move(found), exact);
+  }
+
+  SettingOptions settings_;
+  std::string file_;
+  std::string out_;
+  std::string repeat_ = "1";
+  CLI::Option* out_option_ = nullptr;
+  bool verify_ = false;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_pairs_command() { return std::make_unique<PairsCommand>(); }
+
+}  // namespace ballpit

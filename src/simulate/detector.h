@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Detection, whole: a broad phase, the narrow phase that fits its candidates, and a candidate list where there is a skin.
+//
+//     bodies ──▶ list valid? ──yes──▶ test the list ────────────────────────────┐
+//                    │ no, or no skin                                            ├──▶ contacts in canonical order
+//                    └──▶ broad phase ──▶ lists or ranges ──▶ tests ──▶ rows ───┘
+//
+// What is found does not depend on the way: neither contacts nor their order.
+#pragma once
+
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "simulate/broadphase/brute_force.h"
+#include "simulate/broadphase/linked_cell.h"
+#include "simulate/broadphase/sort_and_sweep.h"
+#include "simulate/broadphase/sorted_grid.h"
+#include "simulate/narrowphase/filter_list.h"
+#include "simulate/narrowphase/list_search.h"
+#include "simulate/narrowphase/range_search.h"
+#include "simulate/settings.h"
+
+namespace ballpit {
+
+/// Whether a broad phase gives its candidates as ranges of slots.
+template <class Candidates>
+concept GivesRanges = requires(const Candidates& candidates) { candidates.slots(); };
+
+/// Kernel: how many slots thread t looks at.
+template <class Candidates>
+struct MeasureRanges {
+  Candidates candidates;
+  Span<int> work;
+
+  HOST_DEVICE void operator()(int t) const {
+    int sum = 0;
+    const int slot = candidates.slot_of(t);
+    if (slot >= 0) candidates.for_each_range(slot, [&](const SlotRange& range) { sum += range.size(); });
+    work[t] = sum;
+  }
+};
+
+template <class V, class Exec>
+class Detector {
+  using BroadPhase =
+      std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
+
+ public:
+  /// `method` is a broad phase by name, no longer "auto"; `parameters` are those of the bodies without skins.
+  Detector(const std::string& method, BroadPhaseParameters<V> parameters, double skin)
+      : box_(parameters.box), list_(skin, 2 * rounding_guard(parameters.box)),
+        broad_phase_(make_broad_phase(method, grow(parameters, list_.factor()))) {}
+
+  /// Finds all contacts among the bodies.
+  void find(Exec& exec, const BodiesView<V>& bodies) {
+    if (!list_.is_used() || pause_ > 0) {
+      if (pause_ > 0) --pause_;
+      search(exec, bodies, rows_);
+      return;
+    }
+    if (!list_.is_valid(exec, bodies, box_)) {
+      if (list_uses_ < kWorthwhile) {
+        // It was not used often enough to be worth its making: something is too fast. Try again later.
+        pause_ = kPause;
+        list_uses_ = kWorthwhile;
+        search(exec, bodies, rows_);
+        return;
+      }
+      search(exec, list_.grown(exec, bodies), list_.rows());
+      list_.start(exec, bodies);
+      list_uses_ = 0;
+    }
+    ++list_uses_;
+    list_filter_.find(exec, list_.candidates(), bodies, box_, rows_);
+    is_list_last_ = true;
+  }
+
+  /// Forgets the candidate list: the bodies are others now.
+  void discard() {
+    list_.discard();
+    list_uses_ = kWorthwhile;
+  }
+
+  Span<const Pair> pairs() const { return rows_.pairs(); }  ///< in canonical order
+  Span<const int> first() const { return rows_.first(); }   ///< where each body's row begins
+
+  /// Narrow-phase tests made by the last find(), without those that made the candidate list.
+  int64_t candidates(Exec& exec) const {
+    return is_list_last_ ? list_.candidates().pairs.size() : range_or_list_candidates(exec);
+  }
+
+  /// How often the broad phase has searched.
+  int64_t searches() const { return searches_; }
+
+  /// The broad phase's grids for these positions; they are built where the candidate list has passed over them.
+  std::vector<GridInspection> inspect(Exec& exec, const BodiesView<V>& bodies) {
+    return std::visit(
+        [&](auto& method) {
+          if (list_.is_used()) method.prepare(exec, list_.grown(exec, bodies));
+          return method.inspect(exec);
+        },
+        broad_phase_);
+  }
+
+  /// What each thread of the last search walked.
+  std::vector<int> work_per_thread(Exec& exec) const {
+    return std::visit([&](auto& method) { return work_of(exec, method); }, broad_phase_);
+  }
+
+  int64_t bytes() const {
+    return std::visit([](auto& method) { return method.bytes(); }, broad_phase_) + list_search_.bytes() +
+           range_search_.bytes() + list_filter_.bytes() + rows_.bytes() + list_.bytes();
+  }
+
+ private:
+  static BroadPhaseParameters<V> grow(BroadPhaseParameters<V> parameters, Scalar<V> factor) {
+    for (SizeClass<V>& spheres : parameters.classes) spheres.largest *= factor;
+    return parameters;
+  }
+
+  static BroadPhase make_broad_phase(const std::string& method, const BroadPhaseParameters<V>& parameters) {
+    if (method == "brute-force") return BruteForce<V, Exec>(parameters);
+    if (method == "sort-and-sweep") return SortAndSweep<V, Exec>(parameters);
+    if (method == "sorted-grid") return SortedGrid<V, Exec>(parameters);
+    return LinkedCell<V, Exec>(parameters);
+  }
+
+  void search(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
+    is_list_last_ = false;
+    ++searches_;
+    std::visit(
+        [&](auto& method) {
+          method.prepare(exec, bodies);
+          const auto candidates = method.candidates();
+          if constexpr (GivesRanges<decltype(candidates)>) {
+            range_search_.find(exec, candidates, box_, bodies.size(), rows);
+          } else {
+            list_search_.find(exec, candidates, bodies, box_, rows);
+          }
+        },
+        broad_phase_);
+  }
+
+  int64_t range_or_list_candidates(Exec& exec) const {
+    return std::visit(
+        [&](auto& method) {
+          if constexpr (GivesRanges<decltype(method.candidates())>) {
+            return range_search_.candidates(exec);
+          } else {
+            return list_search_.candidates(exec);
+          }
+        },
+        broad_phase_);
+  }
+
+  template <class Method>
+  std::vector<int> work_of(Exec& exec, const Method& method) const {
+    const auto candidates = method.candidates();
+    if constexpr (requires { method.walks(exec); }) {
+      return method.walks(exec);
+    } else if constexpr (GivesRanges<decltype(candidates)>) {
+      typename Exec::template Buffer<int> work;
+      work.resize(candidates.threads());
+      exec.parallel_for("measure ranges", work.size(), MeasureRanges<decltype(candidates)>{candidates, work.span()});
+      return exec.download(work.span());
+    } else {
+      return exec.download(list_search_.tested());
+    }
+  }
+
+  // Making a list costs about two searches; one that fails sooner is not made again for a while.
+  static constexpr int kWorthwhile = 3;
+  static constexpr int kPause = 30;
+
+  Box<V> box_;
+  CandidateList<V, Exec> list_;
+  BroadPhase broad_phase_;
+  ListSearch<V, Exec> list_search_;
+  RangeSearch<V, Exec> range_search_;
+  ListFilter<V, Exec> list_filter_;
+  ContactRows<Exec> rows_;
+  bool is_list_last_ = false;
+  int list_uses_ = kWorthwhile;
+  int pause_ = 0;
+  int64_t searches_ = 0;
+};
+
+}  // namespace ballpit

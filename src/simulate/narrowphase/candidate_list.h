@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// A candidate list with a skin (Verlet list): a search among spheres larger by a skin finds pairs that may come into
+// contact soon; as long as no sphere has moved by its skin, only these are tested.
+//
+//        ╭╌╌╌╌╌╮          sphere i with its skin: radius r·(1 + skin)
+//       ╎ ╭───╮ ╎         pairs whose skins overlap are kept, row by row, as contacts are
+//       ╎ │ i │ ╎         valid while |x − x₀| ≤ skin·r for every sphere: two spheres whose skins were apart then
+//       ╎ ╰───╯ ╎         still are
+//        ╰╌╌╌╌╌╯
+//
+// Cost: the broad phase's once in a while; in between O(n + candidates), about six candidates a sphere in a dense heap.
+// Memory: 12 or 8 bytes a body and 8 a candidate. Source: Verlet, "Computer Experiments on Classical Fluids" (1967),
+// doi 10.1103/PhysRev.159.98.
+#pragma once
+
+#include "simulate/narrowphase/contact_rows.h"
+#include "simulate/state.h"
+
+namespace ballpit {
+
+/// The rows of a list as candidates.
+struct ListedCandidates {
+  Span<const int> first;
+  Span<const Pair> pairs;
+
+  /// Calls visit(j) for each j > i in i's row, until visit returns false.
+  template <class Visit>
+  HOST_DEVICE void for_each(int i, Visit&& visit) const {
+    for (int k = first[i]; k < first[i + 1]; ++k) {
+      if (!visit(pairs[k].j)) return;
+    }
+  }
+};
+
+/// Kernel: radii with skins.
+template <class Real>
+struct GrowRadius {
+  PerBody<Real> radius;
+  Real factor;
+  Span<Real> grown;
+  HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] * factor; }
+};
+
+/// Map: whether body i has left its skin; 1 or 0.
+template <class V>
+struct HasLeftSkin {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const V> start;
+  Real skin;   ///< of a radius
+  Real guard;  ///< what rounding may hide [m]
+
+  HOST_DEVICE int64_t operator()(int i) const {
+    const V moved = box.displacement(start[i], bodies.position[i]);
+    const Real allowed = skin * bodies.radius[i] - guard;
+    return allowed > 0 && dot(moved, moved) <= allowed * allowed ? 0 : 1;
+  }
+};
+
+template <class V>
+struct CopyPosition {
+  Span<const V> from;
+  Span<V> to;
+  HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
+};
+
+template <class V, class Exec>
+class CandidateList {
+  using Real = Scalar<V>;
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+ public:
+  /// `skin` is a fraction of each radius, 0 for none; `guard` is what rounding may hide of a distance [m].
+  CandidateList(double skin, double guard) : skin_(static_cast<Real>(skin)), guard_(static_cast<Real>(guard)) {}
+
+  bool is_used() const { return skin_ > 0; }
+  void discard() { is_valid_ = false; }
+
+  /// Whether the list still holds every pair that may be in contact.
+  bool is_valid(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
+    if (!is_valid_ || start_.size() != bodies.size()) return false;
+    is_valid_ = reduce(exec, "check skins", bodies.size(), int64_t{0},
+                       HasLeftSkin<V>{bodies, box, start_.span(), skin_, guard_}, Sum{}) == 0;
+    return is_valid_;
+  }
+
+  /// The bodies as the search for the list is to see them.
+  BodiesView<V> grown(Exec& exec, const BodiesView<V>& bodies) {
+    grown_.resize(bodies.radius.is_uniform() ? 1 : bodies.size());
+    if (bodies.size() > 0) {
+      exec.parallel_for("grow radii", grown_.size(), GrowRadius<Real>{bodies.radius, factor(), grown_.span()});
+    }
+    BodiesView<V> result = bodies;
+    result.radius = {grown_.span().data(), bodies.radius.is_uniform() ? 0 : 1};
+    return result;
+  }
+  Real factor() const { return 1 + skin_; }
+
+  /// Where that search is to leave its rows; start() then notes where the bodies are.
+  ContactRows<Exec>& rows() { return rows_; }
+  void start(Exec& exec, const BodiesView<V>& bodies) {
+    start_.resize(bodies.size());
+    exec.parallel_for("note positions", bodies.size(), CopyPosition<V>{bodies.position, start_.span()});
+    is_valid_ = true;
+  }
+
+  ListedCandidates candidates() const { return {rows_.first(), rows_.pairs()}; }
+  int64_t bytes() const { return start_.bytes() + grown_.bytes() + rows_.bytes(); }
+
+ private:
+  Real skin_, guard_;
+  bool is_valid_ = false;
+  Buffer<V> start_;
+  Buffer<Real> grown_;
+  ContactRows<Exec> rows_;
+};
+
+}  // namespace ballpit

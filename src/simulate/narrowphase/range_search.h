@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// From ranges of candidates to contacts in canonical order.
+//
+//     thread            0        1       2           one thread a slot: count its contacts, keep the first kKept
+//     found             (3,0)    –       (1,2) (1,4)  scan, fill: pairs in the order of the slots
+//     pairs   (0,3) (1,2) (1,4)                       sorted by i (a counting sort), each row by j
+//
+// On the CPU, blocks of slots are searched by vector instructions (range_tests.h) in place of count, scan and fill.
+// Cost: one pass over the candidates, or two for threads with more contacts than are kept; O(contacts + n) to order them.
+// Sibling for candidates in lists: list_search.h.
+#pragma once
+
+#include "exec/cpu_executor.h"
+#include "exec/reduce.h"
+#include "simulate/narrowphase/contact_rows.h"
+#include "simulate/narrowphase/range_tests.h"
+#include "simulate/slots.h"
+#include "simulate/state.h"
+
+namespace ballpit {
+
+/// Calls visit(slot) for each slot of a range that `slot` touches, until visit returns false; counts the tests.
+template <class V, class Candidates, class Visit>
+HOST_DEVICE void visit_touching(const Candidates& candidates, const Box<V>& box, int slot, int& tests, Visit&& visit) {
+  const SlotsView<V>& slots = candidates.slots();
+  const V position = slots.position(slot);
+  const Scalar<V> radius = slots.radius[slot];
+  candidates.for_each_range(slot, [&](const SlotRange& range) {
+    tests += range.size();
+    for (int s = range.first; s < range.last; ++s) {
+      if (!slots.is_meant(s, range)) continue;
+      if (in_contact(box.displacement(position, slots.position(s)), radius + slots.radius[s])) visit(s);
+    }
+  });
+}
+
+/// Kernel: counts what thread t tests and finds.
+template <class V, class Candidates>
+struct CountInRanges {
+  Candidates candidates;
+  Box<V> box;
+  Span<int> tested, found;
+  Span<int> kept;  ///< kKept a thread
+
+  HOST_DEVICE void operator()(int t) const {
+    int tests = 0, contacts = 0;
+    if (const int slot = candidates.slot_of(t); slot >= 0) {
+      visit_touching(candidates, box, slot, tests, [&](int s) {
+        if (contacts < kKept) kept[int64_t(t) * kKept + contacts] = s;
+        ++contacts;
+      });
+    }
+    tested[t] = tests;
+    found[t] = contacts;
+  }
+};
+
+/// Kernel: writes the pairs of thread t, lower body first.
+template <class V, class Candidates>
+struct FillFromRanges {
+  Candidates candidates;
+  Box<V> box;
+  Span<const int> first, kept;
+  Span<Pair> pairs;
+
+  HOST_DEVICE void operator()(int t) const {
+    const int begin = first[t], count = first[t + 1] - begin;
+    if (count == 0) return;
+    const int slot = candidates.slot_of(t);
+    const Span<const int> body = candidates.slots().body;
+    if (count <= kKept) {
+      for (int k = 0; k < count; ++k) pairs[begin + k] = ordered(body[slot], body[kept[int64_t(t) * kKept + k]]);
+      return;
+    }
+    int tests = 0, filled = begin;
+    visit_touching(candidates, box, slot, tests, [&](int s) { pairs[filled++] = ordered(body[slot], body[s]); });
+  }
+
+  HOST_DEVICE static Pair ordered(int a, int b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+};
+
+/// Finds the pairs in contact, each once, in any order: by kernels, on any executor.
+template <class V, class Exec>
+class KernelRangeSearch {
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+ public:
+  template <class Candidates>
+  void find(Exec& exec, const Candidates& candidates, const Box<V>& box) {
+    const int64_t threads = candidates.threads();
+    tested_.resize(threads);
+    found_.resize(threads);
+    first_.resize(threads + 1);
+    kept_.resize(threads * kKept);
+    exec.parallel_for(
+        "count contacts", threads,
+        CountInRanges<V, Candidates>{candidates, box, tested_.span(), found_.span(), kept_.span()});
+    const int64_t total = exec.exclusive_scan("scan contacts", found_.span(), first_.span());
+    pairs_.resize(checked_count(total, "contacts"));
+    exec.parallel_for("fill contacts", threads,
+                      FillFromRanges<V, Candidates>{candidates, box, first_.span(), kept_.span(), pairs_.span()});
+  }
+
+  Span<const Pair> pairs() const { return pairs_.span(); }
+  int64_t candidates(Exec& exec) const { return sum_of(exec, tested_.span()); }
+  int64_t bytes() const {
+    return tested_.bytes() + found_.bytes() + first_.bytes() + kept_.bytes() + pairs_.bytes();
+  }
+
+ private:
+  Buffer<int> tested_, found_, first_, kept_;
+  Buffer<Pair> pairs_;
+};
+
+/// The same on the CPU, by vector instructions.
+template <class V>
+class VectorRangeSearch {
+ public:
+  template <class Candidates>
+  void find(CpuExecutor& exec, const Candidates& candidates, const Box<V>& box) {
+    const int64_t slots = candidates.slots().count, blocks = (slots + kBlock - 1) / kBlock;
+    found_.start(exec, blocks);
+    tasks_.resize(static_cast<size_t>(blocks));
+    exec.parallel_for_blocks("test ranges", blocks, [&](int64_t b) {
+      Tasks& tasks = tasks_[exec.threads() == 1 ? 0 : static_cast<size_t>(b)];
+      if (b == 0 || exec.threads() > 1) tasks.tested = 0;
+      const int last = static_cast<int>(std::min(slots, (b + 1) * kBlock));
+      for (int from = static_cast<int>(b * kBlock); from < last; from += kBatch) {
+        search(candidates, box, from, std::min(last, from + kBatch), tasks, found_.of(b));
+      }
+    });
+    pairs_ = found_.join(exec);
+  }
+
+  Span<const Pair> pairs() const { return pairs_; }
+
+  int64_t candidates(CpuExecutor&) const {
+    int64_t sum = 0;
+    for (const Tasks& tasks : tasks_) sum += tasks.tested;
+    return sum;
+  }
+
+  int64_t bytes() const { return found_.bytes(); }
+
+ private:
+  static constexpr int64_t kBlock = 2048;  // slots
+  static constexpr int kBatch = 64;        // slots whose ranges fit the nearest cache
+
+  struct Tasks {
+    std::vector<SlotGroup> groups;
+    std::vector<SlotRange> ranges;
+    int64_t tested = 0;
+  };
+
+  /// A copy of the candidates that nothing else can point to stays in registers, as CpuExecutor's kernels do.
+  template <class Candidates>
+  [[gnu::flatten]] static void search(const Candidates& shared, const Box<V>& box, int from, int to, Tasks& tasks,
+                                      PairBuffer& found) {
+    const Candidates candidates = shared;
+    tasks.groups.resize(kBatch);
+    if (tasks.ranges.empty()) tasks.ranges.resize(16 * kBatch);
+    SlotRange* ranges = tasks.ranges.data();
+    int capacity = static_cast<int>(tasks.ranges.size()), count = 0, groups = 0;
+    int64_t tested = 0;
+    for (int slot = from; slot < to;) {
+      const int first_range = count;
+      int64_t shared_slots = 0;
+      const int end = candidates.for_each_range_of_group(slot, to, [&](const SlotRange& range) {
+        if (count == capacity) {
+          tasks.ranges.resize(static_cast<size_t>(capacity *= 2));
+          ranges = tasks.ranges.data();
+        }
+        // Empty ranges are written too, and overwritten: whether a range is empty is hard to predict.
+        ranges[count] = range;
+        shared_slots += range.size();
+        count += range.first < range.last;
+      });
+      const int64_t size = end - slot;
+      tested += size * shared_slots + size * (size - 1) / 2;
+      tasks.groups[static_cast<size_t>(groups++)] = {slot, end, first_range, count};
+      slot = end;
+    }
+    tasks.tested += tested;
+    test_ranges(candidates.slots(), box, {{tasks.groups.data(), groups}, {ranges, count}}, found);
+  }
+
+  std::vector<Tasks> tasks_;
+  PairBlocks found_;
+  Span<const Pair> pairs_;
+};
+
+template <class V, class Exec>
+struct RangeSearchOn {
+  using Type = KernelRangeSearch<V, Exec>;
+};
+template <class V>
+struct RangeSearchOn<V, CpuExecutor> {
+  using Type = VectorRangeSearch<V>;
+};
+
+/// Key: the row that a pair belongs to.
+struct RowOfPair {
+  Span<const Pair> pairs;
+  HOST_DEVICE int operator()(int k) const { return pairs[k].i; }
+};
+struct PairAt {
+  Span<const Pair> pairs;
+  HOST_DEVICE Pair operator()(int k) const { return pairs[k]; }
+};
+
+/// Kernel: sorts the pairs of body i by j.
+struct SortRow {
+  Span<const int> first;
+  Span<Pair> pairs;
+
+  HOST_DEVICE void operator()(int i) const {
+    const int begin = first[i], count = first[i + 1] - begin;
+    if (count > 1) sort_row(pairs.data() + begin, count);
+  }
+};
+
+/// Finds contacts in ranges and puts them into rows. `rows` receives them.
+template <class V, class Exec>
+class RangeSearch {
+ public:
+  template <class Candidates>
+  void find(Exec& exec, const Candidates& candidates, const Box<V>& box, int64_t bodies, ContactRows<Exec>& rows) {
+    search_.find(exec, candidates, box);
+    const Span<const Pair> found = search_.pairs();
+    rows.resize(bodies, found.size());
+    exec.bin("sort contacts", RowOfPair{found}, PairAt{found}, rows.first(), rows.pairs());
+    exec.parallel_for("sort rows", bodies, SortRow{rows.first(), rows.pairs()});
+  }
+
+  int64_t candidates(Exec& exec) const { return search_.candidates(exec); }
+  int64_t bytes() const { return search_.bytes(); }
+
+ private:
+  typename RangeSearchOn<V, Exec>::Type search_;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+// ballpit pairs: the pairs of a file, the same from every broad phase, with what it took to find them.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include <catch2/catch.hpp>
+
+#include "app/exact_pairs.h"
+#include "app/pairs_summary.h"
+#include "core/random.h"
+#include "scene/spheres_csv.h"
+#include "simulate/methods.h"
+#include "simulate/settings.h"
+#include "tests/app/run_program.h"
+
+using namespace ballpit;
+using Catch::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+/// Overlapping, touching (0 and 1: exactly), alone.
+const std::string kFour = "x,y,z,radius\n0,0,0,1\n3,0,0,2\n1,1,0,0.5\n9,9,9,1\n";
+const std::string kPairsOfFour = "i,j\n0,1\n0,2\n1,2\n";
+
+/// Spheres of radii that differ up to fourfold in a unit cube, some clustered, some at the same place.
+std::string cloud(int count, double radius) {
+  Random random(7);
+  std::string text = "x,y,z,radius\n";
+  for (int k = 0; k < count; ++k) {
+    const double width = k % 4 == 0 ? 0.1 : 1.0;
+    const Vec3d p = random.uniform(Vec3d(0.0), Vec3d(width));
+    std::array<char, 128> row;
+    std::snprintf(row.data(), row.size(), "%.17g,%.17g,%.17g,%.17g\n", p.x, p.y, p.z,
+                  radius * random.uniform(0.25, 1.0));
+    for (int times = k % 50 == 0 ? 2 : 1; times > 0; --times) text += row.data();
+  }
+  return text;
+}
+
+nlohmann::json pairs(Arguments arguments) {
+  arguments.insert(arguments.begin(), "pairs");
+  arguments.emplace_back("--json");
+  const Outcome outcome = run_program(arguments);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  return outcome.json();  // throws where anything else stands beside the object
+}
+
+std::vector<std::string> broad_phases() {
+  std::vector<std::string> names;
+  for (const std::string_view name : method_names(Family::broadphase)) names.emplace_back(name);
+  return names;
+}
+
+std::string exact_csv(const std::string& text) {
+  const RestingSpheres spheres = parse_resting_spheres(text, "cloud");
+  return pairs_csv(exact_pairs({{spheres.position.data(), spheres.size()}, {spheres.radius.data(), spheres.size()}}));
+}
+
+}  // namespace
+
+TEST_CASE("the pairs of a file are written sorted, each once, touching ones too") {
+  const Scratch scratch;
+  write_text(scratch / "four.csv", kFour);
+  for (const std::string& method : broad_phases()) {
+    INFO(method);
+    const nlohmann::json summary =
+        pairs({scratch / "four.csv", "--out", scratch / "pairs.csv", "--broadphase", method});
+    CHECK(read_text(scratch / "pairs.csv") == kPairsOfFour);
+    CHECK(summary["count"] == 4);
+    CHECK(summary["contacts"] == 3);
+  }
+  CHECK_FALSE(fs::exists(scratch / "pairs.csv.part"));
+}
+
+TEST_CASE("every broad phase finds the pairs of the exact reference, with any number of threads") {
+  const Scratch scratch;
+  const std::string text = cloud(3000, 0.05);
+  write_text(scratch / "cloud.csv", text);
+  const std::string expected = exact_csv(text);
+  CHECK(std::count(expected.begin(), expected.end(), '\n') > 1000);
+  for (const std::string& method : broad_phases()) {
+    for (const char* threads : {"1", "3"}) {
+      INFO(method << " on " << threads << " threads");
+      pairs({scratch / "cloud.csv", "--out", scratch / "pairs.csv", "--broadphase", method, "--threads", threads});
+      CHECK((read_text(scratch / "pairs.csv") == expected));  // in brackets: not printed
+    }
+  }
+}
+
+TEST_CASE("pairs --json prints one object with all that was promised") {
+  const Scratch scratch;
+  write_text(scratch / "cloud.csv", cloud(500, 0.1));
+  const nlohmann::json summary =
+      pairs({scratch / "cloud.csv", "--broadphase", "brute-force", "--backend", "cpu", "--threads", "2"});
+  const int64_t n = summary["count"];
+  CHECK(n == 510);
+  CHECK(summary["file"] == scratch / "cloud.csv");
+  CHECK(summary["method"] == "brute-force");
+  CHECK_FALSE(summary.contains("reason"));
+  CHECK(summary["backend"] == "cpu");
+  CHECK(summary["threads"] == 2);
+  CHECK(summary["contacts"].get<int64_t>() > 0);
+  CHECK(summary["candidates"] == n * (n - 1) / 2);
+  CHECK(summary["seconds"].get<double>() > 0);
+  CHECK_FALSE(summary.contains("seconds_min"));
+  CHECK(summary["bytes"].get<int64_t>() > 0);
+  CHECK_FALSE(summary["stages"].empty());
+  CHECK_FALSE(summary.contains("missed"));
+  CHECK_FALSE(summary.contains("duplicate"));
+}
+
+TEST_CASE("the histogram of work counts every thread once, and a warp is never busier than it can be") {
+  const Scratch scratch;
+  write_text(scratch / "cloud.csv", cloud(1000, 0.05));
+  for (const std::string& method : broad_phases()) {
+    INFO(method);
+    const nlohmann::json work = pairs({scratch / "cloud.csv", "--broadphase", method})["work"];
+    int64_t threads = 0, next = 0;
+    for (const nlohmann::json& bin : work["histogram"]) {
+      CHECK(bin["from"] == next);
+      next = bin["to"].get<int64_t>() + 1;
+      threads += bin["threads"].get<int64_t>();
+    }
+    CHECK(threads == work["threads"]);
+    CHECK(threads > 0);
+    CHECK(work["max"].get<int64_t>() < next);
+    CHECK(work["mean"].get<double>() <= work["max"].get<double>());
+    CHECK(work["warp_size"] == 32);
+    CHECK(work["simd_efficiency"].get<double>() > 0);
+    CHECK(work["simd_efficiency"].get<double>() <= 1);
+  }
+}
+
+TEST_CASE("automatic choice says what it chose, and why") {
+  const std::vector<std::string> names = broad_phases();
+  if (std::find(names.begin(), names.end(), "auto") == names.end()) return;
+  const Scratch scratch;
+  write_text(scratch / "four.csv", kFour);
+  const nlohmann::json summary = pairs({scratch / "four.csv", "--broadphase", "auto"});
+  CHECK(summary["method"] != "auto");
+  CHECK_FALSE(summary["reason"].get<std::string>().empty());
+  const Outcome outcome = run_program({"pairs", scratch / "four.csv", "--broadphase", "auto"});
+  CHECK_THAT(outcome.out, Contains(summary["reason"].get<std::string>()));
+}
+
+TEST_CASE("repeated searches tell median, least and quartiles") {
+  const Scratch scratch;
+  write_text(scratch / "four.csv", kFour);
+  const nlohmann::json summary = pairs({scratch / "four.csv", "--repeat", "7"});
+  CHECK(summary["repeat"] == 7);
+  CHECK(summary["contacts"] == 3);
+  CHECK(summary["seconds_min"] <= summary["seconds_quartiles"][0]);
+  CHECK(summary["seconds_quartiles"][0] <= summary["seconds"]);
+  CHECK(summary["seconds"] <= summary["seconds_quartiles"][1]);
+}
+
+TEST_CASE("verification finds nothing wrong with any broad phase") {
+  const Scratch scratch;
+  write_text(scratch / "cloud.csv", cloud(2000, 0.05));
+  for (const std::string& method : broad_phases()) {
+    INFO(method);
+    const nlohmann::json summary = pairs({scratch / "cloud.csv", "--verify", "--broadphase", method});
+    CHECK(summary["missed"] == 0);
+    CHECK(summary["wrong"] == 0);
+    CHECK(summary["duplicate"] == 0);
+  }
+}
+
+TEST_CASE("verification finds the pairs that cells smaller than a diameter miss, and a warning tells of them before") {
+  const Scratch scratch;
+  write_text(scratch / "cloud.csv", cloud(2000, 0.05));
+  const Outcome outcome = run_program(
+      {"pairs", scratch / "cloud.csv", "--verify", "--json", "--broadphase", "linked-cell", "--cell-size", "0.3"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.err, Contains("--cell-size 0.3") && Contains("missed"));
+  CHECK(outcome.json()["missed"].get<int64_t>() > 0);
+  CHECK(outcome.json()["wrong"] == 0);
+}
+
+TEST_CASE("pairs says the same for people, and nothing on standard error") {
+  const Scratch scratch;
+  write_text(scratch / "four.csv", kFour);
+  const Outcome outcome = run_program({"pairs", scratch / "four.csv", "--broadphase", "linked-cell", "--verify"});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  CHECK_THAT(outcome.out, Contains("4 in ") && Contains("four.csv") && Contains("linked-cell") &&
+                              Contains("3 among ") && Contains("0 missed"));
+}
+
+TEST_CASE("files without spheres, with one, in any order of columns and with velocities are searched") {
+  const Scratch scratch;
+  const auto pairs_in = [&](const std::string& text, const std::string& method) {
+    write_text(scratch / "a.csv", text);
+    pairs({scratch / "a.csv", "--verify", "--broadphase", method, "--out", scratch / "pairs.csv"});
+    return read_text(scratch / "pairs.csv");
+  };
+  for (const std::string& method : broad_phases()) {
+    INFO(method);
+    CHECK(pairs_in("x,y,z,radius\n", method) == "i,j\n");
+    CHECK(pairs_in("x,y,z,radius\n1,2,3,4\n", method) == "i,j\n");
+    CHECK(pairs_in("radius,vx,z,y,x,mass\r\n1,5,0,0,0,1e30\r\n1,5,0,0,1,1\r\n", method) == "i,j\n0,1\n");
+    CHECK(pairs_in("x,y,z,radius\n1e15,1e15,1e15,1e15\n-1e15,-1e15,-1e15,1e15\n1e15,0,0,1e15\n", method) ==
+          "i,j\n0,2\n");
+    CHECK(pairs_in("x,y,z,radius\n0,0,0,1e-12\n2e-12,0,0,1e-12\n5e-12,0,0,1e-12\n", method) == "i,j\n0,1\n");
+  }
+}
+
+TEST_CASE("an old list of pairs is replaced, and stays where the search fails") {
+  const Scratch scratch;
+  write_text(scratch / "four.csv", kFour);
+  write_text(scratch / "bad.csv", "x,y,z,radius\n1,2,3,oops\n");
+  write_text(scratch / "pairs.csv", "old");
+  CHECK(run_program({"pairs", scratch / "bad.csv", "--out", scratch / "pairs.csv"}).status == 2);
+  CHECK(read_text(scratch / "pairs.csv") == "old");
+  pairs({scratch / "four.csv", "--out", scratch / "pairs.csv"});
+  CHECK(read_text(scratch / "pairs.csv") == kPairsOfFour);
+}
+
+TEST_CASE("coordinates too large for single precision beside the radii are searched, with a warning") {
+  const Scratch scratch;
+  write_text(scratch / "far.csv", "x,y,z,radius\n10000000.3,0,0,0.1\n0,0,0,0.1\n");
+  const Outcome outcome = run_program({"pairs", scratch / "far.csv"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.err, Contains("far.csv: coordinates as large as 1e+07 are rounded by up to 0.5 m"));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+}
+
+TEST_CASE("wrong files of spheres are refused with file, line, column, what was found and what is allowed") {
+  const Scratch scratch;
+  const std::string header = "x,y,z,radius\n";
+  const std::string columns = ", allowed columns x, y, z, radius and optionally vx, vy, vz, mass";
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"", ":1: header: found an empty file" + columns},
+      {"x,y,z\n1,2,3\n", ":1: header: found no column \"radius\"" + columns},
+      {"1,2,3,4\n", ":1: header: found \"1\"" + columns},
+      {header + "1,2,3\n", ":2: row: found 3 fields, allowed 4, as in the header"},
+      {header + "1,2,3,1\n1,two,3,1\n", ":3: y: found \"two\", allowed a number, -1e+15 to 1e+15"},
+      {header + "nan,2,3,1\n", ":2: x: found \"nan\", allowed a number, -1e+15 to 1e+15"},
+      {header + "1,2,-inf,1\n", ":2: z: found \"-inf\", allowed a number, -1e+15 to 1e+15"},
+      {header + "1,1e16,3,1\n", ":2: y: found \"1e16\", allowed a number, -1e+15 to 1e+15"},
+      {header + "1,2,3,0\n", ":2: radius: found \"0\", allowed a number, 1e-12 to 1e+15"},
+      {header + "1,2,3,-1\n", ":2: radius: found \"-1\", allowed a number, 1e-12 to 1e+15"},
+      {std::string("\x7F\x45LF\x02\x00\n\xFF", 8), ":1: header: found \"\\x7FELF\\x02\\x00\"" + columns},
+      {std::string(3'000'000, 'x'), ":1: line: found more than 1048576 bytes"},
+  };
+  for (const auto& [text, message] : table) {
+    write_text(scratch / "a.csv", text);
+    const Outcome outcome = run_program({"pairs", scratch / "a.csv", "--out", scratch / "pairs.csv"});
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK_THAT(outcome.err, Catch::StartsWith("ballpit: " + scratch / "a.csv" + message));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK_FALSE(fs::exists(scratch / "pairs.csv"));
+  }
+}
+
+TEST_CASE("files of spheres that are none are refused with the reason") {
+  const auto error_of = [](const std::string& file) {
+    const Outcome outcome = run_program({"pairs", file});
+    CHECK(outcome.status == 2);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    return outcome.err;
+  };
+  const Scratch scratch;
+  CHECK_THAT(error_of(scratch / "none.csv"), Contains("none.csv: cannot read: No such file"));
+  CHECK_THAT(error_of(scratch.path().string()), Contains("is a folder"));
+  CHECK_THAT(error_of(BALLPIT_PROGRAM), Contains(":1: header: found "));
+  CHECK_THAT(error_of("/dev/zero"), Contains(":1: line: found more than 1048576 bytes"));
+}
+
+TEST_CASE("a list of pairs that cannot be written is named with the reason, before the spheres are read") {
+  const Scratch scratch;
+  write_text(scratch / "file", "x");
+  const auto failure_of = [&](const std::string& out) {
+    const Outcome outcome = run_program({"pairs", scratch / "none.csv", "--out", out});
+    CHECK(outcome.status == 1);
+    CHECK(outcome.out.empty());
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    return outcome.err;
+  };
+  CHECK_THAT(failure_of(scratch / "file/pairs.csv"), Contains("file/pairs.csv: cannot write: Not a directory"));
+  CHECK_THAT(failure_of(scratch / "missing/pairs.csv"), Contains("pairs.csv: cannot write: No such file"));
+  CHECK_THAT(failure_of(scratch.path().string()), Contains("cannot write: Is a directory"));
+
+  write_text(scratch / "four.csv", kFour);
+  const Outcome outcome = run_program({"pairs", scratch / "four.csv", "--out", "/proc/pairs.csv"});
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.err, Contains("/proc/pairs.csv: cannot write"));
+}
+
+TEST_CASE("more overlapping pairs than memory can hold are told") {
+  if (is_sanitized()) return;
+  const Scratch scratch;
+  std::string text = "x,y,z,radius\n";
+  for (int k = 0; k < 30'000; ++k) text += "0,0,0,1\n";  // 450 million pairs
+  write_text(scratch / "heap.csv", text);
+  const Outcome outcome = run_program({"pairs", scratch / "heap.csv", "--threads", "2"}, {1'000'000'000, ""});
+  INFO(outcome.err);
+  CHECK(outcome.status == 1);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK_THAT(outcome.err, Contains("out of memory") && Contains("heap.csv"));
+}
+
+TEST_CASE("the help of pairs names the settings of a search, and no others") {
+  const Outcome outcome = run_program({"pairs", "--help"});
+  CHECK(outcome.status == 0);
+  for (const SettingInfo& setting : setting_table()) {
+    const std::string option = "--" + std::string(setting.name) + " ";
+    const bool applies =
+        Catch::Matches("broadphase|cell-size|axis|table|backend|threads").match(std::string(setting.name));
+    INFO(option);
+    CHECK((outcome.out.find(option) != std::string::npos) == applies);
+    if (applies) CHECK_THAT(outcome.out, Contains(std::string(setting.help) + ": " + setting.allowed()));
+  }
+}

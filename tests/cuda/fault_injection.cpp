@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "tests/cuda/fault_injection.h"
+
+#include <set>
+
+#include <cuda_runtime.h>
+
+namespace ballpit::faults {
+
+namespace {
+
+int64_t calls_left = 0;
+cudaError_t pending = cudaSuccess;  // what cudaGetLastError() is to tell, as the runtime would
+std::string failed;
+std::map<std::string, int64_t> counts;
+std::set<void*> allocations;
+std::set<cudaStream_t> streams;
+std::set<cudaEvent_t> events;
+
+/// Counts a call; whether it is the one to fail.
+bool fails(const char* name) {
+  ++counts[name];
+  if (calls_left == 0 || --calls_left > 0) return false;
+  failed = name;
+  pending = cudaErrorUnknown;
+  return true;
+}
+
+/// What was made, where it was; a handle is given back once.
+template <class Handle>
+cudaError_t made(cudaError_t status, std::set<Handle>& handles, Handle handle) {
+  if (status == cudaSuccess && handle != nullptr) handles.insert(handle);
+  return status;
+}
+
+template <class Handle>
+bool give_back(std::set<Handle>& handles, Handle handle) {
+  return handle == nullptr || handles.erase(handle) == 1;
+}
+
+}  // namespace
+
+void fail_at(int64_t call) {
+  calls_left = call;
+  pending = cudaSuccess;
+  failed.clear();
+  counts.clear();
+}
+std::string failed_call() { return failed; }
+Held held() {
+  return {static_cast<int64_t>(allocations.size()), static_cast<int64_t>(streams.size()),
+          static_cast<int64_t>(events.size())};
+}
+const std::map<std::string, int64_t>& calls() { return counts; }
+
+}  // namespace ballpit::faults
+
+using namespace ballpit::faults;
+
+// NAME as it is called, and the runtime's own: fails on demand, else calls it.
+#define BALLPIT_WRAP(NAME, PARAMETERS, ARGUMENTS)  \
+  extern "C" cudaError_t __real_##NAME PARAMETERS; \
+  extern "C" cudaError_t __wrap_##NAME PARAMETERS { return fails(#NAME) ? cudaErrorUnknown : __real_##NAME ARGUMENTS; }
+// The same for what makes a handle.
+#define BALLPIT_WRAP_MAKER(NAME, PARAMETERS, ARGUMENTS, HANDLES, HANDLE)                     \
+  extern "C" cudaError_t __real_##NAME PARAMETERS;                                           \
+  extern "C" cudaError_t __wrap_##NAME PARAMETERS {                                          \
+    return fails(#NAME) ? cudaErrorUnknown : made(__real_##NAME ARGUMENTS, HANDLES, HANDLE); \
+  }
+// What gives a handle back is told of failures of earlier launches alone, and does not fail here.
+#define BALLPIT_WRAP_RELEASER(NAME, TYPE, HANDLES)                                     \
+  extern "C" cudaError_t __real_##NAME(TYPE handle);                                   \
+  extern "C" cudaError_t __wrap_##NAME(TYPE handle) {                                  \
+    return give_back(HANDLES, handle) ? __real_##NAME(handle) : cudaErrorInvalidValue; \
+  }
+
+BALLPIT_WRAP_MAKER(cudaMalloc, (void** at, size_t bytes), (at, bytes), allocations, *at)
+BALLPIT_WRAP_MAKER(cudaStreamCreate, (cudaStream_t * stream), (stream), streams, *stream)
+BALLPIT_WRAP_MAKER(cudaEventCreate, (cudaEvent_t * event), (event), events, *event)
+BALLPIT_WRAP_RELEASER(cudaFree, void*, allocations)
+BALLPIT_WRAP_RELEASER(cudaStreamDestroy, cudaStream_t, streams)
+BALLPIT_WRAP_RELEASER(cudaEventDestroy, cudaEvent_t, events)
+
+BALLPIT_WRAP(cudaMemcpyAsync, (void* to, const void* from, size_t bytes, cudaMemcpyKind kind, cudaStream_t stream),
+             (to, from, bytes, kind, stream))
+BALLPIT_WRAP(cudaMemsetAsync, (void* at, int value, size_t bytes, cudaStream_t stream), (at, value, bytes, stream))
+BALLPIT_WRAP(cudaStreamSynchronize, (cudaStream_t stream), (stream))
+BALLPIT_WRAP(cudaEventRecord, (cudaEvent_t event, cudaStream_t stream), (event, stream))
+BALLPIT_WRAP(cudaEventElapsedTime, (float* milliseconds, cudaEvent_t begin, cudaEvent_t end),
+             (milliseconds, begin, end))
+BALLPIT_WRAP(cudaGetDeviceCount, (int* count), (count))
+BALLPIT_WRAP(cudaGetDeviceProperties, (cudaDeviceProp * properties, int device), (properties, device))
+BALLPIT_WRAP(cudaGetDevice, (int* device), (device))
+BALLPIT_WRAP(cudaSetDevice, (int device), (device))
+BALLPIT_WRAP(cudaDeviceGetAttribute, (int* value, cudaDeviceAttr attribute, int device), (value, attribute, device))
+BALLPIT_WRAP(cudaFuncGetAttributes, (cudaFuncAttributes * attributes, const void* function), (attributes, function))
+BALLPIT_WRAP(cudaOccupancyMaxActiveBlocksPerMultiprocessorWithFlags,
+             (int* blocks, const void* function, int threads, size_t shared, unsigned flags),
+             (blocks, function, threads, shared, flags))
+// What <<<…>>> calls.
+BALLPIT_WRAP(__cudaLaunchKernel,
+             (cudaKernel_t kernel, dim3 grid, dim3 block, void** arguments, size_t shared, cudaStream_t stream),
+             (kernel, grid, block, arguments, shared, stream))
+
+extern "C" cudaError_t __real_cudaGetLastError();
+extern "C" cudaError_t __wrap_cudaGetLastError() {
+  const cudaError_t status = __real_cudaGetLastError(), injected = pending;
+  pending = cudaSuccess;
+  return injected != cudaSuccess ? injected : status;
+}
+
+extern "C" cudaError_t __real_cudaPeekAtLastError();
+extern "C" cudaError_t __wrap_cudaPeekAtLastError() {
+  return pending != cudaSuccess ? pending : __real_cudaPeekAtLastError();
+}

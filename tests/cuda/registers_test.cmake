@@ -1,0 +1,86 @@
+# Registers and local memory of every kernel, as ptxas reports them for the oldest architecture and for one that holds 2048
+# threads in a multiprocessor. Compiles backend_cuda.cu alone, without the host's part: half a minute.
+#
+#     cmake -DNVCC=… -DSOURCE=…/cuda/backend_cuda.cu "-DFLAGS=-I…|--fmad=false" -DOUT=… -P registers_test.cmake
+#
+# A multiprocessor has 65 536 registers. Where it holds 1024 threads (7.5) each may use 64 of them, where it holds 2048
+# (8.0, 9.0, 10.0) 32, or fewer threads run at once to hide memory's latency: 75 % at 40, 62 % at 48, 50 % at 56.
+# So no kernel may use more than 32 but those listed here, no more than their number, and none may use local memory.
+set(allowed
+  # Position, radius, counts, and the walk: 40 with a dense grid alone, 8 more for the nearest image in periodic domains, 7
+  # for the reach into finer size classes. Held to 32, the first spills 216 bytes a thread.
+  "CountInRanges.*SortedGrid" 56
+  "FillFromRanges.*SortedGrid" 56
+  # The same with up to 27 lists, found by three nested loops. Held to 32: 96 bytes.
+  "CountContacts.*LinkedCell" 56
+  "FillContacts.*LinkedCell" 56
+  # One range, and in periodic domains a search for another. Held to 32: 44 bytes.
+  "CountInRanges.*SortAndSweep" 48
+  "FillFromRanges.*SortAndSweep" 48
+  # One range. Held to 32: 12 bytes; without periodic domains it would do with 32.
+  "CountInRanges.*BruteForce" 40
+  "FillFromRanges.*BruteForce" 40
+  "CountContacts.*ListedCandidates" 40
+  "FillContacts.*ListedCandidates" 40
+  # Two loops over a body's contacts, which the compiler unrolls by four, so that four gathers are under way at once.
+  "ResolveVelocity" 40
+  "CorrectPosition" 40
+  # Sums in double precision: of three axes for the sweep; for reports, energy, momentum and the largest overlap.
+  "ReduceBlock.*Spread" 48
+  "ReduceBlock.*Motion" 48
+  "ReduceBlock.*Overlap" 40
+  # For those who ask what each thread walked; in no step.
+  "MeasureRanges" 40)
+
+string(REPLACE "|" ";" flags "${FLAGS}")
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: ${status}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+# The number of registers that a kernel may use, by its mangled name.
+function(allowed_registers name result)
+  set(rest ${allowed})
+  while(rest)
+    list(POP_FRONT rest pattern number)
+    if(name MATCHES "[0-9]${pattern}")
+      set(${result} ${number} PARENT_SCOPE)
+      return()
+    endif()
+  endwhile()
+  set(${result} 32 PARENT_SCOPE)
+endfunction()
+
+# Checks all kernels for an architecture on which every kernel may use `common` registers, or those allowed.
+function(check architecture common)
+  run(${NVCC} -cubin -arch=sm_${architecture} -Xptxas=-v ${OUT}.ptx -o ${OUT}.cubin)
+  string(REGEX MATCHALL "Function properties for [^\n]*run_kernel[^\n]*\n[^\n]*\n[^\n]*Used [0-9]+ registers" kernels "${output}")
+  list(LENGTH kernels count)
+  if(count LESS 60)
+    message(FATAL_ERROR "sm_${architecture}: found ${count} kernels in\n${output}")
+  endif()
+  foreach(kernel IN LISTS kernels)
+    string(REGEX REPLACE "Function properties for ([^\n]*)\n.*" "\\1" name "${kernel}")
+    string(REGEX REPLACE ".*\n *([0-9]+) bytes stack frame.*" "\\1" stack "${kernel}")
+    string(REGEX REPLACE ".*Used ([0-9]+) registers" "\\1" registers "${kernel}")
+    allowed_registers("${name}" limit)
+    if(limit LESS common)
+      set(limit ${common})
+    endif()
+    if(registers GREATER limit)
+      message(SEND_ERROR "sm_${architecture}: ${registers} registers, allowed ${limit}: ${name}")
+    endif()
+    if(NOT stack EQUAL 0)
+      message(SEND_ERROR "sm_${architecture}: ${stack} bytes of local memory: ${name}")
+    endif()
+    message(STATUS "sm_${architecture}: ${registers} registers: ${name}")
+  endforeach()
+endfunction()
+
+run(${NVCC} ${flags} -ptx -arch=compute_75 ${SOURCE} -o ${OUT}.ptx)
+check(75 64)
+check(90 32)
