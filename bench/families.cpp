@@ -18,7 +18,7 @@ constexpr double kRadius = 0.5;                                          // of e
 constexpr double kVolume = 4.0 / 3 * kPi * kRadius * kRadius * kRadius;  // of one of them
 constexpr double kGap = 4e-6;  // least |d² − R²| of a pair, as a fraction of R², R being the sum of radii
 constexpr double kFinestStep = 0x1p-18;  // between coordinates
-constexpr double kRadiusStep = 0x1p-12;  // between radii; no coarser than coordinates where radii differ
+constexpr double kRadiusStep = 0x1p-12;  // between radii; a multiple of that between coordinates
 constexpr double kDriftPerStep = 0.01;   // in radii
 constexpr double kNudge = 1.0 / 64;      // in radii; moves a sphere that nearly touches another one
 

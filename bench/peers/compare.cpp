@@ -2,19 +2,26 @@
 #include "compare.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
+
+#include <time.h>
 
 namespace ballpit {
 
 namespace {
 
+double now_in_seconds(Clock clock) {
+  timespec time{};
+  clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 template <class Work>
-double milliseconds(Work work) {
-  const auto start = std::chrono::steady_clock::now();
+double milliseconds(Clock clock, Work work) {
+  const double start = now_in_seconds(clock);
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return 1e3 * (now_in_seconds(clock) - start);
 }
 
 /// Between two values, linearly.
@@ -47,10 +54,10 @@ void settle() {
 }
 
 /// Time from bare arrays to pairs; `equal` is cleared where they are not those expected.
-double time_cold(const Case& spheres, const PeerInfo& info, const PeerOptions& options, bool& equal) {
+double time_cold(const Case& spheres, const PeerInfo& info, const PeerOptions& options, Clock clock, bool& equal) {
   const std::unique_ptr<Peer> peer = info.make(options);
   settle();
-  const double time = milliseconds([&] { peer->find(spheres.start); });
+  const double time = milliseconds(clock, [&] { peer->find(spheres.start); });
   equal = equal && pair_set(peer->pairs()) == pair_set(spheres.start_pairs);
   return time;
 }
@@ -69,7 +76,7 @@ struct DriftTimes {
   double theirs = 0;
 };
 
-DriftTimes time_drift(const Case& spheres, const PeerInfo& info, const PeerOptions& options, bool& equal) {
+DriftTimes time_drift(const Case& spheres, const PeerInfo& info, const PeerOptions& options, Clock clock, bool& equal) {
   const std::unique_ptr<Peer> our_search = ours().make(options);
   const std::unique_ptr<Peer> their_search = info.make(options);
   our_search->find(spheres.start);
@@ -79,8 +86,8 @@ DriftTimes time_drift(const Case& spheres, const PeerInfo& info, const PeerOptio
   Spheres moving = spheres.start;
   for (const Spheres& state : spheres.drift) {
     moving.position = state.position;  // in the same place, as spheres that someone moves would be
-    const double our_time = milliseconds([&] { our_search->update(moving); });
-    const double their_time = milliseconds([&] { their_search->update(moving); });
+    const double our_time = milliseconds(clock, [&] { our_search->update(moving); });
+    const double their_time = milliseconds(clock, [&] { their_search->update(moving); });
     set = pair_set(our_search->pairs());
     equal = equal && set == pair_set(their_search->pairs());
     if (&state == &spheres.drift.front()) continue;
@@ -108,13 +115,13 @@ Timing timing_of(std::vector<double> milliseconds) {
   return {quantile(milliseconds, 0.5), quantile(milliseconds, 0.75) - quantile(milliseconds, 0.25)};
 }
 
-Row compare_cold(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Repeats& repeats) {
+Row compare_cold(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Protocol& protocol) {
   Row row = row_of(spheres, peer, options, "cold");
   std::vector<double> our_times;
   std::vector<double> their_times;
-  for (int k = -1; k < repeats.cold; ++k) {  // the first of each warms caches and memory up
-    const double our_time = time_cold(spheres, ours(), options, row.equal);
-    const double their_time = time_cold(spheres, peer, options, row.equal);
+  for (int k = -1; k < protocol.cold; ++k) {  // the first of each warms caches and memory up
+    const double our_time = time_cold(spheres, ours(), options, protocol.clock, row.equal);
+    const double their_time = time_cold(spheres, peer, options, protocol.clock, row.equal);
     if (k < 0) continue;
     our_times.push_back(our_time);
     their_times.push_back(their_time);
@@ -125,12 +132,12 @@ Row compare_cold(const Case& spheres, const PeerInfo& peer, const PeerOptions& o
   return row;
 }
 
-Row compare_updates(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Repeats& repeats) {
+Row compare_updates(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Protocol& protocol) {
   Row row = row_of(spheres, peer, options, "update");
   std::vector<double> our_times;
   std::vector<double> their_times;
-  for (int k = 0; k < repeats.drifts; ++k) {
-    const DriftTimes times = time_drift(spheres, peer, options, row.equal);
+  for (int k = 0; k < protocol.drifts; ++k) {
+    const DriftTimes times = time_drift(spheres, peer, options, protocol.clock, row.equal);
     our_times.push_back(times.ours);
     their_times.push_back(times.theirs);
   }

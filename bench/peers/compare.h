@@ -25,9 +25,15 @@ struct Case {
 /// With `steps` updates to be timed, or none.
 Case make_case(const std::string& family, int64_t count, uint64_t seed, int64_t steps);
 
-struct Repeats {
-  int cold;    ///< searches from bare arrays
-  int drifts;  ///< runs over all steps of the drift
+enum class Clock {
+  wall,
+  cpu,  ///< the process's time on all cores: for one thread on a machine that others use as well
+};
+
+struct Protocol {
+  int cold = 9;    ///< searches from bare arrays
+  int drifts = 3;  ///< runs over all steps of the drift
+  Clock clock = Clock::wall;
 };
 
 /// Milliseconds: per search when cold; per step, averaged over a drift, for updates, so that a structure that is
@@ -53,7 +59,7 @@ struct Row {
   double ratio() const { return theirs.median / ours.median; }
 };
 
-Row compare_cold(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Repeats& repeats);
-Row compare_updates(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Repeats& repeats);
+Row compare_cold(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Protocol& protocol);
+Row compare_updates(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Protocol& protocol);
 
 }  // namespace ballpit

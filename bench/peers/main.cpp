@@ -29,7 +29,8 @@ struct Options {
   int64_t count = 100000;
   uint64_t seed = 1;
   int64_t steps = 50;
-  Repeats repeats{9, 3};
+  Protocol protocol;
+  std::string clock = "wall";
   PeerOptions search;
   double skin = 0.1;
   bool json = false;
@@ -66,10 +67,12 @@ void check(const Options& options) {
   require_names("--families", options.families, family_names());
   require_names("--peers", options.peers, peer_names());
   require_names("--mode", {options.mode}, {"cold", "update", "both"});
+  require_names("--clock", {options.clock}, {"wall", "cpu"});
+  require(options.clock == "wall" || options.search.threads == 1, "--clock", "cpu with several threads", "wall");
   require_range("--count", options.count, 100'000'000);
   require_range("--threads", options.search.threads, 256);
-  require_range("--repeat", options.repeats.cold, 10'000);
-  require_range("--drifts", options.repeats.drifts, 10'000);
+  require_range("--repeat", options.protocol.cold, 10'000);
+  require_range("--drifts", options.protocol.drifts, 10'000);
   require_range("--steps", options.steps, 10'000);
   require(options.skin >= 0 && options.skin <= 10, "--skin", std::to_string(options.skin), "0 to 10");
   Settings settings;
@@ -87,22 +90,23 @@ void add_options(CLI::App& app, Options& options) {
   add("--count", options.count, "N", "spheres");
   add("--seed", options.seed, "N", "start of the random numbers");
   add("--threads", options.search.threads, "N", "for ours, and for libraries that offer it");
-  add("--repeat", options.repeats.cold, "N", "cold searches");
-  add("--drifts", options.repeats.drifts, "N", "runs of updates");
+  add("--repeat", options.protocol.cold, "N", "cold searches");
+  add("--drifts", options.protocol.drifts, "N", "runs of updates");
   add("--steps", options.steps, "N", "updates in a run");
   add("--broadphase", options.search.broadphase, "NAME", "ours");
   add("--skin", options.skin, "NUMBER", "ours, in updates, as a fraction of the radius");
+  add("--clock", options.clock, "NAME", "wall, or cpu: time of the process, for one thread on a busy machine");
   add("--csv", options.csv, "FILE", "write the rows to a file as well");
   app.add_flag("--json", options.json, "print one JSON object in place of the table");
 }
 
 std::vector<Row> compare(const Options& options, const Case& spheres, const PeerInfo& peer) {
   std::vector<Row> rows;
-  if (options.mode != "update") rows.push_back(compare_cold(spheres, peer, options.search, options.repeats));
+  if (options.mode != "update") rows.push_back(compare_cold(spheres, peer, options.search, options.protocol));
   if (options.mode != "cold") {
     PeerOptions search = options.search;
     search.skin = options.skin;
-    rows.push_back(compare_updates(spheres, peer, search, options.repeats));
+    rows.push_back(compare_updates(spheres, peer, search, options.protocol));
   }
   return rows;
 }
@@ -137,8 +141,9 @@ nlohmann::ordered_json describe(const Options& options) {
           {"threads", options.search.threads},
           {"broadphase", options.search.broadphase},
           {"skin", options.skin},
-          {"repeat", options.repeats.cold},
-          {"drifts", options.repeats.drifts},
+          {"clock", options.clock},
+          {"repeat", options.protocol.cold},
+          {"drifts", options.protocol.drifts},
           {"steps", options.steps},
           {"machine", machine()},
           {"peers", libraries}};
@@ -189,6 +194,7 @@ int main(int argc, char** argv) {
   add_options(app, options);
   try {
     app.parse(argc, argv);
+    if (options.clock == "cpu") options.protocol.clock = Clock::cpu;
     return run(options);
   } catch (const CLI::ParseError& error) {
     return error.get_exit_code() == 0 ? app.exit(error) : fail(2, error.what());
