@@ -204,8 +204,8 @@ struct SortedGridCandidates {
     // To look up more rows than there are spheres, whose places are bounded in number, would take longer than to test all.
     const Span<const int> at = offsets_of(k);
     const int first = at[0], last = at[grid.size()];
-    double lookups = double(high[1] - low[1] + 1) * double(high[2] - low[2] + 1);
-    if (grid.is_periodic) lookups *= double(high[0] - low[0] + 1);
+    double lookups = (double(high[1]) - low[1] + 1) * (double(high[2]) - low[2] + 1);
+    if (grid.is_periodic) lookups *= double(high[0]) - low[0] + 1;
     if (lookups > double(last - first)) {
       visit(SlotRange{first, last, 0, true});
       return;
