@@ -50,7 +50,7 @@ class DeviceBuffer {
 
   /// A failure to free is a failure of an earlier launch, which its own check reports.
   void release() {
-    (void)cudaFree(std::exchange(data_, nullptr));
+    if (data_ != nullptr) (void)cudaFree(std::exchange(data_, nullptr));
     size_ = capacity_ = 0;
   }
 

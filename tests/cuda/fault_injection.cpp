@@ -16,6 +16,7 @@ std::map<std::string, int64_t> counts;
 std::set<void*> allocations;
 std::set<cudaStream_t> streams;
 std::set<cudaEvent_t> events;
+int64_t strangers = 0;  // handles given back that were not held
 
 /// Counts a call; whether it is the one to fail.
 bool fails(const char* name) {
@@ -26,16 +27,17 @@ bool fails(const char* name) {
   return true;
 }
 
-/// What was made, where it was; a handle is given back once.
 template <class Handle>
-cudaError_t made(cudaError_t status, std::set<Handle>& handles, Handle handle) {
-  if (status == cudaSuccess && handle != nullptr) handles.insert(handle);
-  return status;
+void note_made(std::set<Handle>& handles, Handle handle) {
+  if (handle != nullptr) handles.insert(handle);
 }
 
+/// Whether a handle may be given back: it was made, and not given back before.
 template <class Handle>
-bool give_back(std::set<Handle>& handles, Handle handle) {
-  return handle == nullptr || handles.erase(handle) == 1;
+bool note_released(std::set<Handle>& handles, Handle handle) {
+  const bool is_known = handle == nullptr || handles.erase(handle) == 1;
+  strangers += !is_known;
+  return is_known;
 }
 
 }  // namespace
@@ -49,7 +51,7 @@ void fail_at(int64_t call) {
 std::string failed_call() { return failed; }
 Held held() {
   return {static_cast<int64_t>(allocations.size()), static_cast<int64_t>(streams.size()),
-          static_cast<int64_t>(events.size())};
+          static_cast<int64_t>(events.size()), strangers};
 }
 const std::map<std::string, int64_t>& calls() { return counts; }
 
@@ -62,16 +64,19 @@ using namespace ballpit::faults;
   extern "C" cudaError_t __real_##NAME PARAMETERS; \
   extern "C" cudaError_t __wrap_##NAME PARAMETERS { return fails(#NAME) ? cudaErrorUnknown : __real_##NAME ARGUMENTS; }
 // The same for what makes a handle.
-#define BALLPIT_WRAP_MAKER(NAME, PARAMETERS, ARGUMENTS, HANDLES, HANDLE)                     \
-  extern "C" cudaError_t __real_##NAME PARAMETERS;                                           \
-  extern "C" cudaError_t __wrap_##NAME PARAMETERS {                                          \
-    return fails(#NAME) ? cudaErrorUnknown : made(__real_##NAME ARGUMENTS, HANDLES, HANDLE); \
+#define BALLPIT_WRAP_MAKER(NAME, PARAMETERS, ARGUMENTS, HANDLES, HANDLE) \
+  extern "C" cudaError_t __real_##NAME PARAMETERS;                       \
+  extern "C" cudaError_t __wrap_##NAME PARAMETERS {                      \
+    if (fails(#NAME)) return cudaErrorUnknown;                           \
+    const cudaError_t status = __real_##NAME ARGUMENTS;                  \
+    if (status == cudaSuccess) note_made(HANDLES, HANDLE);               \
+    return status;                                                       \
   }
 // What gives a handle back is told of failures of earlier launches alone, and does not fail here.
-#define BALLPIT_WRAP_RELEASER(NAME, TYPE, HANDLES)                                     \
-  extern "C" cudaError_t __real_##NAME(TYPE handle);                                   \
-  extern "C" cudaError_t __wrap_##NAME(TYPE handle) {                                  \
-    return give_back(HANDLES, handle) ? __real_##NAME(handle) : cudaErrorInvalidValue; \
+#define BALLPIT_WRAP_RELEASER(NAME, TYPE, HANDLES)                                         \
+  extern "C" cudaError_t __real_##NAME(TYPE handle);                                       \
+  extern "C" cudaError_t __wrap_##NAME(TYPE handle) {                                      \
+    return note_released(HANDLES, handle) ? __real_##NAME(handle) : cudaErrorInvalidValue; \
   }
 
 BALLPIT_WRAP_MAKER(cudaMalloc, (void** at, size_t bytes), (at, bytes), allocations, *at)

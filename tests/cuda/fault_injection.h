@@ -15,9 +15,9 @@ void fail_at(int64_t call);
 /// The call that was made to fail ("cudaMalloc"), empty if none was.
 std::string failed_call();
 
-/// What has been made and not been given back.
+/// What has been made and not been given back; and how often something was given back that was not held.
 struct Held {
-  int64_t allocations = 0, streams = 0, events = 0;
+  int64_t allocations = 0, streams = 0, events = 0, strangers = 0;
   friend bool operator==(const Held&, const Held&) = default;
 };
 Held held();

@@ -126,6 +126,19 @@ TEST_CASE("whichever CUDA call fails in a pair search, it is told and nothing st
   fail_everywhere([&](std::vector<Stage>* stages) { return run_search(scene, settings, stages); });
 }
 
+TEST_CASE("a world on CUDA holds one stream, and gives back what it holds") {
+  faults::Held held;
+  {
+    const auto world = backend().make_world(small_scene(), settings_of("sorted-grid"));
+    world->step();
+    held = faults::held();
+  }
+  CHECK(held.allocations > 20);
+  CHECK(held.streams == 1);
+  CHECK(held.events > 20);
+  CHECK(faults::held() == faults::Held{});
+}
+
 TEST_CASE("a step that has its buffers allocates nothing, and waits for a few numbers alone") {
   struct Expected {
     std::string broadphase;

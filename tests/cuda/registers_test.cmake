@@ -28,9 +28,7 @@ set(allowed
   # Sums in double precision: of three axes for the sweep; for reports, energy, momentum and the largest overlap.
   "ReduceBlock.*Spread" 48
   "ReduceBlock.*Motion" 48
-  "ReduceBlock.*Overlap" 40
-  # For those who ask what each thread walked; in no step.
-  "MeasureRanges" 40)
+  "ReduceBlock.*Overlap" 40)
 
 string(REPLACE "|" ";" flags "${FLAGS}")
 
