@@ -84,6 +84,8 @@ class CudaExecutor {
 
   StageTimes& stage_times() { return timer_.times(); }
 
+  static constexpr bool runs_in_order() { return false; }
+
   template <class Kernel>
   void parallel_for(const char* name, int64_t n, const Kernel& kernel) {
     if (n == 0) return;

@@ -17,7 +17,7 @@ size_t index_of(const btBroadphaseProxy* proxy) { return reinterpret_cast<size_t
 
 class BulletPeer : public Peer {
  public:
-  explicit BulletPeer(bool deferred) { broadphase_.m_deferedcollide = deferred; }
+  explicit BulletPeer(bool deferred) : is_deferred_(deferred) { forget(); }
 
   void find(const Spheres& spheres) override {
     const SphereTest test(spheres);
@@ -25,7 +25,7 @@ class BulletPeer : public Peer {
     for (size_t i = 0; i < spheres.position.size(); ++i) {
       const Box box = box_of(test, i);
       proxies_.push_back(
-          broadphase_.createProxy(box.low, box.high, SPHERE_SHAPE_PROXYTYPE, object_of(i), 1, 1, &dispatcher_));
+          broadphase_->createProxy(box.low, box.high, SPHERE_SHAPE_PROXYTYPE, object_of(i), 1, 1, &dispatcher_));
     }
     collect(test);
   }
@@ -34,9 +34,15 @@ class BulletPeer : public Peer {
     const SphereTest test(spheres);
     for (size_t i = 0; i < spheres.position.size(); ++i) {
       const Box box = box_of(test, i);
-      broadphase_.setAabb(proxies_[i], box.low, box.high, &dispatcher_);
+      broadphase_->setAabb(proxies_[i], box.low, box.high, &dispatcher_);
     }
     collect(test);
+  }
+
+  void forget() override {
+    broadphase_ = std::make_unique<btDbvtBroadphase>();
+    broadphase_->m_deferedcollide = is_deferred_;
+    proxies_.clear();
   }
 
   std::vector<Pair> pairs() override { return pairs_; }
@@ -54,8 +60,8 @@ class BulletPeer : public Peer {
   }
 
   void collect(const SphereTest& test) {
-    broadphase_.calculateOverlappingPairs(&dispatcher_);
-    btOverlappingPairCache& cache = *broadphase_.getOverlappingPairCache();
+    broadphase_->calculateOverlappingPairs(&dispatcher_);
+    btOverlappingPairCache& cache = *broadphase_->getOverlappingPairCache();
     const btBroadphasePair* boxes = cache.getOverlappingPairArrayPtr();
     pairs_.clear();
     for (int k = 0; k < cache.getNumOverlappingPairs(); ++k) {
@@ -67,7 +73,8 @@ class BulletPeer : public Peer {
 
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
-  btDbvtBroadphase broadphase_;
+  bool is_deferred_;
+  std::unique_ptr<btDbvtBroadphase> broadphase_;
   std::vector<btBroadphaseProxy*> proxies_;
   std::vector<Pair> pairs_;
 };

@@ -54,19 +54,12 @@ void settle() {
 }
 
 /// Time from bare arrays to pairs; `equal` is cleared where they are not those expected.
-double time_cold(const Case& spheres, const PeerInfo& info, const PeerOptions& options, Clock clock, bool& equal) {
-  const std::unique_ptr<Peer> peer = info.make(options);
+double time_cold(const Case& spheres, Peer& peer, Clock clock, bool& equal) {
+  peer.forget();
   settle();
-  const double time = milliseconds(clock, [&] { peer->find(spheres.start); });
-  equal = equal && pair_set(peer->pairs()) == pair_set(spheres.start_pairs);
+  const double time = milliseconds(clock, [&] { peer.find(spheres.start); });
+  equal = equal && pair_set(peer.pairs()) == pair_set(spheres.start_pairs);
   return time;
-}
-
-/// Our pairs are promised in order, so they are compared one by one.
-bool ours_are_sorted(const Case& spheres, const PeerOptions& options) {
-  const std::unique_ptr<Peer> peer = ours().make(options);
-  peer->find(spheres.start);
-  return peer->pairs() == spheres.start_pairs;
 }
 
 /// The mean time of an update, ours and theirs, over a drift that both follow step by step. The first step is not
@@ -119,14 +112,15 @@ Row compare_cold(const Case& spheres, const PeerInfo& peer, const PeerOptions& o
   Row row = row_of(spheres, peer, options, "cold");
   std::vector<double> our_times;
   std::vector<double> their_times;
+  const std::unique_ptr<Peer> ours_made = ours().make(options), theirs_made = peer.make(options);
   for (int k = -1; k < protocol.cold; ++k) {  // the first of each warms caches and memory up
-    const double our_time = time_cold(spheres, ours(), options, protocol.clock, row.equal);
-    const double their_time = time_cold(spheres, peer, options, protocol.clock, row.equal);
+    const double our_time = time_cold(spheres, *ours_made, protocol.clock, row.equal);
+    const double their_time = time_cold(spheres, *theirs_made, protocol.clock, row.equal);
     if (k < 0) continue;
     our_times.push_back(our_time);
     their_times.push_back(their_time);
   }
-  row.equal = row.equal && ours_are_sorted(spheres, options);
+  row.equal = row.equal && ours_made->pairs() == spheres.start_pairs;  // ours are promised in order
   row.ours = timing_of(our_times);
   row.theirs = timing_of(their_times);
   return row;

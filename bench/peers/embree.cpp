@@ -22,9 +22,15 @@ class EmbreePeer : public Peer {
   EmbreePeer(const EmbreePeer&) = delete;
   EmbreePeer& operator=(const EmbreePeer&) = delete;
   ~EmbreePeer() override {
+    forget();
+    rtcReleaseDevice(device_);
+  }
+
+  void forget() override {
     if (geometry_) rtcReleaseGeometry(geometry_);
     if (scene_) rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
+    geometry_ = nullptr;
+    scene_ = nullptr;
   }
 
   void find(const Spheres& spheres) override {

@@ -39,6 +39,11 @@ class FclPeer : public Peer {
     collide(test);
   }
 
+  void forget() override {
+    manager_.clear();
+    objects_.clear();
+  }
+
   std::vector<Pair> pairs() override { return pairs_; }
 
  private:

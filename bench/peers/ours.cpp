@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Our own search on the CPU. Unlike the others it pays for its preparation in find(), and sorts its pairs.
+// Our own search on the CPU. Unlike the others it sorts its pairs.
 #include "peer.h"
 #include "simulate/world.h"
 
@@ -15,22 +15,20 @@ SphereArrays arrays_of(const Spheres& spheres) {
 class OurPeer : public Peer {
  public:
   explicit OurPeer(const PeerOptions& options) {
-    settings_.broadphase = options.broadphase;
-    settings_.threads = options.threads;
-    settings_.skin = options.skin;
+    Settings settings;
+    settings.broadphase = options.broadphase;
+    settings.threads = options.threads;
+    settings.skin = options.skin;
+    search_ = cpu_backend().make_pair_search(settings);
   }
 
-  void find(const Spheres& spheres) override {
-    search_ = cpu_backend().make_pair_search(settings_);
-    search_->find(arrays_of(spheres));
-  }
-
+  /// Without a skin it starts anew each time.
+  void find(const Spheres& spheres) override { search_->find(arrays_of(spheres)); }
   void update(const Spheres& spheres) override { search_->find(arrays_of(spheres)); }
 
   std::vector<Pair> pairs() override { return search_->pairs(); }
 
  private:
-  Settings settings_;
   std::unique_ptr<PairSearch> search_;
 };
 

@@ -21,16 +21,19 @@ struct PeerOptions {
   double skin = 0;                  ///< ours only, as a fraction of the radius
 };
 
-/// A search that has been prepared (memory pools, devices), but has not yet seen a sphere.
+/// A search that has been prepared: memory pools, devices.
 class Peer {
  public:
   virtual ~Peer() = default;
 
-  /// From bare arrays to the list of pairs, structure and all; called once.
+  /// From bare arrays to the list of pairs, structure and all.
   virtual void find(const Spheres& spheres) = 0;
 
   /// The same spheres have moved a little: finds their pairs by whatever the structure can keep.
   virtual void update(const Spheres& spheres) = 0;
+
+  /// Forgets all spheres before the next find(), but keeps its memory where the library can.
+  virtual void forget() {}
 
   /// The pairs found last, each once, in any order and either direction.
   virtual std::vector<Pair> pairs() = 0;

@@ -36,6 +36,9 @@ class CpuExecutor {
   explicit CpuExecutor(int threads) : pool_(threads) {}
 
   int threads() const { return pool_.threads(); }
+
+  /// Whether kernels run one index after the other.
+  bool runs_in_order() const { return threads() == 1; }
   StageTimes& stage_times() { return times_; }
 
   /// Calls kernel(i) for each i in 0 … n−1. Kernels that touch the same element must do so by exec/atomics.h.

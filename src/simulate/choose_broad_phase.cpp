@@ -49,7 +49,7 @@ Prediction predict_sorted_grid(const BroadPhaseParameters<V>& p) {
   for (const SizeClass<V>& spheres : p.classes) {
     const double n = double(spheres.count), edge = 2 * double(spheres.largest) * p.cell_size.value_or(1.0);
     time += n * kBin + n * kShortTest * expected(p.box, n, block_volume(p.box, edge)) / 2;
-    time += std::min(cell_count(p.box, edge), 6 * n) * kCell;
+    time += std::min(cell_count(p.box, V(static_cast<Scalar<V>>(edge))), 6 * n) * kCell;
     time += coarser * kShortTest * expected(p.box, n, block_volume(p.box, 4 * double(spheres.largest)));
     coarser += n;
   }

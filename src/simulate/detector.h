@@ -49,10 +49,26 @@ class Detector {
       std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
 
  public:
-  /// `method` is a broad phase by name, no longer "auto"; `parameters` are those of the bodies without skins.
-  Detector(const std::string& method, BroadPhaseParameters<V> parameters, double skin)
-      : box_(parameters.box), list_(skin, 2 * rounding_guard(parameters.box)),
-        broad_phase_(make_broad_phase(method, grow(parameters, list_.factor()))) {}
+  Detector() = default;  ///< to be planned
+  Detector(const std::string& method, const BroadPhaseParameters<V>& parameters, double skin) {
+    plan(method, parameters, skin);
+  }
+
+  /// Starts anew, in the memory held. `method` is a broad phase by name, no longer "auto"; `parameters` are those of the
+  /// bodies without skins.
+  void plan(const std::string& method, BroadPhaseParameters<V> parameters, double skin) {
+    box_ = parameters.box;
+    list_.plan(skin, 2 * rounding_guard(parameters.box));
+    for (SizeClass<V>& spheres : parameters.classes) spheres.largest *= list_.factor();
+    if (method == "brute-force") use<BruteForce<V, Exec>>(parameters);
+    if (method == "sort-and-sweep") use<SortAndSweep<V, Exec>>(parameters);
+    if (method == "linked-cell") use<LinkedCell<V, Exec>>(parameters);
+    if (method == "sorted-grid") use<SortedGrid<V, Exec>>(parameters);
+    is_list_last_ = false;
+    list_uses_ = kWorthwhile;
+    pause_ = 0;
+    searches_ = 0;
+  }
 
   /// Finds all contacts among the bodies.
   void find(Exec& exec, const BodiesView<V>& bodies) {
@@ -92,7 +108,7 @@ class Detector {
     return is_list_last_ ? list_.candidates().pairs.size() : range_or_list_candidates(exec);
   }
 
-  /// How often the broad phase has searched.
+  /// How often the broad phase has searched since the last plan.
   int64_t searches() const { return searches_; }
 
   /// The broad phase's grids for these positions; they are built where the candidate list has passed over them.
@@ -116,16 +132,13 @@ class Detector {
   }
 
  private:
-  static BroadPhaseParameters<V> grow(BroadPhaseParameters<V> parameters, Scalar<V> factor) {
-    for (SizeClass<V>& spheres : parameters.classes) spheres.largest *= factor;
-    return parameters;
-  }
-
-  static BroadPhase make_broad_phase(const std::string& method, const BroadPhaseParameters<V>& parameters) {
-    if (method == "brute-force") return BruteForce<V, Exec>(parameters);
-    if (method == "sort-and-sweep") return SortAndSweep<V, Exec>(parameters);
-    if (method == "sorted-grid") return SortedGrid<V, Exec>(parameters);
-    return LinkedCell<V, Exec>(parameters);
+  template <class Method>
+  void use(const BroadPhaseParameters<V>& parameters) {
+    if (auto* const same = std::get_if<Method>(&broad_phase_)) {
+      same->plan(parameters);
+    } else {
+      broad_phase_.template emplace<Method>(parameters);
+    }
   }
 
   void search(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
@@ -175,9 +188,9 @@ class Detector {
   static constexpr int kWorthwhile = 3;
   static constexpr int kPause = 30;
 
-  Box<V> box_;
+  Box<V> box_{};
   CandidateList<V, Exec> list_;
-  BroadPhase broad_phase_;
+  BroadPhase broad_phase_{BruteForce<V, Exec>(BroadPhaseParameters<V>{})};
   ListSearch<V, Exec> list_search_;
   RangeSearch<V, Exec> range_search_;
   ListFilter<V, Exec> list_filter_;

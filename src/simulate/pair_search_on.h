@@ -20,10 +20,12 @@ class SearchOn {
   using Real = Scalar<V>;
 
  public:
-  SearchOn(Exec& exec, const Settings& settings, const Box<V>& box, const SphereArrays& spheres)
-      : parameters_(parameters_of(settings, box, spheres)),
-        choice_(choose_broad_phase(settings, parameters_)),
-        detector_(choice_.method, parameters_, skin_of(settings)) {
+  /// Starts anew for these spheres, in the memory held.
+  void plan(Exec& exec, const Settings& settings, const Box<V>& box, const SphereArrays& spheres) {
+    auto parameters = broad_phase_parameters<V>(settings, box, spheres.radius, spheres.position.size());
+    parameters.occupied_volume = occupied_volume(box, spheres.position);
+    choice_ = choose_broad_phase(settings, parameters);
+    detector_.plan(choice_.method, parameters, skin_of(settings));
     exec.upload(radius_, spheres.radius.data(), spheres.radius.size());
   }
 
@@ -43,18 +45,10 @@ class SearchOn {
   int64_t bytes() const { return detector_.bytes() + position_.bytes() + radius_.bytes(); }
 
  private:
-  static BroadPhaseParameters<V> parameters_of(const Settings& settings, const Box<V>& box,
-                                               const SphereArrays& spheres) {
-    auto parameters = broad_phase_parameters<V>(settings, box, spheres.radius, spheres.position.size());
-    parameters.occupied_volume = occupied_volume(box, spheres.position);
-    return parameters;
-  }
-
   BodiesView<V> bodies() const {
     return {position_.span(), {}, {radius_.span().data(), radius_.size() == 1 ? 0 : 1}, {}};
   }
 
-  BroadPhaseParameters<V> parameters_;
   BroadPhaseChoice choice_;
   Detector<V, Exec> detector_;
   typename Exec::template Buffer<V> position_;
@@ -124,15 +118,17 @@ class PairSearchOn final : public PairSearch {
 
   void start(const SphereArrays& spheres, const Box<Vec3>& box) {
     visit([&](auto& search) { searches_ += search.detector().searches(); });
-    planar_.reset();
-    spatial_.reset();
     count_ = spheres.position.size();
     if (*settings_.skin > 0) radius_.assign(spheres.radius.begin(), spheres.radius.end());
     const bool is_planar = count_ > 0 && box.min.z == box.max.z && settings_.axis != "z";
     if (is_planar && *settings_.skin == 0) {  // with a skin, they may leave the plane
-      planar_.emplace(*exec_, settings_, Box<Vec2>{Vec2(box.min), Vec2(box.max), Boundary::walls}, spheres);
+      spatial_.reset();
+      if (!planar_) planar_.emplace();
+      planar_->plan(*exec_, settings_, Box<Vec2>{Vec2(box.min), Vec2(box.max), Boundary::walls}, spheres);
     } else {
-      spatial_.emplace(*exec_, settings_, box, spheres);
+      planar_.reset();
+      if (!spatial_) spatial_.emplace();
+      spatial_->plan(*exec_, settings_, box, spheres);
     }
   }
 

@@ -18,13 +18,14 @@ namespace ballpit {
 /// Vector loads may run beyond the last slot; buffers of slots hold so many values more than slots.
 inline constexpr int kSlotPadding = 16;
 
-/// Candidates in a row: slots first … last − 1, none where last ≤ first; where slots have
-/// tags, only those with this one, unless the range is of any tag.
+/// Of a range that is meant whole; no slot has it.
+inline constexpr unsigned kAnyTag = ~0u;
+
+/// Candidates in a row: slots first … last − 1, none where last ≤ first; where slots have tags, only those with this one.
 struct SlotRange {
   int first;
   int last;
   unsigned tag = 0;
-  bool is_of_any_tag = false;
 
   HOST_DEVICE int size() const { return first < last ? last - first : 0; }
 };
@@ -46,7 +47,7 @@ struct SlotsView {
 
   /// Whether a slot that lies in a range is meant by it.
   HOST_DEVICE bool is_meant(int slot, const SlotRange& range) const {
-    return tag.empty() || range.is_of_any_tag || tag[slot] == range.tag;
+    return tag.empty() || range.tag == kAnyTag || tag[slot] == range.tag;
   }
 };
 

@@ -60,7 +60,7 @@ class SpatialOrder {
     double volume = 1;
     for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= double(box.max[axis]) - double(box.min[axis]);
     const double edge = std::pow(volume / static_cast<double>(count), 1.0 / kDimensions<V>);  // one body a cell
-    grid_ = make_grid(parameters, SizeClass<V>{0, count}, edge, false);
+    grid_ = make_grid(parameters, SizeClass<V>{0, count}, V(static_cast<Scalar<V>>(edge)), false);
   }
 
   /// Whether step `step` is one before which the bodies are sorted.

@@ -28,12 +28,17 @@ struct BruteForceCandidates {
     visit(SlotRange{slot + 1, slots_view.count});
   }
 
-  /// All slots up to the limit share what comes after it.
+  /// Tile by tile, so that each is read from memory once.
   template <class Visit>
-  int for_each_range_of_group(int, int limit, Visit&& visit) const {
-    visit(SlotRange{limit, slots_view.count});
-    return limit;
+  void for_each_range_of(int from, int to, Visit&& visit) const {
+    for (int tile = from + 1; tile < slots_view.count; tile += kTile) {
+      const int end = slots_view.count - tile < kTile ? slots_view.count : tile + kTile;
+      for (int slot = from; slot < to; ++slot) visit(slot, SlotRange{slot < tile ? tile : slot + 1, end});
+    }
   }
+
+ private:
+  static constexpr int kTile = 1024;
 };
 
 /// Kernel: the body of a slot is the slot.
@@ -46,6 +51,7 @@ template <class V, class Exec>
 class BruteForce {
  public:
   explicit BruteForce(const BroadPhaseParameters<V>&) {}
+  void plan(const BroadPhaseParameters<V>&) {}
 
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     slots_.resize(bodies.size());

@@ -30,17 +30,15 @@ double extent_of(const Box<V>& box, int axis) {
 }
 
 template <class V>
-double choose_edge(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, double least_edge,
-                   bool is_hashed) {
-  const double diameter = 2.0 * double(spheres.largest);
-  const double wanted =
-      parameters.cell_size ? diameter * *parameters.cell_size : std::max(diameter, least_edge);
+V choose_edge(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, V edge, bool is_hashed) {
+  using Real = Scalar<V>;
+  if (parameters.cell_size) edge = V(static_cast<Real>(2.0 * double(spheres.largest) * *parameters.cell_size));
   // Rounding moves a coordinate counted in cells by its own unit in the last place, and by the guard.
-  double edge =
-      wanted * (1.0 + 8.0 * double(std::numeric_limits<Scalar<V>>::epsilon())) + 2.0 * rounding_guard(parameters.box);
+  edge *= Real(1) + 8 * std::numeric_limits<Real>::epsilon();
+  edge += V(static_cast<Real>(2.0 * rounding_guard(parameters.box)));
   if (!parameters.cell_size && (!is_hashed || parameters.box.is_periodic())) {
     const double most = is_hashed ? kLargestGrid : kCellsPerBody * double(spheres.count) + 4096.0;
-    while (cell_count(parameters.box, edge) > most) edge *= 1.02;
+    while (cell_count(parameters.box, edge) > most) edge *= Real(1.02);
   }
   return edge;
 }
@@ -84,10 +82,10 @@ double rounding_guard(const Box<V>& box) {
 }
 
 template <class V>
-double cell_count(const Box<V>& box, double edge) {
+double cell_count(const Box<V>& box, const V& edge) {
   double count = 1.0;
   for (int axis = 0; axis < kDimensions<V>; ++axis) {
-    count *= cells_along(extent_of(box, axis), edge, box.is_periodic());
+    count *= cells_along(extent_of(box, axis), double(edge[axis]), box.is_periodic());
   }
   return count;
 }
@@ -116,14 +114,14 @@ double occupied_volume(const Box<V>& box, Span<const Vec3> position) {
 }
 
 template <class V>
-Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, double least_edge,
+Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, const V& wanted_edge,
                   bool is_hashed) {
   const Box<V>& box = parameters.box;
   Grid<V> grid;
   grid.origin = box.min;
   grid.is_periodic = box.is_periodic();
   if (spheres.count == 0) return grid;
-  const double edge = choose_edge(parameters, spheres, least_edge, is_hashed);
+  const V edge = choose_edge(parameters, spheres, wanted_edge, is_hashed);
   const double count = cell_count(box, edge);
   if ((!is_hashed || grid.is_periodic) && !(count <= kLargestGrid)) {
     std::ostringstream message;
@@ -134,15 +132,15 @@ Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>&
   }
   for (int axis = 0; axis < kDimensions<V>; ++axis) {
     const double extent = extent_of(box, axis);
-    const double cells = std::min(cells_along(extent, edge, box.is_periodic()), kLargestGrid);
-    const double length = box.is_periodic() ? extent / cells : edge;
+    const double cells = std::min(cells_along(extent, double(edge[axis]), box.is_periodic()), kLargestGrid);
+    const double length = box.is_periodic() ? extent / cells : double(edge[axis]);
     grid.cells[axis] = static_cast<int>(cells);
     grid.edge[axis] = static_cast<Scalar<V>>(length);
     grid.inverse_edge[axis] = static_cast<Scalar<V>>(1.0 / length);
   }
   if (is_hashed) {
     grid.is_hashed = true;
-    const int64_t places = std::max<int64_t>(4, 2 * spheres.count);  // fewer, and x − 1 and x + 1 would share one
+    const int64_t places = std::max<int64_t>(8, 2 * spheres.count);  // fewer, and the cells of a row of a block would share one
     grid.mask = static_cast<unsigned>(std::bit_ceil(static_cast<uint64_t>(places))) - 1;
   }
   return grid;
@@ -169,9 +167,9 @@ std::optional<GridInspection> list_cells(const Grid<V>& grid, const std::vector<
 #define BALLPIT_INSTANTIATE(V)                                                                              \
   template std::vector<SizeClass<V>> size_classes<V>(Span<const Scalar<V>>, int64_t);                       \
   template double rounding_guard(const Box<V>&);                                                            \
-  template double cell_count(const Box<V>&, double);                                                        \
+  template double cell_count(const Box<V>&, const V&);                                                      \
   template double occupied_volume(const Box<V>&, Span<const Vec3>);                                         \
-  template Grid<V> make_grid(const BroadPhaseParameters<V>&, const SizeClass<V>&, double, bool);            \
+  template Grid<V> make_grid(const BroadPhaseParameters<V>&, const SizeClass<V>&, const V&, bool);          \
   template std::optional<GridInspection> list_cells(const Grid<V>&, const std::vector<V>&, const std::vector<int>&);
 BALLPIT_INSTANTIATE(Vec2)
 BALLPIT_INSTANTIATE(Vec3)

@@ -30,7 +30,7 @@ template <class V>
 struct Grid {
   using Real = Scalar<V>;
   V origin{};
-  V edge{};          ///< [m] equal along all axes, but stretched in periodic domains to fit a whole number of times
+  V edge{};          ///< [m] stretched in periodic domains to fit a whole number of times
   V inverse_edge{};  ///< [1/m]
   IVec3 cells{1};    ///< of the domain; a hashed grid has more, unless it is periodic
   int border = 0;     ///< cells around the domain's that no body counts to, so that each body's cell has all neighbours
@@ -41,9 +41,9 @@ struct Grid {
   /// Places in the array.
   HOST_DEVICE int64_t size() const { return is_hashed ? int64_t(mask) + 1 : int64_t(cells.x) * cells.y * cells.z; }
 
-  /// The row of cells (·, y, z): a number that differs from those of all rows within 65 535 of it.
+  /// The row of cells (·, y, z): a number below 2³¹ that differs from those of all rows within 32 767 of it.
   HOST_DEVICE unsigned row(int y, int z) const {
-    return is_hashed ? unsigned(z) * 65536u + unsigned(y) : unsigned(z * cells.y + y);
+    return is_hashed ? (unsigned(z) * 65536u + unsigned(y)) & 0x7FFFFFFFu : unsigned(z * cells.y + y);
   }
 
   /// Tells the cells that may share a place from each other: by row, and in periodic domains by cell, where places that
@@ -67,14 +67,21 @@ struct Grid {
   HOST_DEVICE int index(const IVec3& cell) const { return place(row_place(row(cell.y, cell.z)), cell.x); }
 
   HOST_DEVICE int coordinate_of(Real p, int axis) const {
-    const Real x = (p - origin[axis]) * inverse_edge[axis];
-    if (is_hashed && !is_periodic) {
-      const Real limited = x < -kFarthest ? -kFarthest : (x > kFarthest ? kFarthest : x);
+    if (is_unbounded()) {
+      const double x = scaled_exactly(p, axis);
+      const double limited = x < -kFarthest ? -kFarthest : (x > kFarthest ? kFarthest : x);
       const int truncated = int(limited);
-      return truncated - int(limited < Real(truncated));
+      return truncated - int(limited < truncated);
     }
+    const Real x = scaled(p, axis);
     const Real first = Real(border), last = Real(cells[axis] - 1 - border);
-    return int(x < first ? first : (x > last ? last : x));
+    const Real limited = x < last ? x : last;
+    return int(limited > first ? limited : first);
+  }
+
+  /// Where in cell c of an axis a coordinate lies: from 0 to 1, beyond the domain also outside of that.
+  HOST_DEVICE Real place_in(int c, Real p, int axis) const {
+    return is_unbounded() ? Real(scaled_exactly(p, axis) - c) : scaled(p, axis) - Real(c);
   }
 
   /// The cell of a point.
@@ -123,23 +130,33 @@ struct Grid {
   }
 
  private:
-  static constexpr Real kFarthest = Real(1 << 30);
+  static constexpr double kFarthest = 1 << 30;
+
+  HOST_DEVICE bool is_unbounded() const { return is_hashed && !is_periodic; }
+
+  /// A coordinate counted in cells.
+  HOST_DEVICE Real scaled(Real p, int axis) const { return (p - origin[axis]) * inverse_edge[axis]; }
+
+  /// The same where there is no bound to it, and so none to what rounding would hide.
+  HOST_DEVICE double scaled_exactly(Real p, int axis) const {
+    return (double(p) - double(origin[axis])) * double(inverse_edge[axis]);
+  }
 };
 
 /// What a coordinate may be off by rounding [m]: a few units in the last place of the largest one.
 template <class V>
 double rounding_guard(const Box<V>& box);
 
-/// The number of cells of a dense grid.
+/// The number of cells of a dense grid with these edges [m].
 template <class V>
-double cell_count(const Box<V>& box, double edge);
+double cell_count(const Box<V>& box, const V& edge);
 
-/// A grid over the domain for spheres of one size class. Its edge is the cell size, or without one `least_edge` [m],
-/// and at least the class's largest diameter; in a dense grid it is larger where there would be far more cells than
-/// spheres. A rounding guard keeps spheres that touch within neighbouring cells. Throws UserError where there are more
-/// cells than an index holds.
+/// A grid over the domain for spheres of one size class, with cells of these edges [m], or with --cell-size of so many of
+/// the class's largest diameters. In a dense grid they are larger where there would be far more cells than spheres. A
+/// rounding guard keeps spheres that touch within neighbouring cells, where an edge is a diameter or more. Throws UserError
+/// where there are more cells than an index holds.
 template <class V>
-Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, double least_edge,
+Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, const V& edge,
                   bool is_hashed);
 
 /// The lists of a grid's cells as the slides draw them, built on the host; nothing where there are too many cells to

@@ -11,6 +11,8 @@
 // body is lost however many threads insert into one cell; only the order within a list depends on them, and what is
 // found is sorted afterwards.
 //
+// One thread alone links bodies in their order, so its lists fall: who looks for higher indices may leave a list early.
+//
 // Cost: O(n + cells) to build, then for each body the lists of its 3 × 3 (× 3) block: O(n) while cells hold O(1)
 // bodies. Memory: 4 bytes a cell, 4 bytes a body. Each pair is visited from its lower index alone. In a hashed grid a
 // list may hold bodies of several cells: those of the cell that is looked for are told by their positions.
@@ -43,6 +45,7 @@ struct LinkedCellCandidates {
   Span<const V> position;
   Span<const int> head;
   Span<const int> next;
+  bool is_falling = false;  ///< whether indices fall along each list
 
   /// Calls visit(j) for each j > i in the block around i's cell, until visit returns false.
   template <class Visit>
@@ -60,19 +63,20 @@ struct LinkedCellCandidates {
   /// For CPUs, which predict branches, and keep the arrays in a cache; a GPU does neither.
   template <class Visit>
   HOST_DEVICE void walk_lists_in_batches(int i, Visit&& visit) const {
-    // First the lists that are not empty, without a branch for each cell: whether a cell is empty is hard to predict.
+    const int end = is_falling ? i : -1;  // what follows an index up to it is not looked for
+    // First the lists to walk, without a branch for each cell: whether a cell is empty is hard to predict.
     int starts[kDimensions<V> == 3 ? 27 : 9];
     int lists = 0;
     grid.for_each_neighbour(grid.cell_of(position[i]), [&](const IVec3& cell) {
       starts[lists] = head[grid.index(cell)];
-      lists += starts[lists] != -1;
+      lists += starts[lists] > end;
       return true;
     });
     // Then their bodies with a higher index, without a branch for each body.
     int higher[kBatch];
     int count = 0;
     for (int k = 0; k < lists; ++k) {
-      for (int j = starts[k]; j != -1; j = next[j]) {
+      for (int j = starts[k]; j > end; j = next[j]) {
         higher[count] = j;
         count += j > i;
         if (count == kBatch && !visit_all(higher, count, visit)) return;
@@ -105,19 +109,23 @@ struct LinkedCellCandidates {
 template <class V, class Exec>
 class LinkedCell {
  public:
-  explicit LinkedCell(const BroadPhaseParameters<V>& parameters)
-      : grid_(make_grid(parameters, SizeClass<V>{parameters.largest_radius(), parameters.count}, 0,
-                        parameters.table == CellTable::hashed)) {}
+  explicit LinkedCell(const BroadPhaseParameters<V>& parameters) { plan(parameters); }
+
+  void plan(const BroadPhaseParameters<V>& parameters) {
+    grid_ = make_grid(parameters, SizeClass<V>{parameters.largest_radius(), parameters.count},
+                      V(2 * parameters.largest_radius()), parameters.table == CellTable::hashed);
+  }
 
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     head_.resize(grid_.size());
     next_.resize(bodies.size());
     position_ = bodies.position;
     exec.fill("clear cells", head_.span(), -1);
+    is_falling_ = exec.runs_in_order();
     exec.parallel_for("link bodies", bodies.size(), LinkBody<V>{grid_, position_, head_.span(), next_.span()});
   }
 
-  LinkedCellCandidates<V> candidates() const { return {grid_, position_, head_.span(), next_.span()}; }
+  LinkedCellCandidates<V> candidates() const { return {grid_, position_, head_.span(), next_.span(), is_falling_}; }
 
   std::vector<GridInspection> inspect(Exec& exec) const {
     if (grid_.is_hashed) {
@@ -137,6 +145,7 @@ class LinkedCell {
  private:
   Grid<V> grid_;
   Span<const V> position_;
+  bool is_falling_ = false;
   typename Exec::template Buffer<int> head_, next_;
 };
 

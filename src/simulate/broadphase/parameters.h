@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What every broad phase is made from, and the contract that all keep. A broad phase is a class with
 //
+//     plan(parameters)         starts anew for others, in the memory that it holds
 //     prepare(exec, bodies)    builds its structure for frozen positions
 //     candidates()             a kernel's view of it, of one of two kinds:
 //       lists                  for_each(i, visit) calls visit(j) for candidates j > i of body i, until visit returns false
 //       ranges                 slots(), copies of the bodies in an order of its own, and for_each_range(slot, visit),
 //                              which calls visit(range) for ranges of slots; thread t of threads() works for slot_of(t);
-//                              on the CPU for_each_range_of_group(slot, limit, visit) visits the ranges that a group of
-//                              slots from `slot` on share, beside the slots of the group itself, and returns its end
+//                              on the CPU for_each_range_of(from, to, visit) calls visit(slot, range) for slots
+//                              from … to − 1, in an order that suits its caches
 //     inspect(exec)            its grids for the audience, where it has some
 //     walks(exec)              what each thread walks, where that is not its candidates
 //     bytes()                  memory held

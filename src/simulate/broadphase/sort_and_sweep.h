@@ -106,11 +106,11 @@ struct SortAndSweepCandidates {
     if (period > 0 && !is_narrow) visit_over_border(slot, visit);
   }
 
-  /// No two slots share a range.
   template <class Visit>
-  int for_each_range_of_group(int slot, int, Visit&& visit) const {
-    for_each_range(slot, visit);
-    return slot + 1;
+  void for_each_range_of(int from, int to, Visit&& visit) const {
+    for (int slot = from; slot < to; ++slot) {
+      for_each_range(slot, [&](const SlotRange& range) { visit(slot, range); });
+    }
   }
 
  private:
@@ -171,11 +171,14 @@ class SortAndSweep {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  explicit SortAndSweep(const BroadPhaseParameters<V>& parameters)
-      : box_(parameters.box),
-        wanted_axis_(parameters.axis),
-        guard_(static_cast<Real>(rounding_guard(parameters.box) + 1e-6 * double(parameters.largest_radius()))),
-        largest_diameter_(2 * double(parameters.largest_radius())) {}
+  explicit SortAndSweep(const BroadPhaseParameters<V>& parameters) { plan(parameters); }
+
+  void plan(const BroadPhaseParameters<V>& parameters) {
+    box_ = parameters.box;
+    wanted_axis_ = parameters.axis;
+    guard_ = static_cast<Real>(rounding_guard(parameters.box) + 1e-6 * double(parameters.largest_radius()));
+    largest_diameter_ = 2 * double(parameters.largest_radius());
+  }
 
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     const int64_t n = bodies.size();
@@ -249,10 +252,10 @@ class SortAndSweep {
   }
 
   Box<V> box_;
-  int wanted_axis_;
+  int wanted_axis_ = kLargestAxis;
   int axis_ = 0;
-  Real guard_;
-  double largest_diameter_;
+  Real guard_ = 0;
+  double largest_diameter_ = 0;
   Buffer<uint32_t> keys_;
   Buffer<int> endpoints_, begins_before_, begins_before_end_;
   Slots<V, Exec> slots_;

@@ -7,13 +7,16 @@
 //
 //       ┌───┬───┬───┐
 //       │ ▒ │ ▒ │ ▒ │   Each pair once: a body looks at the slots after its own in its cell and the next (▓), and at
-//       ├───┼───┼───┤   the rows of three cells above (▒), which are contiguous: two ranges in the plane, five in
-//       │   │ ▓ │ ▓ │   space. In periodic domains it looks at all neighbours, at the slots after its own.
-//       └───┴───┴───┘
+//       │ ▒ │ ▒ │ ▒ │   the rows of three cells above (▒), which are contiguous: two ranges in the plane, five in
+//       ├───┼───┼───┤   space. In periodic domains it looks at all neighbours, at the slots after its own.
+//       │   │ ▓ │ ▓ │
+//       │   │ ● │ ▓ │   A cell is one diameter long, but so wide that three in a row fill a vector; so a body reaches
+//       └───┴───┴───┘   few of the rows above, and the others cost nothing. With --cell-size cells are cubes, and the
+//                       block is searched whole, as on slide 16.
 //
-// Spheres of different sizes: a grid for each size class (a factor of about 2.5), one after the other in the same arrays, largest
-// first. A body looks in its own class as above, and in each finer class at the cells that its sphere reaches: a large
-// sphere reads long rows of small ones, a small one never reads cells made for large ones. With --cell-size, one grid
+// Spheres of different sizes: a grid for each size class (a factor of about 2.5), one after the other in the same arrays,
+// largest first. A body looks in its own class as above, and in each finer class at the cells that its sphere reaches: a
+// large sphere reads long rows of small ones, a small one never reads cells made for large ones. With --cell-size, one grid
 // serves all, as on slide 7.
 //
 // Where a dense grid would have far more cells than bodies, the cells are hashed: a slot then keeps the tag of its row (in
@@ -35,8 +38,10 @@ template <class V>
 struct ClassGrids {
   using Real = Scalar<V>;
   int count = 0;
-  Real guard = 0;                         ///< what rounding may add to a distance [m]
+  bool is_block = false;  ///< whether the whole 3 × 3 (× 3) block is searched, and nothing beyond it
+  Real guard = 0;         ///< what rounding may add to a distance [m]
   Real largest[kMaxSizeClasses] = {};     ///< [m] radius, falling
+  V diameter[kMaxSizeClasses] = {};       ///< [cells] of the largest, with what rounding may add
   int first_place[kMaxSizeClasses] = {};  ///< where the places of a class's cells begin
   Grid<V> grid[kMaxSizeClasses] = {};
 
@@ -90,151 +95,188 @@ struct SortedGridCandidates {
     const V p = slots_view.position(slot);
     const Real radius = slots_view.radius[slot];
     const int own = grids.count == 1 ? 0 : grids.class_of(radius);
-    if (grids.grid[own].is_periodic) {
-      visit_all_neighbours(own, p, slot, visit);
-    } else if (grids.grid[own].is_hashed) {
-      visit_half_of_hashed(own, grids.grid[own].cell_of(p), slot + 1, visit);
+    const Grid<V>& grid = grids.grid[own];
+    if (grid.is_periodic) {
+      visit_reach(own, p, radius, slot + 1, visit);
     } else {
-      visit_half_of_dense(own, grids.grid[own].cell_of(p), slot + 1, visit);
+      const IVec3 cell = grid.cell_of(p);
+      if (grid.is_hashed) {
+        visit_half_of_hashed(own, cell, rows_reached(own, p, cell), slot + 1, visit);
+      } else {
+        visit_half_of_dense(own, grid.index(cell), grid.row(cell.y, cell.z), rows_reached(own, p, cell), slot + 1, visit);
+      }
     }
-    for (int k = own + 1; k < grids.count; ++k) visit_reach(k, p, radius, visit);
+    for (int k = own + 1; k < grids.count; ++k) visit_reach(k, p, radius, 0, visit);
   }
 
-  /// Slots of one cell share their ranges, unless each also reaches into finer classes by its own size.
   template <class Visit>
-  int for_each_range_of_group(int slot, int limit, Visit&& visit) const {
-    const int own = grids.count == 1 ? 0 : grids.class_of(slots_view.radius[slot]);
-    const Grid<V>& grid = grids.grid[own];
-    if (own + 1 < grids.count || grid.is_periodic) {
-      for_each_range(slot, visit);
-      return slot + 1;
+  void for_each_range_of(int from, int to, Visit&& visit) const {
+    for (int first = from, last; first < to; first = last) {
+      last = to - first < kTogether ? to : first + kTogether;
+      const int k = grids.count == 1 ? 0 : grids.class_of(slots_view.radius[first]);
+      const int end_of_class = offsets[grids.first_place[k] + grids.grid[k].size()];
+      if (end_of_class < last) last = end_of_class;
+      if (!grids.grid[k].is_periodic && !grids.grid[k].is_hashed) {
+        visit_together(k, first, last, visit);
+      } else {
+        for (int slot = first; slot < last; ++slot) {
+          for_each_range(slot, [&](const SlotRange& range) { visit(slot, range); });
+        }
+      }
     }
-    const IVec3 cell = grid.cell_of(slots_view.position(slot));
-    const int bin_end = offsets_of(own)[grid.index(cell) + 1];
-    int end = bin_end < limit ? bin_end : limit;
-    if (grid.is_hashed) {
-      int same = slot + 1;
-      while (same < end && grid.cell_of(slots_view.position(same)) == cell) ++same;
-      visit_half_of_hashed(own, cell, end = same, visit);
-    } else {
-      visit_half_of_dense(own, cell, end, visit);
-    }
-    return end;
   }
 
  private:
-  /// Visits cells x0 … x1 of a row of an unbounded grid: in one range, or in two where the places wrap around.
+  static constexpr int kTogether = 64;
+
+  /// Which of the rows beside its own a sphere reaches. All bits are set where it does, so that nobody need ask: the
+  /// answers are hard to predict.
+  struct Rows {
+    int is_up, is_down, is_front;
+  };
+
+  HOST_DEVICE Rows rows_reached(int k, const V& p, const IVec3& cell) const {
+    const Grid<V>& grid = grids.grid[k];
+    const V& diameter = grids.diameter[k];
+    const Real y = grid.place_in(cell.y, p[1], 1);
+    Rows rows{-int(y > 1 - diameter[1]), -int(y < diameter[1]), 0};
+    if constexpr (kDimensions<V> == 3) rows.is_front = -int(grid.place_in(cell.z, p[2], 2) > 1 - diameter[2]);
+    return rows;
+  }
+
+  /// For slots in a row, all of class k, whose grid is dense: first where each lies, which the compiler turns into vector
+  /// instructions, then the ranges of each.
   template <class Visit>
-  HOST_DEVICE void visit_row(int k, int y, int z, int x0, int x1, Visit&& visit) const {
+  void visit_together(int k, int first, int last, Visit&& visit) const {
+    const Grid<V>& grid = grids.grid[k];
+    int place[kTogether], row[kTogether], is_up[kTogether], is_down[kTogether], is_front[kTogether];
+    for (int s = 0; s < last - first; ++s) {
+      const V p = slots_view.position(first + s);
+      const IVec3 cell = grid.cell_of(p);
+      const Rows rows = rows_reached(k, p, cell);
+      place[s] = grid.index(cell);
+      row[s] = static_cast<int>(grid.row(cell.y, cell.z));
+      is_up[s] = rows.is_up;
+      is_down[s] = rows.is_down;
+      is_front[s] = rows.is_front;
+    }
+    for (int s = 0; s < last - first; ++s) {
+      visit_half_of_dense(k, place[s], static_cast<unsigned>(row[s]), {is_up[s], is_down[s], is_front[s]}, first + s + 1,
+                          [&](const SlotRange& range) { visit(first + s, range); });
+    }
+    for (int finer = k + 1; finer < grids.count; ++finer) {
+      for (int slot = first; slot < last; ++slot) {
+        visit_reach(finer, slots_view.position(slot), slots_view.radius[slot], 0,
+                    [&](const SlotRange& range) { visit(slot, range); });
+      }
+    }
+  }
+
+  /// Visits what comes after a sphere of class k in a dense grid with a border: slots from `from` on in its cell and the
+  /// next, then the rows above. Those out of reach are visited as empty ranges. Tags are compared here too where another
+  /// class's cells are hashed.
+  template <class Visit>
+  HOST_DEVICE void visit_half_of_dense(int k, int place, unsigned tag, const Rows& rows, int from,
+                                       Visit&& visit) const {
+    const IVec3& cells = grids.grid[k].cells;
+    const int* at = offsets.data() + grids.first_place[k] + place;
+    visit(SlotRange{from, at[2], tag});
+    const auto visit_row_at = [&](int y, int z, int is_reached) {
+      const int* row = at + (z * cells.y + y) * cells.x;
+      const int first = row[-1], last = row[2];
+      visit(SlotRange{first, first + ((last - first) & is_reached), tag + unsigned(z * cells.y + y)});
+    };
+    visit_row_at(1, 0, rows.is_up);
+    if constexpr (kDimensions<V> == 3) {
+      visit_row_at(-1, 1, rows.is_front & rows.is_down);
+      visit_row_at(0, 1, rows.is_front);
+      visit_row_at(1, 1, rows.is_front & rows.is_up);
+    }
+  }
+
+  /// The same where places wrap around.
+  template <class Visit>
+  HOST_DEVICE void visit_half_of_hashed(int k, const IVec3& cell, const Rows& rows, int from, Visit&& visit) const {
+    visit_row(k, cell.y, cell.z, cell.x, cell.x + 1, from, visit);
+    const auto visit_row_at = [&](int y, int z, int is_reached) {
+      if (is_reached) visit_row(k, cell.y + y, cell.z + z, cell.x - 1, cell.x + 1, 0, visit);
+    };
+    visit_row_at(1, 0, rows.is_up);
+    if constexpr (kDimensions<V> == 3) {
+      visit_row_at(-1, 1, rows.is_front & rows.is_down);
+      visit_row_at(0, 1, rows.is_front);
+      visit_row_at(1, 1, rows.is_front & rows.is_up);
+    }
+  }
+
+  /// The first and last cells of class k that may hold the centre of a sphere that touches one at p; in periodic domains
+  /// each once, to be wrapped.
+  HOST_DEVICE void find_reach(int k, const V& p, Real radius, IVec3& low, IVec3& high) const {
+    const Grid<V>& grid = grids.grid[k];
+    const Real reach = (radius + grids.largest[k]) * Real(1.000001) + grids.guard;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      if (grids.is_block) {
+        grid.neighbours(axis, grid.coordinate_of(p[axis], axis), low[axis], high[axis]);
+      } else if (!grid.is_periodic) {
+        low[axis] = grid.coordinate_of(p[axis] - reach, axis);
+        high[axis] = grid.coordinate_of(p[axis] + reach, axis);
+      } else {
+        low[axis] = int(std::floor((p[axis] - reach - grid.origin[axis]) * grid.inverse_edge[axis]));
+        high[axis] = int(std::floor((p[axis] + reach - grid.origin[axis]) * grid.inverse_edge[axis]));
+        if (high[axis] - low[axis] >= grid.cells[axis]) {
+          low[axis] = 0;
+          high[axis] = grid.cells[axis] - 1;
+        }
+      }
+    }
+  }
+
+  /// Visits cells x0 … x1 of a row of an unbounded grid: in one range, or in two where the places wrap around; of the first
+  /// cell the slots from `from` on.
+  template <class Visit>
+  HOST_DEVICE void visit_row(int k, int y, int z, int x0, int x1, int from, Visit&& visit) const {
     const Grid<V>& grid = grids.grid[k];
     const unsigned row = grid.row(y, z);
     const unsigned start = grid.row_place(row);
     const bool is_whole = grid.is_hashed && x1 - x0 >= int(grid.mask);
     const int first = is_whole ? 0 : grid.place(start, x0), last = is_whole ? int(grid.mask) : grid.place(start, x1);
     const Span<const int> at = offsets_of(k);
-    if (first <= last) {
-      visit(SlotRange{at[first], at[last + 1], row});
-    } else {
-      visit(SlotRange{at[first], at[int(grid.mask) + 1], row});
-      visit(SlotRange{at[0], at[last + 1], row});
-    }
-  }
-
-  /// Visits a cell of a periodic grid: its slots from `from` on.
-  template <class Visit>
-  HOST_DEVICE void visit_cell(int k, const IVec3& cell, int from, Visit&& visit) const {
-    const int place = grids.grid[k].index(cell);
-    const Span<const int> at = offsets_of(k);
-    visit(SlotRange{at[place] < from ? from : at[place], at[place + 1], grids.grid[k].tag(cell)});
+    const int begin = from > 0 ? from : at[first];
+    visit(SlotRange{begin, at[first <= last ? last + 1 : int(grid.mask) + 1], row});
+    if (first > last) visit(SlotRange{at[0], at[last + 1], row});
   }
 
   HOST_DEVICE Span<const int> offsets_of(int k) const {
     return {offsets.data() + grids.first_place[k], offsets.size() - grids.first_place[k]};
   }
 
-  /// In a dense grid with a border: the cell from slot `from` on and the cell after it, then the rows above. Tags are
-  /// compared here too where another class's cells are hashed.
+  /// Visits the cells of class k that a sphere reaches: slots from `from` on.
   template <class Visit>
-  HOST_DEVICE void visit_half_of_dense(int k, const IVec3& cell, int from, Visit&& visit) const {
+  HOST_DEVICE void visit_reach(int k, const V& p, Real radius, int from, Visit&& visit) const {
     const Grid<V>& grid = grids.grid[k];
-    const int* at = offsets.data() + grids.first_place[k] + grid.index(cell);
-    const int row = grid.cells.x, layer = row * grid.cells.y;
-    const unsigned tag = grid.row(cell.y, cell.z);
-    visit(SlotRange{from, at[2], tag});
-    visit(SlotRange{at[row - 1], at[row + 2], tag + 1});
-    if constexpr (kDimensions<V> == 3) {
-      for (int y = -1; y <= 1; ++y) {
-        const int r = layer + y * row;
-        visit(SlotRange{at[r - 1], at[r + 2], tag + unsigned(grid.cells.y + y)});
-      }
-    }
-  }
-
-  /// The same where places wrap around.
-  template <class Visit>
-  HOST_DEVICE void visit_half_of_hashed(int k, const IVec3& c, int from, Visit&& visit) const {
-    const Grid<V>& grid = grids.grid[k];
-    const unsigned row = grid.row(c.y, c.z);
-    const unsigned start = grid.row_place(row);
-    const int own = grid.place(start, c.x), next = grid.place(start, c.x + 1);
-    const Span<const int> at = offsets_of(k);
-    visit(SlotRange{from, at[(next < own ? own : next) + 1], row});
-    if (next < own) visit(SlotRange{at[next], at[next + 1], row});
-    visit_row(k, c.y + 1, c.z, c.x - 1, c.x + 1, visit);
-    if constexpr (kDimensions<V> == 3) {
-      for (int y = c.y - 1; y <= c.y + 1; ++y) visit_row(k, y, c.z + 1, c.x - 1, c.x + 1, visit);
-    }
-  }
-
-  template <class Visit>
-  HOST_DEVICE void visit_all_neighbours(int k, const V& p, int slot, Visit&& visit) const {
-    grids.grid[k].for_each_neighbour(grids.grid[k].cell_of(p), [&](const IVec3& cell) {
-      visit_cell(k, cell, slot + 1, visit);
-      return true;
-    });
-  }
-
-  /// Visits the cells of class k that hold centres of spheres which may touch the sphere at p.
-  template <class Visit>
-  HOST_DEVICE void visit_reach(int k, const V& p, Real radius, Visit&& visit) const {
-    const Grid<V>& grid = grids.grid[k];
-    const Real reach = (radius + grids.largest[k]) * Real(1.000001) + grids.guard;
-    int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-    for (int axis = 0; axis < kDimensions<V>; ++axis) reached_cells(grid, axis, p[axis], reach, low[axis], high[axis]);
+    IVec3 low(0), high(0);
+    find_reach(k, p, radius, low, high);
     // To look up more rows than there are spheres, whose places are bounded in number, would take longer than to test all.
     const Span<const int> at = offsets_of(k);
     const int first = at[0], last = at[grid.size()];
-    double lookups = (double(high[1]) - low[1] + 1) * (double(high[2]) - low[2] + 1);
-    if (grid.is_periodic) lookups *= double(high[0]) - low[0] + 1;
+    double lookups = (double(high.y) - low.y + 1) * (double(high.z) - low.z + 1);
+    if (grid.is_periodic) lookups *= double(high.x) - low.x + 1;
     if (lookups > double(last - first)) {
-      visit(SlotRange{first, last, 0, true});
+      visit(SlotRange{first < from ? from : first, last, kAnyTag});
       return;
     }
-    for (int z = low[2]; z <= high[2]; ++z) {
-      for (int y = low[1]; y <= high[1]; ++y) {
+    for (int z = low.z; z <= high.z; ++z) {
+      for (int y = low.y; y <= high.y; ++y) {
         if (!grid.is_periodic) {
-          visit_row(k, y, z, low[0], high[0], visit);
+          visit_row(k, y, z, low.x, high.x, 0, visit);
           continue;
         }
-        for (int x = low[0]; x <= high[0]; ++x) {
-          visit_cell(k, IVec3(grid.wrapped(0, x), grid.wrapped(1, y), grid.wrapped(2, z)), 0, visit);
+        for (int x = low.x; x <= high.x; ++x) {
+          const IVec3 cell(grid.wrapped(0, x), grid.wrapped(1, y), grid.wrapped(2, z));
+          const int place = grid.index(cell);
+          visit(SlotRange{at[place] < from ? from : at[place], at[place + 1], grid.tag(cell)});
         }
       }
-    }
-  }
-
-  /// The cells within `reach` of p along an axis; in periodic domains each once, to be wrapped.
-  HOST_DEVICE static void reached_cells(const Grid<V>& grid, int axis, Real p, Real reach, int& low, int& high) {
-    if (!grid.is_periodic) {
-      low = grid.coordinate_of(p - reach, axis);
-      high = grid.coordinate_of(p + reach, axis);
-      return;
-    }
-    low = int(std::floor((p - reach - grid.origin[axis]) * grid.inverse_edge[axis]));
-    high = int(std::floor((p + reach - grid.origin[axis]) * grid.inverse_edge[axis]));
-    if (high - low >= grid.cells[axis]) {
-      low = 0;
-      high = grid.cells[axis] - 1;
     }
   }
 };
@@ -245,17 +287,24 @@ class SortedGrid {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  explicit SortedGrid(const BroadPhaseParameters<V>& parameters) {
+  explicit SortedGrid(const BroadPhaseParameters<V>& parameters) { plan(parameters); }
+
+  void plan(const BroadPhaseParameters<V>& parameters) {
+    grids_ = ClassGrids<V>();
+    places_ = 0;
+    is_hashed_ = false;
     std::vector<SizeClass<V>> classes = parameters.classes;
     if (parameters.cell_size && !classes.empty()) classes = {{parameters.largest_radius(), parameters.count}};
     grids_.guard = static_cast<Scalar<V>>(rounding_guard(parameters.box));
+    grids_.is_block = parameters.cell_size.has_value();
     for (const SizeClass<V>& spheres : classes) {
       const int k = grids_.count++;
       grids_.largest[k] = spheres.largest;
       grids_.first_place[k] = static_cast<int>(places_);
-      const double edge = wanted_edge(parameters, spheres);
-      grids_.grid[k] = make_grid(parameters, spheres, edge, is_hashed(parameters, spheres, edge));
-      if (!grids_.grid[k].is_hashed && !grids_.grid[k].is_periodic) grids_.grid[k] = with_border(grids_.grid[k]);
+      const V edge = wanted_edge(parameters, spheres);
+      Grid<V>& grid = grids_.grid[k] = make_grid(parameters, spheres, edge, is_hashed(parameters, spheres, edge));
+      grids_.diameter[k] = diameter_in(grid, spheres);
+      if (!grid.is_hashed && !grid.is_periodic) grid = with_border(grid);
       places_ += grids_.grid[k].size();
       is_hashed_ |= grids_.grid[k].is_hashed;
     }
@@ -299,21 +348,35 @@ class SortedGrid {
   int64_t bytes() const { return slots_.bytes() + offsets_.bytes() + tag_.bytes(); }
 
  private:
-  // Two spheres a cell: a vector holds what a row of cells does, and there are fewer rows to look up. Where the spheres
-  // may gather anywhere, cells of twice the volume of the smallest allowed hold about two in the densest heap.
-  static constexpr double kPerCell = 2;
-  static constexpr double kEdgeOfHeaps = 1.25;
+  // Spheres in what is read of a row, three cells: about those that a vector holds.
+  static constexpr double kPerRow = 10;
+  // Spheres a diameter cubed (squared) where they lie in a heap.
+  static constexpr double kHeap = kDimensions<V> == 3 ? 1.15 : 1.05;
   // Beyond that, reading and writing the offsets of empty cells costs more than checking tags.
-  static constexpr double kDenseCellsPerBody = 6;
+  static constexpr double kDenseCellsPerBody = 16;
 
-  static double wanted_edge(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres) {
-    const double diameter = 2 * double(spheres.largest);
-    if (parameters.occupied_volume == 0) return kEdgeOfHeaps * diameter;
-    const double volume = kPerCell * parameters.occupied_volume / double(spheres.count);
-    return std::max(diameter, std::pow(volume, 1.0 / kDimensions<V>));
+  static V wanted_edge(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres) {
+    const double length = 2 * double(spheres.largest);
+    const double density = parameters.occupied_volume > 0 ? double(spheres.count) / parameters.occupied_volume
+                                                           : kHeap / std::pow(length, kDimensions<V>);
+    const double section = kPerRow / (3 * length * density);
+    V edge(static_cast<Scalar<V>>(std::max(length, std::pow(section, 1.0 / (kDimensions<V> - 1)))));
+    edge.x = static_cast<Scalar<V>>(length);
+    return edge;
   }
 
-  static bool is_hashed(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, double edge) {
+  /// How many cells the largest sphere's diameter measures, or with --cell-size more than it ever does.
+  V diameter_in(const Grid<V>& grid, const SizeClass<V>& spheres) const {
+    V result(Scalar<V>(1e30));
+    for (int axis = 0; axis < kDimensions<V> && !grids_.is_block; ++axis) {
+      const double reach = 2 * double(spheres.largest) * 1.000001 + double(grids_.guard);
+      const double rounding = 4.0 * double(std::numeric_limits<Scalar<V>>::epsilon()) * grid.cells[axis];
+      result[axis] = static_cast<Scalar<V>>(reach / double(grid.edge[axis]) + rounding);
+    }
+    return result;
+  }
+
+  static bool is_hashed(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, const V& edge) {
     if (parameters.table != CellTable::automatic) return parameters.table == CellTable::hashed;
     return !parameters.cell_size && cell_count(parameters.box, edge) > kDenseCellsPerBody * double(spheres.count) + 4096;
   }

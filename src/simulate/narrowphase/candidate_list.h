@@ -73,7 +73,14 @@ class CandidateList {
 
  public:
   /// `skin` is a fraction of each radius, 0 for none; `guard` is what rounding may hide of a distance [m].
-  CandidateList(double skin, double guard) : skin_(static_cast<Real>(skin)), guard_(static_cast<Real>(guard)) {}
+  CandidateList() = default;  ///< not used
+  CandidateList(double skin, double guard) { plan(skin, guard); }
+
+  void plan(double skin, double guard) {
+    skin_ = static_cast<Real>(skin);
+    guard_ = static_cast<Real>(guard);
+    discard();
+  }
 
   bool is_used() const { return skin_ > 0; }
   void discard() { is_valid_ = false; }
@@ -110,7 +117,7 @@ class CandidateList {
   int64_t bytes() const { return start_.bytes() + grown_.bytes() + rows_.bytes(); }
 
  private:
-  Real skin_, guard_;
+  Real skin_ = 0, guard_ = 0;
   bool is_valid_ = false;
   Buffer<V> start_;
   Buffer<Real> grown_;

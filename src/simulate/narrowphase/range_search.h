@@ -10,6 +10,10 @@
 // Sibling for candidates in lists: list_search.h.
 #pragma once
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 #include "exec/cpu_executor.h"
 #include "exec/reduce.h"
 #include "simulate/narrowphase/contact_rows.h"
@@ -121,14 +125,10 @@ class VectorRangeSearch {
   void find(CpuExecutor& exec, const Candidates& candidates, const Box<V>& box) {
     const int64_t slots = candidates.slots().count, blocks = (slots + kBlock - 1) / kBlock;
     found_.start(exec, blocks);
-    tasks_.resize(static_cast<size_t>(blocks));
+    tested_.assign(static_cast<size_t>(blocks), 0);
     exec.parallel_for_blocks("test ranges", blocks, [&](int64_t b) {
-      Tasks& tasks = tasks_[exec.threads() == 1 ? 0 : static_cast<size_t>(b)];
-      if (b == 0 || exec.threads() > 1) tasks.tested = 0;
       const int last = static_cast<int>(std::min(slots, (b + 1) * kBlock));
-      for (int from = static_cast<int>(b * kBlock); from < last; from += kBatch) {
-        search(candidates, box, from, std::min(last, from + kBatch), tasks, found_.of(b));
-      }
+      tested_[static_cast<size_t>(b)] = search(candidates, box, static_cast<int>(b * kBlock), last, found_.of(b));
     });
     pairs_ = found_.join(exec);
   }
@@ -136,56 +136,44 @@ class VectorRangeSearch {
   Span<const Pair> pairs() const { return pairs_; }
 
   int64_t candidates(CpuExecutor&) const {
-    int64_t sum = 0;
-    for (const Tasks& tasks : tasks_) sum += tasks.tested;
-    return sum;
+    return std::accumulate(tested_.begin(), tested_.end(), int64_t(0));
   }
 
   int64_t bytes() const { return found_.bytes(); }
 
  private:
   static constexpr int64_t kBlock = 2048;  // slots
-  static constexpr int kBatch = 64;        // slots whose ranges fit the nearest cache
+  static constexpr int kTasks = 512;       // that fit the nearest cache
 
-  struct Tasks {
-    std::vector<SlotGroup> groups;
-    std::vector<SlotRange> ranges;
+  /// Returns the number of tests.
+  static int64_t test(const SlotsView<V>& slots, const Box<V>& box, Span<const RangeTask> tasks, PairBuffer& found) {
+    test_ranges(slots, box, tasks, found);
     int64_t tested = 0;
-  };
-
-  /// A copy of the candidates that nothing else can point to stays in registers, as CpuExecutor's kernels do.
-  template <class Candidates>
-  [[gnu::flatten]] static void search(const Candidates& shared, const Box<V>& box, int from, int to, Tasks& tasks,
-                                      PairBuffer& found) {
-    const Candidates candidates = shared;
-    tasks.groups.resize(kBatch);
-    if (tasks.ranges.empty()) tasks.ranges.resize(16 * kBatch);
-    SlotRange* ranges = tasks.ranges.data();
-    int capacity = static_cast<int>(tasks.ranges.size()), count = 0, groups = 0;
-    int64_t tested = 0;
-    for (int slot = from; slot < to;) {
-      const int first_range = count;
-      int64_t shared_slots = 0;
-      const int end = candidates.for_each_range_of_group(slot, to, [&](const SlotRange& range) {
-        if (count == capacity) {
-          tasks.ranges.resize(static_cast<size_t>(capacity *= 2));
-          ranges = tasks.ranges.data();
-        }
-        // Empty ranges are written too, and overwritten: whether a range is empty is hard to predict.
-        ranges[count] = range;
-        shared_slots += range.size();
-        count += range.first < range.last;
-      });
-      const int64_t size = end - slot;
-      tested += size * shared_slots + size * (size - 1) / 2;
-      tasks.groups[static_cast<size_t>(groups++)] = {slot, end, first_range, count};
-      slot = end;
-    }
-    tasks.tested += tested;
-    test_ranges(candidates.slots(), box, {{tasks.groups.data(), groups}, {ranges, count}}, found);
+    for (const RangeTask& task : tasks) tested += task.range.last - task.range.first;
+    return tested;
   }
 
-  std::vector<Tasks> tasks_;
+  /// The same for slots from … to − 1. A copy of the candidates that nothing else can point to stays in registers, as
+  /// CpuExecutor's kernels do.
+  template <class Candidates>
+  [[gnu::flatten]] static int64_t search(const Candidates& shared, const Box<V>& box, int from, int to,
+                                         PairBuffer& found) {
+    const Candidates candidates = shared;
+    RangeTask tasks[kTasks];
+    int count = 0;
+    int64_t tested = 0;
+    candidates.for_each_range_of(from, to, [&](int slot, const SlotRange& range) {
+      tasks[count] = {slot, range};  // overwritten by the next where it is empty: that is hard to predict
+      count += range.first < range.last;
+      if (count == kTasks) {
+        tested += test(candidates.slots(), box, {tasks, count}, found);
+        count = 0;
+      }
+    });
+    return tested + test(candidates.slots(), box, {tasks, count}, found);
+  }
+
+  std::vector<int64_t> tested_;  // in each block
   PairBlocks found_;
   Span<const Pair> pairs_;
 };

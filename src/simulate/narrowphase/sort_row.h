@@ -13,6 +13,14 @@ namespace row_sorting {
 
 inline constexpr int kLongRow = 48;
 
+/// Two pairs of one row. Without a branch: which is first is hard to predict.
+HOST_DEVICE inline void order(Pair& a, Pair& b) {
+  const Pair first = a, second = b;
+  const bool is_swapped = second.j < first.j;
+  a = {first.i, is_swapped ? second.j : first.j};
+  b = {first.i, is_swapped ? first.j : second.j};
+}
+
 HOST_DEVICE inline void insert_all(Pair* row, int count) {
   for (int k = 1; k < count; ++k) {
     const Pair moved = row[k];
@@ -46,6 +54,16 @@ HOST_DEVICE inline bool is_sorted(const Pair* row, int count) {
 /// Sorts `count` pairs by j.
 HOST_DEVICE inline void sort_row(Pair* row, int count) {
   using namespace row_sorting;
+  if (count == 2) {
+    order(row[0], row[1]);
+    return;
+  }
+  if (count == 3) {
+    order(row[0], row[1]);
+    order(row[1], row[2]);
+    order(row[0], row[1]);
+    return;
+  }
   if (count <= kLongRow) {
     insert_all(row, count);
     return;

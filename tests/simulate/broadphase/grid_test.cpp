@@ -169,7 +169,7 @@ TEST_CASE("centres of spheres that touch lie in neighbouring cells, rounding inc
     auto parameters = in_box(box, radius, 50);
     if (k % 2 == 0) parameters.cell_size = 1.0;
     for (const bool is_hashed : {false, true}) {
-      const Grid<Vec2> grid = make_grid(parameters, parameters.classes[0], 0, is_hashed);
+      const Grid<Vec2> grid = make_grid(parameters, parameters.classes[0], Vec2(2 * radius), is_hashed);
       for (int pair = 0; pair < 20; ++pair) {
         const Vec3d direction = random.direction(2);
         const Vec2 a = box.wrap(Vec2(low + size * random.uniform(), low + size * random.uniform()));
@@ -185,24 +185,29 @@ TEST_CASE("centres of spheres that touch lie in neighbouring cells, rounding inc
 TEST_CASE("a dense grid has a bounded number of cells for each sphere, a hashed one for all") {
   for (const Boundary boundary : {Boundary::walls, Boundary::periodic}) {
     const auto parameters = in_box(Box<Vec3>{Vec3(0.0f), Vec3(100.0f), boundary}, 0.1f, 1000);
-    CHECK(make_grid(parameters, parameters.classes[0], 0, false).size() < 40000);
-    CHECK(make_grid(parameters, parameters.classes[0], 0, true).size() == 2048);
+    CHECK(make_grid(parameters, parameters.classes[0], Vec3(0.2f), false).size() < 40000);
+    CHECK(make_grid(parameters, parameters.classes[0], Vec3(0.2f), true).size() == 2048);
   }
 }
 
-TEST_CASE("a wanted edge is taken where it is above the diameter, and a cell size in any case") {
+TEST_CASE("cells have the edges that are asked for, or those of the cell size") {
   auto parameters = in_box(Box<Vec3>{Vec3(0.0f), Vec3(10.0f), Boundary::walls}, 0.5f, 100);
-  const auto edge = [&](double least) { return make_grid(parameters, parameters.classes[0], least, false).edge.x; };
-  CHECK(edge(0) == Approx(1.0).epsilon(1e-4));
-  CHECK(edge(2.5) == Approx(2.5).epsilon(1e-4));
+  const auto edge_is = [&](const Vec3& expected) {
+    const Vec3 edge = make_grid(parameters, parameters.classes[0], Vec3(1.0f, 2.5f, 3.0f), false).edge;
+    for (int axis = 0; axis < 3; ++axis) {
+      CHECK(edge[axis] >= expected[axis]);
+      CHECK(edge[axis] == Approx(expected[axis]).epsilon(1e-4));
+    }
+  };
+  edge_is(Vec3(1.0f, 2.5f, 3.0f));
   parameters.cell_size = 0.5;
-  CHECK(edge(2.5) == Approx(0.5).epsilon(1e-4));
+  edge_is(Vec3(0.5f));
 }
 
 TEST_CASE("cells of a periodic domain fit into it a whole number of times") {
   const Box<Vec3> box{Vec3(-1.0f), Vec3(0.0f, 1.5f, 9.0f), Boundary::periodic};
   const auto parameters = in_box(box, 0.2f, 1000);
-  const Grid<Vec3> grid = make_grid(parameters, parameters.classes[0], 0, false);
+  const Grid<Vec3> grid = make_grid(parameters, parameters.classes[0], Vec3(0.4f), false);
   CHECK(grid.cells == IVec3(2, 6, 24));
   for (int axis = 0; axis < 3; ++axis) {
     CHECK(grid.edge[axis] * static_cast<float>(grid.cells[axis]) == Approx(box.max[axis] - box.min[axis]));

@@ -131,6 +131,41 @@ TEST_CASE("a list holds the bodies of its cell, each in one list") {
   CHECK(std::count(times.begin(), times.end(), 1) == 500);
 }
 
+TEST_CASE("lists that one thread links fall, and give the candidates that lists in any order give") {
+  const BodyArrays<Vec3> bodies(make_cloud({.count = 2000, .smallest = 0.05, .largest = 0.05}, 4));
+  CpuExecutor exec(1);
+  LinkedCell<Vec3, CpuExecutor> cells(bodies.parameters({}));
+  cells.prepare(exec, bodies.view());
+  LinkedCellCandidates<Vec3> candidates = cells.candidates();
+  REQUIRE(candidates.is_falling);
+  for (int i = 0; i < 2000; ++i) CHECK(candidates.next[i] < i);
+
+  const auto candidates_of = [&](int i) {
+    std::vector<int> found;
+    candidates.for_each(i, [&](int j) {
+      found.push_back(j);
+      return true;
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  std::vector<std::vector<int>> falling;
+  for (int i = 0; i < 2000; ++i) falling.push_back(candidates_of(i));
+
+  // The same bodies, linked the other way round.
+  std::vector<int> head(static_cast<size_t>(candidates.head.size()), -1), next(2000);
+  const LinkBody<Vec3> link{candidates.grid, candidates.position, {head.data(), candidates.head.size()}, {next.data(), 2000}};
+  for (int i = 1999; i >= 0; --i) link(i);
+  candidates.head = {head.data(), candidates.head.size()};
+  candidates.next = {next.data(), 2000};
+  candidates.is_falling = false;
+  for (int i = 0; i < 2000; ++i) REQUIRE(candidates_of(i) == falling[static_cast<size_t>(i)]);
+
+  CpuExecutor team(2);
+  cells.prepare(team, bodies.view());
+  CHECK_FALSE(cells.candidates().is_falling);
+}
+
 TEST_CASE("candidates end where the visitor asks them to") {
   const BodyArrays<Vec3> bodies(make_cloud({.count = 300, .smallest = 0.5, .largest = 0.5}, 4));
   for (const char* const table : {"dense", "hashed"}) {

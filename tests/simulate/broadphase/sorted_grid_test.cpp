@@ -51,6 +51,48 @@ TEST_CASE("slots follow the cells, and within a cell the bodies") {
   }
 }
 
+TEST_CASE("cells are a diameter long, and so wide that three in a row hold about ten spheres") {
+  for (const double radius : {0.02, 0.05, 0.1}) {
+    const Scene scene = make_cloud({.count = 3000, .smallest = radius, .largest = radius}, 4);
+    const BodyArrays<Vec3> bodies(scene);
+    auto parameters = bodies.parameters({});
+    parameters.occupied_volume = 8;
+    const auto grid = SortedGrid<Vec3, CpuExecutor>(parameters).candidates().grids.grid[0];
+    CHECK(grid.edge.x == Approx(2 * radius).epsilon(1e-4));
+    CHECK(grid.edge.y == grid.edge.z);
+    CHECK(grid.edge.y >= 2 * radius);
+    if (radius < 0.1) CHECK(3000 / 8.0 * 3 * grid.edge.x * grid.edge.y * grid.edge.z == Approx(10).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a body visits the rows that its sphere reaches, and of the others nothing") {
+  // Three rows of spheres in a plane, far apart, and cells as wide as their distance.
+  Scene scene;
+  scene.domain = {Vec3d(0.0), Vec3d(4.0, 3.0, 0.0), Boundary::walls, 2};
+  for (const double y : {0.5, 1.1, 2.1}) {
+    for (int k = 0; k < 4; ++k) add_sphere(scene, {0.5 + k, y, 0}, Vec3d(0.0), 0.2);
+  }
+  const BodyArrays<Vec2> bodies(scene);
+  CpuExecutor exec(1);
+  auto parameters = bodies.parameters({});
+  parameters.occupied_volume = 12 * 3 * 0.4 / 10;  // rows of width 1
+  SortedGrid<Vec2, CpuExecutor> grid(parameters);
+  grid.prepare(exec, bodies.view());
+  const auto candidates = grid.candidates();
+  REQUIRE(candidates.grids.grid[0].edge.y == Approx(1).epsilon(1e-4));
+  const auto rows_visited = [&](int slot) {
+    int rows = 0;
+    candidates.for_each_range(slot, [&](const SlotRange& range) { rows += range.size() > 0; });
+    return rows;
+  };
+  CHECK(rows_visited(0) == 0);  // at 0.5, with a diameter of 0.4, it stays below 1
+  CHECK(rows_visited(4) == 0);  // at 1.1 likewise below 2
+  scene.bodies.position[0].y = 0.7;
+  const BodyArrays<Vec2> moved(scene);
+  grid.prepare(exec, moved.view());
+  CHECK(rows_visited(0) == 1);
+}
+
 TEST_CASE("each size class has a grid of its own, whose cells suit its spheres") {
   const Scene scene = make_cloud({.count = 400, .smallest = 0.01, .largest = 0.1, .is_log_uniform = true}, 4);
   const auto classes = BodyArrays<Vec3>(scene).parameters({}).classes;
