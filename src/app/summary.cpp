@@ -29,27 +29,31 @@ Json list_stages(const std::vector<Stage>& stages) {
 Json summarize(Session& session) {
   const Report report = session.world().report();
   const Settings& settings = session.settings();
-  return {{"scene", session.scene().name},
-          {"count", report.count},
-          {"steps", report.steps},
-          {"time", report.time},
-          {"dt", settings.dt},
-          {"substeps", settings.substeps},
-          {"methods",
-           {{"broadphase", settings.broadphase},
-            {"response", settings.response},
-            {"integrator", settings.integrator},
-            {"precision", settings.precision},
-            {"backend", session.backend()}}},
-          {"seconds", report.seconds},
-          {"candidates", report.candidates},
-          {"contacts", report.contacts},
-          {"kinetic_energy", report.kinetic_energy},
-          {"potential_energy", report.potential_energy},
-          {"momentum", {report.momentum.x, report.momentum.y, report.momentum.z}},
-          {"max_overlap", report.max_overlap},
-          {"state_hash", hexadecimal(report.state_hash)},
-          {"stages", list_stages(report.stages)}};
+  Json summary{{"scene", session.scene().name},
+               {"count", report.count},
+               {"steps", report.steps},
+               {"time", report.time},
+               {"dt", settings.dt},
+               {"substeps", settings.substeps},
+               {"methods",
+                {{"broadphase", report.broadphase},
+                 {"response", settings.response},
+                 {"integrator", settings.integrator},
+                 {"precision", settings.precision},
+                 {"backend", session.backend()}}}};
+  if (!report.broadphase_reason.empty()) summary["reason"] = report.broadphase_reason;
+  summary.update({{"seconds", report.seconds},
+                  {"candidates", report.candidates},
+                  {"contacts", report.contacts},
+                  {"searches", report.searches},
+                  {"bytes", report.detection_bytes},
+                  {"kinetic_energy", report.kinetic_energy},
+                  {"potential_energy", report.potential_energy},
+                  {"momentum", {report.momentum.x, report.momentum.y, report.momentum.z}},
+                  {"max_overlap", report.max_overlap},
+                  {"state_hash", hexadecimal(report.state_hash)},
+                  {"stages", list_stages(report.stages)}});
+  return summary;
 }
 
 std::string describe(const Json& summary) {
@@ -68,11 +72,13 @@ std::string describe(const Json& summary) {
     separator = ", ";
   }
   text << "\n";
+  if (summary.contains("reason")) line("") << "chosen by auto: " << summary["reason"].get<std::string>() << "\n";
   line("simulated") << number("time") << " s in " << summary["steps"] << " steps of " << number("dt") << " s\n";
   line("took") << number("seconds") << " s";
   if (number("steps") > 0) text << ", " << 1e3 * number("seconds") / number("steps") << " ms a step";
   text << "\n";
   line("contacts") << summary["contacts"] << " among " << summary["candidates"] << " candidates\n";
+  line("detection") << summary["searches"] << " searches, " << number("bytes") / 1e6 << " MB\n";
   line("energy") << number("kinetic_energy") << " J kinetic, " << number("potential_energy") << " J potential\n";
   const Json& momentum = summary["momentum"];
   line("momentum") << momentum[0].get<double>() << ", " << momentum[1].get<double>() << ", "

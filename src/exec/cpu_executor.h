@@ -136,14 +136,16 @@ class CpuExecutor {
   /// The same for the indices themselves.
   template <class KeyOf>
   void bin(const char* name, const KeyOf& key_of, Span<int> offsets, Span<int> order) {
-    bin(name, key_of, [](int i) { return i; }, offsets, order);
+    bin(
+        name, key_of, [](int i) { return i; }, offsets, order);
   }
 
   /// Memory for n values that lasts until the next call with this index, 0 or 1.
   template <class T>
   Span<T> scratch(int index, int64_t n) {
     HostBuffer<std::max_align_t>& buffer = scratch_[index];
-    const auto words = (n * int64_t(sizeof(T)) + int64_t(sizeof(std::max_align_t)) - 1) / int64_t(sizeof(std::max_align_t));
+    const auto words =
+        (n * int64_t(sizeof(T)) + int64_t(sizeof(std::max_align_t)) - 1) / int64_t(sizeof(std::max_align_t));
     buffer.resize(words);
     return {reinterpret_cast<T*>(buffer.span().data()), n};
   }

@@ -14,13 +14,13 @@ namespace ballpit {
 namespace {
 
 // Nanoseconds on one core, fitted to `ballpit pairs` on uniform spheres; only their ratios matter, and those roughly.
-constexpr double kVectorTest = 0.35;   // a test in a long range
-constexpr double kShortTest = 2.0;     // a test in a range of a few slots
-constexpr double kListTest = 4.0;      // a test in a linked list
-constexpr double kSort = 20.0;         // two endpoints sorted and numbered
-constexpr double kBin = 35.0;          // a body sorted by cell, gathered, and its ranges looked up
-constexpr double kLink = 90.0;         // a body linked, and the cells around it looked up
-constexpr double kCell = 0.6;          // a cell cleared and read
+constexpr double kVectorTest = 0.35;  // a test in a long range
+constexpr double kShortTest = 2.0;    // a test in a range of a few slots
+constexpr double kListTest = 4.0;     // a test in a linked list
+constexpr double kSort = 20.0;        // two endpoints sorted and numbered
+constexpr double kBin = 35.0;         // a body sorted by cell, gathered, and its ranges looked up
+constexpr double kLink = 90.0;        // a body linked, and the cells around it looked up
+constexpr double kCell = 0.6;         // a cell cleared and read
 
 struct Prediction {
   const char* method;
@@ -118,7 +118,9 @@ BroadPhaseParameters<V> broad_phase_parameters(const Settings& settings, const B
 
 template BroadPhaseChoice choose_broad_phase(const Settings&, const BroadPhaseParameters<Vec2>&);
 template BroadPhaseChoice choose_broad_phase(const Settings&, const BroadPhaseParameters<Vec3>&);
-template BroadPhaseParameters<Vec2> broad_phase_parameters(const Settings&, const Box<Vec2>&, Span<const float>, int64_t);
-template BroadPhaseParameters<Vec3> broad_phase_parameters(const Settings&, const Box<Vec3>&, Span<const float>, int64_t);
+template BroadPhaseParameters<Vec2> broad_phase_parameters(const Settings&, const Box<Vec2>&, Span<const float>,
+                                                           int64_t);
+template BroadPhaseParameters<Vec3> broad_phase_parameters(const Settings&, const Box<Vec3>&, Span<const float>,
+                                                           int64_t);
 
 }  // namespace ballpit

@@ -27,7 +27,9 @@ namespace ballpit {
 
 /// Whether a broad phase gives its candidates as ranges of slots.
 template <class Candidates>
-concept GivesRanges = requires(const Candidates& candidates) { candidates.slots(); };
+concept GivesRanges = requires(const Candidates& candidates) {
+  candidates.slots();
+};
 
 /// Kernel: how many slots thread t looks at.
 template <class Candidates>
@@ -45,8 +47,7 @@ struct MeasureRanges {
 
 template <class V, class Exec>
 class Detector {
-  using BroadPhase =
-      std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
+  using BroadPhase = std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
 
  public:
   Detector() = default;  ///< to be planned

@@ -34,7 +34,8 @@ class SearchOn {
       exec.upload(position_, spheres.position.data(), spheres.position.size());
     } else {
       std::vector<V> flat(static_cast<size_t>(spheres.position.size()));
-      std::transform(spheres.position.begin(), spheres.position.end(), flat.begin(), [](const Vec3& p) { return V(p); });
+      std::transform(spheres.position.begin(), spheres.position.end(), flat.begin(),
+                     [](const Vec3& p) { return V(p); });
       exec.upload(position_, flat.data(), spheres.position.size());
     }
     detector_.find(exec, bodies());

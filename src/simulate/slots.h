@@ -33,11 +33,11 @@ struct SlotRange {
 template <class V>
 struct SlotsView {
   using Real = Scalar<V>;
-  int count = 0;                                   ///< slots in use; the spans are longer by kSlotPadding
-  Span<const Real> coordinate[kDimensions<V>] {};  ///< [m]
-  PerBody<Real> radius;                            ///< [m]
-  Span<const int> body;                            ///< whose copy a slot holds
-  Span<const unsigned> tag;                        ///< of hashed grids: tells which cells a slot belongs to; or empty
+  int count = 0;                                  ///< slots in use; the spans are longer by kSlotPadding
+  Span<const Real> coordinate[kDimensions<V>]{};  ///< [m]
+  PerBody<Real> radius;                           ///< [m]
+  Span<const int> body;                           ///< whose copy a slot holds
+  Span<const unsigned> tag;                       ///< of hashed grids: tells which cells a slot belongs to; or empty
 
   HOST_DEVICE V position(int slot) const {
     V p{};

@@ -37,12 +37,22 @@ TEST_CASE("simulate --json prints one object with all that was promised") {
   CHECK(summary["methods"]["response"] == "impulse");
   CHECK(summary["methods"]["backend"] != "auto");
   CHECK(summary["candidates"].get<int64_t>() > summary["contacts"].get<int64_t>());
+  CHECK(summary["searches"] == summary["steps"].get<int64_t>() + 1);  // and once at the start
+  CHECK(summary["bytes"].get<int64_t>() > 0);
+  CHECK_FALSE(summary.contains("reason"));
   CHECK(summary["kinetic_energy"].get<double>() > 0);
   CHECK(summary["potential_energy"].get<double>() > 0);
   CHECK(summary["momentum"].size() == 3);
   CHECK(summary["max_overlap"].get<double>() >= 0);
   CHECK_THAT(summary["state_hash"].get<std::string>(), Catch::Matches("[0-9a-f]{16}"));
   CHECK_FALSE(summary["stages"].empty());
+}
+
+TEST_CASE("what auto chose is told, and its reason, and how many searches a skin has saved") {
+  const nlohmann::json summary = simulate({"bouncing-balls", "--time", "0.1", "--broadphase", "auto", "--skin", "5"});
+  CHECK(summary["methods"]["broadphase"] != "auto");
+  CHECK_THAT(summary["reason"].get<std::string>(), Catch::Contains("predicted"));
+  CHECK(summary["searches"] < summary["steps"].get<int64_t>() / 2);
 }
 
 TEST_CASE("simulate says the same for people, and nothing on standard error") {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kCellsPerBody = 16;      // beyond that, clearing empty cells and holding them costs more than it saves
 constexpr double kLargestGrid = 1 << 30;  // cells; the index is an int
-constexpr double kClassRatio = 2.5;        // radii within a size class: fewer classes mean fewer rows, larger cells more tests
+constexpr double kClassRatio =
+    2.5;  // radii within a size class: fewer classes mean fewer rows, larger cells more tests
 constexpr double kLargestPicture = 1 << 22;  // cells of a grid that is looked at
 
 /// Cells along one axis: enough to cover the domain, or as many as fit where it repeats.
@@ -59,7 +60,8 @@ std::vector<SizeClass<V>> size_classes(Span<const Scalar<V>> radius, int64_t cou
   const int wanted = std::clamp(int(std::lround(std::log(ratio) / std::log(kClassRatio))), 1, kMaxSizeClasses);
   const double step = std::min(std::pow(ratio, 1.0 / wanted), kClassRatio * 1.5);
   Real bounds[kMaxSizeClasses];  // radii up to bounds[k] belong to class k or a finer one
-  for (int k = 0; k < wanted; ++k) bounds[k] = k == 0 ? largest : static_cast<Real>(double(largest) / std::pow(step, k));
+  for (int k = 0; k < wanted; ++k)
+    bounds[k] = k == 0 ? largest : static_cast<Real>(double(largest) / std::pow(step, k));
   std::vector<SizeClass<V>> classes(static_cast<size_t>(wanted));
   for (const Real r : radius) {
     int k = 0;
@@ -140,7 +142,8 @@ Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>&
   }
   if (is_hashed) {
     grid.is_hashed = true;
-    const int64_t places = std::max<int64_t>(8, 2 * spheres.count);  // fewer, and the cells of a row of a block would share one
+    const int64_t places =
+        std::max<int64_t>(8, 2 * spheres.count);  // fewer, and the cells of a row of a block would share one
     grid.mask = static_cast<unsigned>(std::bit_ceil(static_cast<uint64_t>(places))) - 1;
   }
   return grid;
@@ -164,12 +167,12 @@ std::optional<GridInspection> list_cells(const Grid<V>& grid, const std::vector<
   return result;
 }
 
-#define BALLPIT_INSTANTIATE(V)                                                                              \
-  template std::vector<SizeClass<V>> size_classes<V>(Span<const Scalar<V>>, int64_t);                       \
-  template double rounding_guard(const Box<V>&);                                                            \
-  template double cell_count(const Box<V>&, const V&);                                                      \
-  template double occupied_volume(const Box<V>&, Span<const Vec3>);                                         \
-  template Grid<V> make_grid(const BroadPhaseParameters<V>&, const SizeClass<V>&, const V&, bool);          \
+#define BALLPIT_INSTANTIATE(V)                                                                     \
+  template std::vector<SizeClass<V>> size_classes<V>(Span<const Scalar<V>>, int64_t);              \
+  template double rounding_guard(const Box<V>&);                                                   \
+  template double cell_count(const Box<V>&, const V&);                                             \
+  template double occupied_volume(const Box<V>&, Span<const Vec3>);                                \
+  template Grid<V> make_grid(const BroadPhaseParameters<V>&, const SizeClass<V>&, const V&, bool); \
   template std::optional<GridInspection> list_cells(const Grid<V>&, const std::vector<V>&, const std::vector<int>&);
 BALLPIT_INSTANTIATE(Vec2)
 BALLPIT_INSTANTIATE(Vec3)

@@ -30,9 +30,9 @@ template <class V>
 struct Grid {
   using Real = Scalar<V>;
   V origin{};
-  V edge{};          ///< [m] stretched in periodic domains to fit a whole number of times
-  V inverse_edge{};  ///< [1/m]
-  IVec3 cells{1};    ///< of the domain; a hashed grid has more, unless it is periodic
+  V edge{};           ///< [m] stretched in periodic domains to fit a whole number of times
+  V inverse_edge{};   ///< [1/m]
+  IVec3 cells{1};     ///< of the domain; a hashed grid has more, unless it is periodic
   int border = 0;     ///< cells around the domain's that no body counts to, so that each body's cell has all neighbours
   unsigned mask = 0;  ///< hashed grids: number of places − 1
   bool is_hashed = false;

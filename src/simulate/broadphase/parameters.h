@@ -45,7 +45,7 @@ struct BroadPhaseParameters {
   std::optional<double> cell_size;    ///< in units of 2·r_max; chosen by the method where empty
   CellTable table = CellTable::automatic;
   double occupied_volume = 0;  ///< [m³, in planar scenes m²] where the spheres are, if they stay there; 0: not known
-  int axis = kLargestAxis;  ///< of the sweep
+  int axis = kLargestAxis;     ///< of the sweep
 
   Scalar<V> largest_radius() const { return classes.empty() ? Scalar<V>(0) : classes.front().largest; }
 };

@@ -189,23 +189,30 @@ class SortAndSweep {
     begins_before_.resize(2 * n + 1);
     begins_before_end_.resize(n);
     slots_.resize(n);
-    exec.parallel_for("store endpoints", n,
-                      StoreEndpoints<V>{axis_, guard_, bodies.position, bodies.radius, keys_.span(), endpoints_.span()});
+    exec.parallel_for(
+        "store endpoints", n,
+        StoreEndpoints<V>{axis_, guard_, bodies.position, bodies.radius, keys_.span(), endpoints_.span()});
     exec.sort_pairs("sort endpoints", keys_.span(), endpoints_.span());
     const Span<int> is_begin(reinterpret_cast<int*>(keys_.span().data()), 2 * n);  // the keys have done their work
     exec.parallel_for("mark begins", 2 * n, MarkBegin{count, endpoints_.span(), is_begin});
     exec.exclusive_scan("scan begins", Span<const int>(is_begin), begins_before_.span());
-    exec.parallel_for("number begins", 2 * n,
-                      NumberBegins{count, endpoints_.span(), begins_before_.span(), slots_.body(),
-                                   begins_before_end_.span()});
+    exec.parallel_for(
+        "number begins", 2 * n,
+        NumberBegins{count, endpoints_.span(), begins_before_.span(), slots_.body(), begins_before_end_.span()});
     slots_.gather(exec, bodies.position, bodies.radius);
   }
 
   SortAndSweepCandidates<V> candidates() const {
     const double length = double(box_.max[axis_]) - double(box_.min[axis_]);
     const bool is_narrow = box_.is_periodic() && length <= 2 * largest_diameter_ * (1 + 1e-5) + 8 * double(guard_);
-    return {slots_.view(), endpoints_.span(), begins_before_.span(),
-            begins_before_end_.span(), axis_, guard_, box_.is_periodic() ? Real(length) : Real(0), is_narrow};
+    return {slots_.view(),
+            endpoints_.span(),
+            begins_before_.span(),
+            begins_before_end_.span(),
+            axis_,
+            guard_,
+            box_.is_periodic() ? Real(length) : Real(0),
+            is_narrow};
   }
 
   std::vector<GridInspection> inspect(Exec&) const { return {}; }

@@ -38,8 +38,8 @@ template <class V>
 struct ClassGrids {
   using Real = Scalar<V>;
   int count = 0;
-  bool is_block = false;  ///< whether the whole 3 × 3 (× 3) block is searched, and nothing beyond it
-  Real guard = 0;         ///< what rounding may add to a distance [m]
+  bool is_block = false;                  ///< whether the whole 3 × 3 (× 3) block is searched, and nothing beyond it
+  Real guard = 0;                         ///< what rounding may add to a distance [m]
   Real largest[kMaxSizeClasses] = {};     ///< [m] radius, falling
   V diameter[kMaxSizeClasses] = {};       ///< [cells] of the largest, with what rounding may add
   int first_place[kMaxSizeClasses] = {};  ///< where the places of a class's cells begin
@@ -103,7 +103,8 @@ struct SortedGridCandidates {
       if (grid.is_hashed) {
         visit_half_of_hashed(own, cell, rows_reached(own, p, cell), slot + 1, visit);
       } else {
-        visit_half_of_dense(own, grid.index(cell), grid.row(cell.y, cell.z), rows_reached(own, p, cell), slot + 1, visit);
+        visit_half_of_dense(own, grid.index(cell), grid.row(cell.y, cell.z), rows_reached(own, p, cell), slot + 1,
+                            visit);
       }
     }
     for (int k = own + 1; k < grids.count; ++k) visit_reach(k, p, radius, 0, visit);
@@ -161,8 +162,8 @@ struct SortedGridCandidates {
       is_front[s] = rows.is_front;
     }
     for (int s = 0; s < last - first; ++s) {
-      visit_half_of_dense(k, place[s], static_cast<unsigned>(row[s]), {is_up[s], is_down[s], is_front[s]}, first + s + 1,
-                          [&](const SlotRange& range) { visit(first + s, range); });
+      visit_half_of_dense(k, place[s], static_cast<unsigned>(row[s]), {is_up[s], is_down[s], is_front[s]},
+                          first + s + 1, [&](const SlotRange& range) { visit(first + s, range); });
     }
     for (int finer = k + 1; finer < grids.count; ++finer) {
       for (int slot = first; slot < last; ++slot) {
@@ -358,7 +359,7 @@ class SortedGrid {
   static V wanted_edge(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres) {
     const double length = 2 * double(spheres.largest);
     const double density = parameters.occupied_volume > 0 ? double(spheres.count) / parameters.occupied_volume
-                                                           : kHeap / std::pow(length, kDimensions<V>);
+                                                          : kHeap / std::pow(length, kDimensions<V>);
     const double section = kPerRow / (3 * length * density);
     V edge(static_cast<Scalar<V>>(std::max(length, std::pow(section, 1.0 / (kDimensions<V> - 1)))));
     edge.x = static_cast<Scalar<V>>(length);
@@ -378,7 +379,8 @@ class SortedGrid {
 
   static bool is_hashed(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, const V& edge) {
     if (parameters.table != CellTable::automatic) return parameters.table == CellTable::hashed;
-    return !parameters.cell_size && cell_count(parameters.box, edge) > kDenseCellsPerBody * double(spheres.count) + 4096;
+    return !parameters.cell_size &&
+           cell_count(parameters.box, edge) > kDenseCellsPerBody * double(spheres.count) + 4096;
   }
 
   ClassGrids<V> grids_;

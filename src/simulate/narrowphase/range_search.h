@@ -97,9 +97,8 @@ class KernelRangeSearch {
     found_.resize(threads);
     first_.resize(threads + 1);
     kept_.resize(threads * kKept);
-    exec.parallel_for(
-        "count contacts", threads,
-        CountInRanges<V, Candidates>{candidates, box, tested_.span(), found_.span(), kept_.span()});
+    exec.parallel_for("count contacts", threads,
+                      CountInRanges<V, Candidates>{candidates, box, tested_.span(), found_.span(), kept_.span()});
     const int64_t total = exec.exclusive_scan("scan contacts", found_.span(), first_.span());
     pairs_.resize(checked_count(total, "contacts"));
     exec.parallel_for("fill contacts", threads,
@@ -108,9 +107,7 @@ class KernelRangeSearch {
 
   Span<const Pair> pairs() const { return pairs_.span(); }
   int64_t candidates(Exec& exec) const { return sum_of(exec, tested_.span()); }
-  int64_t bytes() const {
-    return tested_.bytes() + found_.bytes() + first_.bytes() + kept_.bytes() + pairs_.bytes();
-  }
+  int64_t bytes() const { return tested_.bytes() + found_.bytes() + first_.bytes() + kept_.bytes() + pairs_.bytes(); }
 
  private:
   Buffer<int> tested_, found_, first_, kept_;
@@ -135,9 +132,7 @@ class VectorRangeSearch {
 
   Span<const Pair> pairs() const { return pairs_; }
 
-  int64_t candidates(CpuExecutor&) const {
-    return std::accumulate(tested_.begin(), tested_.end(), int64_t(0));
-  }
+  int64_t candidates(CpuExecutor&) const { return std::accumulate(tested_.begin(), tested_.end(), int64_t(0)); }
 
   int64_t bytes() const { return found_.bytes(); }
 

@@ -2,10 +2,10 @@
 // Compiled once for each set of instructions: Highway includes this file again and again, and picks at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "simulate/narrowphase/range_tests.cpp"
+#include "simulate/narrowphase/range_tests.h"
+
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
-
-#include "simulate/narrowphase/range_tests.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ballpit {

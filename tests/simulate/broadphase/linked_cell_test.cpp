@@ -154,7 +154,8 @@ TEST_CASE("lists that one thread links fall, and give the candidates that lists 
 
   // The same bodies, linked the other way round.
   std::vector<int> head(static_cast<size_t>(candidates.head.size()), -1), next(2000);
-  const LinkBody<Vec3> link{candidates.grid, candidates.position, {head.data(), candidates.head.size()}, {next.data(), 2000}};
+  const LinkBody<Vec3> link{
+      candidates.grid, candidates.position, {head.data(), candidates.head.size()}, {next.data(), 2000}};
   for (int i = 1999; i >= 0; --i) link(i);
   candidates.head = {head.data(), candidates.head.size()};
   candidates.next = {next.data(), 2000};
