@@ -35,9 +35,10 @@ V choose_edge(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& sph
   using Real = Scalar<V>;
   if (parameters.cell_size) edge = V(static_cast<Real>(2.0 * double(spheres.largest) * *parameters.cell_size));
   // Rounding moves a coordinate counted in cells by its own unit in the last place, and by the guard.
-  edge *= Real(1) + 8 * std::numeric_limits<Real>::epsilon();
+  const bool is_unbounded = is_hashed && !parameters.box.is_periodic();
+  edge *= is_unbounded ? Real(1.001) : Real(1) + 8 * std::numeric_limits<Real>::epsilon();
   edge += V(static_cast<Real>(2.0 * rounding_guard(parameters.box)));
-  if (!parameters.cell_size && (!is_hashed || parameters.box.is_periodic())) {
+  if (!parameters.cell_size && !is_unbounded) {
     const double most = is_hashed ? kLargestGrid : kCellsPerBody * double(spheres.count) + 4096.0;
     while (cell_count(parameters.box, edge) > most) edge *= Real(1.02);
   }
@@ -139,6 +140,7 @@ Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>&
     grid.cells[axis] = static_cast<int>(cells);
     grid.edge[axis] = static_cast<Scalar<V>>(length);
     grid.inverse_edge[axis] = static_cast<Scalar<V>>(1.0 / length);
+    grid.farthest[axis] = static_cast<Scalar<V>>(std::min(2 * cells + 2048, kLargestGrid));
   }
   if (is_hashed) {
     grid.is_hashed = true;

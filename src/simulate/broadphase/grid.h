@@ -35,6 +35,8 @@ struct Grid {
   IVec3 cells{1};     ///< of the domain; a hashed grid has more, unless it is periodic
   int border = 0;     ///< cells around the domain's that no body counts to, so that each body's cell has all neighbours
   unsigned mask = 0;  ///< hashed grids: number of places − 1
+  V farthest{
+      Real(2048)};  ///< hashed grids that are not periodic: cells farther out count as this one, lest rounding matter
   bool is_hashed = false;
   bool is_periodic = false;
 
@@ -67,22 +69,20 @@ struct Grid {
   HOST_DEVICE int index(const IVec3& cell) const { return place(row_place(row(cell.y, cell.z)), cell.x); }
 
   HOST_DEVICE int coordinate_of(Real p, int axis) const {
-    if (is_unbounded()) {
-      const double x = scaled_exactly(p, axis);
-      const double limited = x < -kFarthest ? -kFarthest : (x > kFarthest ? kFarthest : x);
-      const int truncated = int(limited);
-      return truncated - int(limited < truncated);
-    }
     const Real x = scaled(p, axis);
+    if (is_hashed && !is_periodic) {
+      const Real far = farthest[axis];
+      const Real limited = x < -far ? -far : (x > far ? far : x);
+      const int truncated = int(limited);
+      return truncated - int(limited < Real(truncated));
+    }
     const Real first = Real(border), last = Real(cells[axis] - 1 - border);
     const Real limited = x < last ? x : last;
     return int(limited > first ? limited : first);
   }
 
-  /// Where in cell c of an axis a coordinate lies: from 0 to 1, beyond the domain also outside of that.
-  HOST_DEVICE Real place_in(int c, Real p, int axis) const {
-    return is_unbounded() ? Real(scaled_exactly(p, axis) - c) : scaled(p, axis) - Real(c);
-  }
+  /// Where in cell c of an axis a coordinate lies: from 0 to 1, beyond the outermost cells also outside of that.
+  HOST_DEVICE Real place_in(int c, Real p, int axis) const { return scaled(p, axis) - Real(c); }
 
   /// The cell of a point.
   HOST_DEVICE IVec3 cell_of(const V& p) const {
@@ -130,17 +130,8 @@ struct Grid {
   }
 
  private:
-  static constexpr double kFarthest = 1 << 30;
-
-  HOST_DEVICE bool is_unbounded() const { return is_hashed && !is_periodic; }
-
-  /// A coordinate counted in cells.
+  /// A coordinate [m] counted in cells.
   HOST_DEVICE Real scaled(Real p, int axis) const { return (p - origin[axis]) * inverse_edge[axis]; }
-
-  /// The same where there is no bound to it, and so none to what rounding would hide.
-  HOST_DEVICE double scaled_exactly(Real p, int axis) const {
-    return (double(p) - double(origin[axis])) * double(inverse_edge[axis]);
-  }
 };
 
 /// What a coordinate may be off by rounding [m]: a few units in the last place of the largest one.

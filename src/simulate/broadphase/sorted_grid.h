@@ -371,7 +371,7 @@ class SortedGrid {
     V result(Scalar<V>(1e30));
     for (int axis = 0; axis < kDimensions<V> && !grids_.is_block; ++axis) {
       const double reach = 2 * double(spheres.largest) * 1.000001 + double(grids_.guard);
-      const double rounding = 4.0 * double(std::numeric_limits<Scalar<V>>::epsilon()) * grid.cells[axis];
+      const double rounding = 4.0 * double(std::numeric_limits<Scalar<V>>::epsilon()) * double(grid.farthest[axis]);
       result[axis] = static_cast<Scalar<V>>(reach / double(grid.edge[axis]) + rounding);
     }
     return result;
