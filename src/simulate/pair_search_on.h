@@ -12,12 +12,47 @@
 #include "simulate/choose_broad_phase.h"
 #include "simulate/detector.h"
 #include "simulate/pair_search.h"
+#include "simulate/spatial_order.h"
 
 namespace ballpit {
 
+/// Key: the place of body i's cell.
+template <class V>
+struct PlaceInGrid {
+  Grid<V> grid;
+  Span<const V> position;
+  HOST_DEVICE int operator()(int i) const { return grid.index(grid.cell_of(position[i])); }
+};
+
+/// Kernel: to[k] = from[order[k]].
+template <class T>
+struct TakeInOrder {
+  Span<const T> from;
+  Span<const int> order;
+  Span<T> to;
+  HOST_DEVICE void operator()(int k) const { to[k] = from[order[k]]; }
+};
+
+/// Kernel: pairs of places become pairs of bodies, lower body first.
+struct NameBodies {
+  Span<const Pair> places;
+  Span<const int> order;
+  Span<Pair> bodies;
+
+  HOST_DEVICE void operator()(int k) const {
+    const int a = order[places[k].i], b = order[places[k].j];
+    bodies[k] = a < b ? Pair{a, b} : Pair{b, a};
+  }
+};
+
+/// A pair search in two or in three dimensions. Lists lead through memory from sphere to sphere: where there are many, they
+/// are searched in the order of a grid's cells, as a world keeps them (spatial_order.h), and the pairs named and ordered
+/// by body afterwards. Ranges are in an order of their own.
 template <class V, class Exec>
 class SearchOn {
   using Real = Scalar<V>;
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
 
  public:
   /// Starts anew for these spheres, in the memory held.
@@ -27,9 +62,41 @@ class SearchOn {
     choice_ = choose_broad_phase(settings, parameters);
     detector_.plan(choice_.method, parameters, skin_of(settings));
     exec.upload(radius_, spheres.radius.data(), spheres.radius.size());
+    order_.resize(0);
+    if (choice_.method == "linked-cell" && spheres.position.size() >= kFewestToOrder) {
+      upload_positions(exec, spheres);
+      sort_by_cells(exec, grid_of_one_each(box, parameters.count, 2 * parameters.largest_radius()));
+    }
   }
 
   void find(Exec& exec, const SphereArrays& spheres) {
+    upload_positions(exec, spheres);
+    if (order_.size() == 0) {
+      detector_.find(exec, bodies());
+      return;
+    }
+    take_in_order(exec, position_, ordered_position_);
+    detector_.find(exec, bodies());
+    const Span<const Pair> found = detector_.pairs();
+    named_.resize(found.size());
+    exec.parallel_for("name bodies", found.size(), NameBodies{found, order_.span(), named_.span()});
+    put_into_rows(exec, Span<const Pair>(named_.span()), order_.size(), rows_);
+  }
+
+  /// Those found last, in canonical order.
+  Span<const Pair> pairs() const { return order_.size() > 0 ? rows_.pairs() : detector_.pairs(); }
+
+  Detector<V, Exec>& detector() { return detector_; }
+  const BroadPhaseChoice& choice() const { return choice_; }
+  int64_t bytes() const {
+    return detector_.bytes() + position_.bytes() + radius_.bytes() + ordered_position_.bytes() + order_.bytes() +
+           offsets_.bytes() + named_.bytes() + rows_.bytes();
+  }
+
+ private:
+  static constexpr int64_t kFewestToOrder = 16384;  // fewer fit a cache in any order
+
+  void upload_positions(Exec& exec, const SphereArrays& spheres) {
     if constexpr (kDimensions<V> == 3) {
       exec.upload(position_, spheres.position.data(), spheres.position.size());
     } else {
@@ -38,22 +105,35 @@ class SearchOn {
                      [](const Vec3& p) { return V(p); });
       exec.upload(position_, flat.data(), spheres.position.size());
     }
-    detector_.find(exec, bodies());
   }
 
-  Detector<V, Exec>& detector() { return detector_; }
-  const BroadPhaseChoice& choice() const { return choice_; }
-  int64_t bytes() const { return detector_.bytes() + position_.bytes() + radius_.bytes(); }
+  void sort_by_cells(Exec& exec, const Grid<V>& grid) {
+    order_.resize(position_.size());
+    offsets_.resize(grid.size() + 1);
+    exec.bin("sort bodies", PlaceInGrid<V>{grid, position_.span()}, offsets_.span(), order_.span());
+    Buffer<Real> ordered;
+    if (radius_.size() > 1) take_in_order(exec, radius_, ordered);
+  }
 
- private:
+  /// `spare` is for the other of two buffers, and swapped with it.
+  template <class T>
+  void take_in_order(Exec& exec, Buffer<T>& values, Buffer<T>& spare) {
+    spare.resize(values.size());
+    exec.parallel_for("rearrange bodies", values.size(), TakeInOrder<T>{values.span(), order_.span(), spare.span()});
+    std::swap(values, spare);
+  }
+
   BodiesView<V> bodies() const {
     return {position_.span(), {}, {radius_.span().data(), radius_.size() == 1 ? 0 : 1}, {}};
   }
 
   BroadPhaseChoice choice_;
   Detector<V, Exec> detector_;
-  typename Exec::template Buffer<V> position_;
-  typename Exec::template Buffer<Real> radius_;
+  Buffer<V> position_, ordered_position_;
+  Buffer<Real> radius_;
+  Buffer<int> order_, offsets_;  // bodies by place; empty where they are searched as they come
+  Buffer<Pair> named_;
+  ContactRows<Exec> rows_;
 };
 
 template <class Exec>
@@ -70,7 +150,7 @@ class PairSearchOn final : public PairSearch {
 
   std::vector<Pair> pairs() override {
     std::vector<Pair> result;
-    visit([&](auto& search) { result = exec_->download(search.detector().pairs()); });
+    visit([&](auto& search) { result = exec_->download(search.pairs()); });
     return result;
   }
 

@@ -49,18 +49,24 @@ struct CountUp {
   HOST_DEVICE void operator()(int i) const { values[i] = i; }
 };
 
+/// A dense grid of one body a cell, on average, unless cells are to be larger [m].
+template <class V>
+Grid<V> grid_of_one_each(const Box<V>& box, int64_t count, Scalar<V> least_edge = 0) {
+  BroadPhaseParameters<V> parameters;
+  parameters.box = box;
+  parameters.count = count;
+  double volume = 1;
+  for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= double(box.max[axis]) - double(box.min[axis]);
+  const double edge = std::pow(volume / static_cast<double>(count), 1.0 / kDimensions<V>);
+  return make_grid(parameters, SizeClass<V>{0, count}, V(std::max(least_edge, static_cast<Scalar<V>>(edge))), false);
+}
+
 template <class V, class Exec>
 class SpatialOrder {
  public:
   SpatialOrder(const Box<V>& box, int64_t count) : count_(count) {
     if (!is_used()) return;
-    BroadPhaseParameters<V> parameters;
-    parameters.box = box;
-    parameters.count = count;
-    double volume = 1;
-    for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= double(box.max[axis]) - double(box.min[axis]);
-    const double edge = std::pow(volume / static_cast<double>(count), 1.0 / kDimensions<V>);  // one body a cell
-    grid_ = make_grid(parameters, SizeClass<V>{0, count}, V(static_cast<Scalar<V>>(edge)), false);
+    grid_ = grid_of_one_each(box, count);
   }
 
   /// Whether step `step` is one before which the bodies are sorted.

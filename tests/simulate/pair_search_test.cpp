@@ -99,6 +99,43 @@ TEST_CASE("searches of different numbers of spheres follow each other") {
   }
 }
 
+TEST_CASE("many spheres in lists are searched in spatial order, and named as they came") {
+  constexpr int kCount = 20000;
+  for (const FamilyInfo& family : families()) {
+    INFO(family.name);
+    const auto search = make_search({.broadphase = "linked-cell", .threads = 2});
+    CHECK(fault(*search, make_family(family.name, kCount, 3)) == "");
+    const std::vector<Stage> stages = search->report().stages;
+    CHECK(std::any_of(stages.begin(), stages.end(), [](const Stage& stage) { return stage.name == "sort bodies"; }));
+    CHECK(fault(*search, make_family(family.name, 300, 3)) == "");  // and then a few
+  }
+  const auto drifting = make_search({.broadphase = "linked-cell", .skin = 0.3});
+  const Spheres start = make_family("poly", kCount, 3);
+  for (int k = 0; k < 20; ++k) REQUIRE(fault(*drifting, drifted(start, k, 3)) == "");
+  CHECK(drifting->report().searches < 10);
+}
+
+TEST_CASE("many spheres on a line, touching or far apart, are found") {
+  Spheres line;
+  line.radius = {0.5f};
+  for (int k = 0; k < 20000; ++k) line.position.push_back({static_cast<float>((k * 7919) % 20000), 1, 2});
+  Spheres place;
+  for (int k = 0; k < 20000; ++k) {
+    place.position.push_back(Vec3(0.0f));
+    place.radius.push_back(1e-3f);
+  }
+  for (size_t k = 2; k < 20000; ++k) place.position[k].x = static_cast<float>(k);
+  for (const std::string& method : kMethods) {
+    if (method == "brute-force") continue;  // 0.2 s each
+    INFO(method);
+    const auto search = make_search({.broadphase = method});
+    CHECK(fault(*search, line) == "");
+    CHECK(search->pairs().size() == 19999);
+    CHECK(fault(*search, place) == "");
+    CHECK(search->pairs().size() == 1);
+  }
+}
+
 TEST_CASE("with a skin, drifting spheres are found in every step, and few steps search") {
   for (const FamilyInfo& family : families()) {
     const Spheres start = make_family(family.name, 800, 1);

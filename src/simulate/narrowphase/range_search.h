@@ -203,6 +203,14 @@ struct SortRow {
   }
 };
 
+/// Puts pairs, i < j, that stand in any order into canonical order.
+template <class Exec>
+void put_into_rows(Exec& exec, Span<const Pair> found, int64_t bodies, ContactRows<Exec>& rows) {
+  rows.resize(bodies, found.size());
+  exec.bin("sort contacts", RowOfPair{found}, PairAt{found}, rows.first(), rows.pairs());
+  exec.parallel_for("sort rows", bodies, SortRow{rows.first(), rows.pairs()});
+}
+
 /// Finds contacts in ranges and puts them into rows. `rows` receives them.
 template <class V, class Exec>
 class RangeSearch {
@@ -210,10 +218,7 @@ class RangeSearch {
   template <class Candidates>
   void find(Exec& exec, const Candidates& candidates, const Box<V>& box, int64_t bodies, ContactRows<Exec>& rows) {
     search_.find(exec, candidates, box);
-    const Span<const Pair> found = search_.pairs();
-    rows.resize(bodies, found.size());
-    exec.bin("sort contacts", RowOfPair{found}, PairAt{found}, rows.first(), rows.pairs());
-    exec.parallel_for("sort rows", bodies, SortRow{rows.first(), rows.pairs()});
+    put_into_rows(exec, search_.pairs(), bodies, rows);
   }
 
   int64_t candidates(Exec& exec) const { return search_.candidates(exec); }
