@@ -11,6 +11,7 @@
 #include "app/options.h"
 #include "app/progress.h"
 #include "app/step_timing.h"
+#include "app/summary.h"
 #include "core/error.h"
 #include "simulate/methods.h"
 
@@ -94,7 +95,7 @@ class BenchCommand final : public Command {
     const std::vector<StepTiming> timings = measure(plan);
     const auto summary = summarize(plan, timings);
     if (json_) {
-      std::cout << summary.dump(2) << "\n";
+      print_json(summary);
     } else {
       print_table(summary, stages_);
     }

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "app/commands.h"
+#include "app/summary.h"
 #include "core/error.h"
 #include "render/gl_context.h"
 #include "simulate/world.h"
@@ -97,7 +98,7 @@ class DoctorCommand final : public Command {
   void run() override {
     const Json found = examine_machine();
     if (json_) {
-      std::cout << found.dump(2) << "\n";
+      print_json(found);
     } else {
       print_text(found);
     }

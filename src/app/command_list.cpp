@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/summary.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
 #include "scene/catalog.h"
@@ -101,7 +102,7 @@ class ListCommand final : public Command {
                     {"overlays", list_labels(overlay_table())},
                     {"themes", list_labels(themes())}};
     if (json_) {
-      std::cout << list.dump(2) << "\n";
+      print_json(list);
     } else {
       print_text(list);
     }

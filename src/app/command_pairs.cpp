@@ -20,6 +20,7 @@
 #include "app/options.h"
 #include "app/pairs_summary.h"
 #include "app/progress.h"
+#include "app/summary.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "scene/spheres_csv.h"
@@ -116,8 +117,11 @@ class PairsCommand final : public Command {
       write_file(out_, pairs_csv(search->pairs()));
     }
     const auto summary = summarize(outcome);
-    constexpr auto kReplace = nlohmann::json::error_handler_t::replace;  // file names may be no UTF-8
-    std::cout << (json_ ? summary.dump(2, ' ', false, kReplace) + "\n" : describe_pairs(summary));
+    if (json_) {
+      print_json(summary);
+    } else {
+      std::cout << describe_pairs(summary);
+    }
   }
 
   /// Every search starts from the bare arrays, and makes its structure anew; memory and threads are those of the first.

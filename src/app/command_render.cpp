@@ -12,6 +12,7 @@
 #include "app/options.h"
 #include "app/progress.h"
 #include "app/session.h"
+#include "app/summary.h"
 #include "core/error.h"
 #include "export/frame_sequence.h"
 #include "render/gl_context.h"
@@ -126,7 +127,7 @@ class RenderCommand final : public Command {
                                          {"backend", session.backend()},
                                          {"renderer", context.info().renderer}};
     if (json_) {
-      std::cout << summary.dump(2) << "\n";
+      print_json(summary);
       return;
     }
     std::cout << made << " frames of " << session.scene().name << " (" << summary["count"] << " spheres, " << size_

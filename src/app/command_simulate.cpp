@@ -34,7 +34,11 @@ class SimulateCommand final : public Command {
     step_to(session, time.value_or(session.scene().needs.duration));
     if (!out_.empty()) write_spheres_csv(out_, session.world().bodies());
     const auto summary = summarize(session);
-    std::cout << (json_ ? summary.dump(2) + "\n" : describe(summary));
+    if (json_) {
+      print_json(summary);
+    } else {
+      std::cout << describe(summary);
+    }
   }
 
  private:

@@ -2,6 +2,7 @@
 #include "app/summary.h"
 
 #include <cstdio>
+#include <iostream>
 #include <sstream>
 
 namespace ballpit {
@@ -17,6 +18,8 @@ std::string hexadecimal(uint64_t value) {
 }
 
 }  // namespace
+
+void print_json(const Json& json) { std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n"; }
 
 Json list_stages(const std::vector<Stage>& stages) {
   Json list = Json::array();

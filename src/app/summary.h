@@ -11,6 +11,9 @@
 
 namespace ballpit {
 
+/// Writes JSON to standard output, as what `--json` promises. Bytes that are no UTF-8, as names of files may hold, are replaced.
+void print_json(const nlohmann::ordered_json& json);
+
 /// Name, seconds and launches of each stage.
 nlohmann::ordered_json list_stages(const std::vector<Stage>& stages);
 

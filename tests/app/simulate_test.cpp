@@ -55,6 +55,13 @@ TEST_CASE("what auto chose is told, and its reason, and how many searches a skin
   CHECK(summary["searches"] < summary["steps"].get<int64_t>() / 2);
 }
 
+TEST_CASE("a file whose name is no UTF-8 is simulated, and named as far as JSON can") {
+  const Scratch scratch;
+  write_text(scratch / "dr\xF6p.toml", "[[fill]]\ncount = 3\nradius = 0.02\n");
+  CHECK_THAT(simulate({scratch / "dr\xF6p.toml", "--time", "0.01"})["scene"].get<std::string>(),
+             Catch::StartsWith("dr"));
+}
+
 TEST_CASE("simulate says the same for people, and nothing on standard error") {
   const Outcome outcome = run_program({"simulate", "two-spheres"});
   CHECK(outcome.status == 0);
