@@ -182,6 +182,28 @@ TEST_CASE("centres of spheres that touch lie in neighbouring cells, rounding inc
   }
 }
 
+TEST_CASE("spheres that touch are in neighbouring cells of a hashed grid, however far from the domain") {
+  Random random(9);
+  for (int k = 0; k < 50; ++k) {
+    const float diameter = static_cast<float>(random.uniform(0.02, 0.4));
+    const Box<Vec2> box{Vec2(0.1f), Vec2(0.6f), Boundary::open_top};
+    const auto parameters = in_box(box, diameter / 2, 100);
+    const Grid<Vec2> grid = make_grid(parameters, parameters.classes[0], Vec2(diameter), true);
+    bool are_neighbours = true;
+    for (int cell = 1; cell < 20000; cell += cell < 3000 ? 1 : 97) {
+      // The last float that lies below a cell's border, and the farthest that is one diameter from it.
+      float a = grid.origin.y + static_cast<float>(cell) * grid.edge.y;
+      while (grid.coordinate_of(a, 1) >= cell) a = std::nextafter(a, 0.0f);
+      for (int up = 0; up < 8 && grid.coordinate_of(std::nextafter(a, 1e9f), 1) < cell; ++up)
+        a = std::nextafter(a, 1e9f);
+      float b = a + diameter;
+      while (b - a > diameter) b = std::nextafter(b, 0.0f);
+      are_neighbours &= grid.coordinate_of(b, 1) - grid.coordinate_of(a, 1) <= 1;
+    }
+    REQUIRE(are_neighbours);
+  }
+}
+
 TEST_CASE("a dense grid has a bounded number of cells for each sphere, a hashed one for all") {
   for (const Boundary boundary : {Boundary::walls, Boundary::periodic}) {
     const auto parameters = in_box(Box<Vec3>{Vec3(0.0f), Vec3(100.0f), boundary}, 0.1f, 1000);
