@@ -190,7 +190,7 @@ TEST_CASE("spheres that touch are in neighbouring cells of a hashed grid, howeve
     const auto parameters = in_box(box, diameter / 2, 100);
     const Grid<Vec2> grid = make_grid(parameters, parameters.classes[0], Vec2(diameter), true);
     bool are_neighbours = true;
-    for (int cell = 1; cell < 20000; cell += cell < 3000 ? 1 : 97) {
+    for (int cell = 1; cell < 300000; cell += cell < 3000 ? 1 : 997) {
       // The last float that lies below a cell's border, and the farthest that is one diameter from it.
       float a = grid.origin.y + static_cast<float>(cell) * grid.edge.y;
       while (grid.coordinate_of(a, 1) >= cell) a = std::nextafter(a, 0.0f);
