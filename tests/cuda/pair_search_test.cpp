@@ -137,6 +137,16 @@ TEST_CASE("a pair search on CUDA keeps its candidate list as long as the CPU doe
   CHECK(searches.cuda->report().searches > 1);
 }
 
+TEST_CASE("many spheres in lists are sorted by place on CUDA as on the CPU, and named as they came") {
+  Settings settings;
+  settings.broadphase = "linked-cell";
+  const Twins searches(settings);
+  CHECK(searches.find(Spheres({.count = 16500, .smallest = 0.015, .largest = 0.03})) > 1000);
+  const std::vector<Stage> stages = searches.cuda->report().stages;
+  CHECK(std::any_of(stages.begin(), stages.end(), [](const Stage& stage) { return stage.name == "name bodies"; }));
+  searches.find(Spheres({.count = 100, .smallest = 0.1, .largest = 0.1}));
+}
+
 TEST_CASE("auto chooses on CUDA as on the CPU, and changes its choice with the spheres") {
   Settings settings;
   settings.broadphase = "auto";
