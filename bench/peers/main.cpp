@@ -132,7 +132,7 @@ nlohmann::ordered_json describe(const Options& options) {
   nlohmann::ordered_json libraries = nlohmann::ordered_json::array();
   for (const PeerInfo& peer : peer_table()) {
     libraries.push_back({{"peer", peer.name},
-                         {"library", peer.library},
+                         {"library", peer.package},
                          {"method", peer.method},
                          {"threads", peer.uses_threads ? options.search.threads : 1}});
   }

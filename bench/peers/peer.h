@@ -41,7 +41,7 @@ class Peer {
 
 struct PeerInfo {
   std::string name;     ///< "bullet-deferred"
-  std::string library;  ///< "Bullet 3.24"
+  std::string package;  ///< "Bullet 3.24"
   std::string method;
   bool uses_threads;
   std::unique_ptr<Peer> (*make)(const PeerOptions& options);

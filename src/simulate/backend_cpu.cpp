@@ -12,7 +12,8 @@ Backend cpu_backend() {
             return make_world_on(std::make_unique<CpuExecutor>(settings.threads), scene, settings);
           },
           [](const Settings& settings) -> std::unique_ptr<PairSearch> {
-            return std::make_unique<PairSearchOn<CpuExecutor>>(std::make_unique<CpuExecutor>(settings.threads), settings);
+            return std::make_unique<PairSearchOn<CpuExecutor>>(std::make_unique<CpuExecutor>(settings.threads),
+                                                               settings);
           }};
 }
 

@@ -11,7 +11,8 @@ namespace ballpit {
 
 struct BroadPhaseChoice {
   std::string method;  ///< "sorted-grid"
-  std::string reason;  ///< "predicted for 20000 spheres, ms on one core: sorted-grid 1.3, …"; empty where it was asked for
+  std::string
+      reason;  ///< "predicted for 20000 spheres, ms on one core: sorted-grid 1.3, …"; empty where it was asked for
 };
 
 /// The broad phase that `settings` ask for, or the one that takes the least time for spheres spread evenly over the box.

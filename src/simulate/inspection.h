@@ -43,8 +43,8 @@ struct GridInspection {
 
 struct Inspection {
   BodySnapshot bodies;
-  std::vector<Pair> contacts;          ///< overlapping pairs, sorted by i, then j
-  std::vector<GridInspection> grids;   ///< of the broad phase: one for each size class, or none
+  std::vector<Pair> contacts;         ///< overlapping pairs, sorted by i, then j
+  std::vector<GridInspection> grids;  ///< of the broad phase: one for each size class, or none
 };
 
 }  // namespace ballpit

@@ -10,7 +10,8 @@ namespace {
 constexpr std::array kMethods{
     Method{Family::broadphase, "auto", "Best predicted", "cpu, cuda",
            "chosen by predicted time, with a candidate list (skin 0.1)", ""},
-    Method{Family::broadphase, "brute-force", "Brute force", "cpu, cuda", "O(n²) tests, no structure", "slides 5 and 6"},
+    Method{Family::broadphase, "brute-force", "Brute force", "cpu, cuda", "O(n²) tests, no structure",
+           "slides 5 and 6"},
     Method{Family::broadphase, "sort-and-sweep", "Sort and sweep", "cpu, cuda",
            "O(n) sort by radix, O(n^(5/3)) tests in a cube; 24 bytes a sphere", "slides 2 to 4; Baraff 1992"},
     Method{Family::broadphase, "linked-cell", "Linked cell", "cpu, cuda",

@@ -58,10 +58,14 @@ constexpr std::array kTable{
                 [](Settings& s, std::string_view v) { return set_number(v, 0.05, 1000.0, s.cell_size); }},
     SettingInfo{"table", "NAME", "cells in an array with a place for each, or hashed into a bounded number of places",
                 [] { return std::string("auto, dense, hashed"); },
-                [](Settings& s, std::string_view v) { return set_one_of(v, {"auto", "dense", "hashed"}, s.table); }},
+                [](Settings& s, std::string_view v) {
+                  return set_one_of(v, {"auto", "dense", "hashed"}, s.table);
+                }},
     SettingInfo{"axis", "NAME", "axis of sort-and-sweep; auto: the one along which positions vary most",
                 [] { return std::string("auto, x, y, z"); },
-                [](Settings& s, std::string_view v) { return set_one_of(v, {"auto", "x", "y", "z"}, s.axis); }},
+                [](Settings& s, std::string_view v) {
+                  return set_one_of(v, {"auto", "x", "y", "z"}, s.axis);
+                }},
     SettingInfo{"skin", "FRACTION", "skin of the candidate list, of a radius; 0: search in every step",
                 [] { return std::string("0 to 10"); },
                 [](Settings& s, std::string_view v) { return set_number(v, 0.0, 10.0, s.skin); }},

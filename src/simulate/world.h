@@ -20,20 +20,20 @@ namespace ballpit {
 struct Report {
   int64_t count = 0;  ///< spheres
   int64_t steps = 0;
-  double time = 0;              ///< [s] simulated
-  double seconds = 0;           ///< [s] spent in step()
-  std::vector<Stage> stages;    ///< where they were spent
+  double time = 0;                ///< [s] simulated
+  double seconds = 0;             ///< [s] spent in step()
+  std::vector<Stage> stages;      ///< where they were spent
   std::string broadphase;         ///< by name, also where settings ask for auto
   std::string broadphase_reason;  ///< why auto chose it; empty where it was asked for
   int64_t searches = 0;           ///< times that the broad phase searched; fewer than steps where there is a skin
   int64_t detection_bytes = 0;    ///< memory of broad and narrow phase
-  int64_t candidates = 0;       ///< narrow-phase tests made to detect the contacts of the present state
-  int64_t contacts = 0;         ///< overlapping pairs in the present state, walls not counted
-  double kinetic_energy = 0;    ///< [J]
-  double potential_energy = 0;  ///< [J] −Σ m·g·x, zero at the origin
-  Vec3d momentum{0.0};          ///< [kg·m/s]
-  double max_overlap = 0;       ///< largest overlap, with spheres or walls, as a fraction of the smaller radius
-  uint64_t state_hash = 0;      ///< of the bits of all positions and velocities
+  int64_t candidates = 0;         ///< narrow-phase tests made to detect the contacts of the present state
+  int64_t contacts = 0;           ///< overlapping pairs in the present state, walls not counted
+  double kinetic_energy = 0;      ///< [J]
+  double potential_energy = 0;    ///< [J] −Σ m·g·x, zero at the origin
+  Vec3d momentum{0.0};            ///< [kg·m/s]
+  double max_overlap = 0;         ///< largest overlap, with spheres or walls, as a fraction of the smaller radius
+  uint64_t state_hash = 0;        ///< of the bits of all positions and velocities
 };
 
 class World {

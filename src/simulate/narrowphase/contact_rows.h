@@ -60,4 +60,33 @@ class ContactRows {
   typename Exec::template Buffer<Pair> pairs_;
 };
 
+/// Key: the row that a pair belongs to.
+struct RowOfPair {
+  Span<const Pair> pairs;
+  HOST_DEVICE int operator()(int k) const { return pairs[k].i; }
+};
+struct PairAt {
+  Span<const Pair> pairs;
+  HOST_DEVICE Pair operator()(int k) const { return pairs[k]; }
+};
+
+/// Kernel: sorts the pairs of body i by j.
+struct SortRow {
+  Span<const int> first;
+  Span<Pair> pairs;
+
+  HOST_DEVICE void operator()(int i) const {
+    const int begin = first[i], count = first[i + 1] - begin;
+    if (count > 1) sort_row(pairs.data() + begin, count);
+  }
+};
+
+/// Puts pairs, i < j, that stand in any order into canonical order.
+template <class Exec>
+void put_into_rows(Exec& exec, Span<const Pair> found, int64_t bodies, ContactRows<Exec>& rows) {
+  rows.resize(bodies, found.size());
+  exec.bin("sort contacts", RowOfPair{found}, PairAt{found}, rows.first(), rows.pairs());
+  exec.parallel_for("sort rows", bodies, SortRow{rows.first(), rows.pairs()});
+}
+
 }  // namespace ballpit
