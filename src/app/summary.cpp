@@ -41,7 +41,7 @@ Json summarize(Session& session) {
                {"methods",
                 {{"broadphase", report.broadphase},
                  {"response", settings.response},
-                 {"integrator", settings.integrator},
+                 {"integrator", integrator_of(settings)},
                  {"precision", settings.precision},
                  {"backend", session.backend()}}}};
   if (!report.broadphase_reason.empty()) summary["reason"] = report.broadphase_reason;

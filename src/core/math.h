@@ -21,6 +21,7 @@ namespace ballpit {
 using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec4 = glm::vec4;
+using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
 using IVec3 = glm::ivec3;
 using Mat4 = glm::mat4;

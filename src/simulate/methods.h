@@ -3,12 +3,13 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace ballpit {
 
-enum class Family { broadphase, response, integrator, precision, backend };
+enum class Family { broadphase, response, solver, integrator, precision, backend };
 
 struct Method {
   Family family;
@@ -17,12 +18,21 @@ struct Method {
   std::string_view backends;  ///< where it runs
   std::string_view cost;
   std::string_view source;
+  std::string_view integrators = "";  ///< of a response: those it goes with, its own choice first
+  std::string_view options = "";      ///< of a response: those options of its kind that it uses
 };
 
 std::span<const Method> methods();
 
 /// The names of a family's methods, in the table's order.
 std::vector<std::string_view> method_names(Family family);
+
+/// The entry of this name. Throws UserError where there is none.
+const Method& find_method(Family family, std::string_view name);
+
+/// What is wrong with `--option value` for a response: "found rk4, allowed symplectic-euler with --response impulse"; empty if
+/// nothing.
+std::string misfit(std::string_view response, std::string_view option, std::string_view value);
 
 /// "broadphase", …
 std::string_view family_name(Family family);

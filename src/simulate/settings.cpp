@@ -71,6 +71,34 @@ constexpr std::array kTable{
                 [](Settings& s, std::string_view v) { return set_number(v, 0.0, 10.0, s.skin); }},
     SettingInfo{"response", "NAME", "what spheres in contact do", allowed_methods<Family::response>,
                 set_method<Family::response, &Settings::response>},
+    SettingInfo{"iterations", "N", "of impulse (4 unless told) and position-based (1) in a substep",
+                [] { return std::string("1 to 10000"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 1, 10000, s.iterations); }},
+    SettingInfo{"solver", "NAME", "how impulse and position-based iterate", allowed_methods<Family::solver>,
+                set_method<Family::solver, &Settings::solver>},
+    SettingInfo{"correction", "NAME",
+                "of overlap by impulse: split into velocity and position, none, or back to the surface",
+                [] { return std::string("split, none, surface"); },
+                [](Settings& s, std::string_view v) {
+                  return set_one_of(v, {"split", "none", "surface"}, s.correction);
+                }},
+    SettingInfo{"contact-end", "NAME", "of penalty: where overlap ends, or where the force would begin to pull",
+                [] { return std::string("overlap, force"); },
+                [](Settings& s, std::string_view v) {
+                  return set_one_of(v, {"overlap", "force"}, s.contact_end);
+                }},
+    SettingInfo{"compliance", "M/N", "of position-based contacts; 0: rigid", [] { return std::string("0 to 1000"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 0.0, 1000.0, s.compliance); }},
+    SettingInfo{"contact-duration", "SECONDS", "of event-driven collisions: those that follow sooner lose no energy",
+                [] { return std::string("0 to 1"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 0.0, 1.0, s.contact_duration); }},
+    SettingInfo{"swept", "on|off", "contacts are found along the step, so that fast spheres meet what they would pass",
+                [] { return std::string("on, off"); },
+                [](Settings& s, std::string_view v) {
+                  if (v != "on" && v != "off") return false;
+                  s.is_swept = v == "on";
+                  return true;
+                }},
     SettingInfo{"integrator", "NAME", "how velocities and positions advance", allowed_methods<Family::integrator>,
                 set_method<Family::integrator, &Settings::integrator>},
     SettingInfo{"precision", "NAME", "floating-point type of the simulation", allowed_methods<Family::precision>,
@@ -80,6 +108,12 @@ constexpr std::array kTable{
     SettingInfo{"substeps", "N", "parts of a time step, each detected and resolved by itself",
                 [] { return std::string("1 to 1000"); },
                 [](Settings& s, std::string_view v) { return set_number(v, 1, 1000, s.substeps); }},
+    SettingInfo{"max-overlap", "FRACTION", "of the smaller radius; more overlap stops the run",
+                [] { return std::string("0 to 1e6"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 0.0, 1e6, s.max_overlap); }},
+    SettingInfo{"max-energy", "FACTOR", "of the energy at the start; more energy stops the run",
+                [] { return std::string("1 to 1e30"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 1.0, 1e30, s.max_energy); }},
     SettingInfo{"backend", "NAME", "processor that simulates", allowed_methods<Family::backend>,
                 set_method<Family::backend, &Settings::backend>},
     SettingInfo{"threads", "N", "CPU threads; 0 for all cores", [] { return std::string("0 to 256"); },
@@ -94,6 +128,12 @@ constexpr std::array kTable{
 }  // namespace
 
 double skin_of(const Settings& settings) { return settings.skin.value_or(settings.broadphase == "auto" ? 0.1 : 0.0); }
+
+std::string integrator_of(const Settings& settings) {
+  if (settings.integrator != "auto") return settings.integrator;
+  const std::string_view names = find_method(Family::response, settings.response).integrators;
+  return std::string(names.substr(0, names.find(',')));
+}
 
 std::span<const SettingInfo> setting_table() { return kTable; }
 

@@ -17,7 +17,14 @@ struct Settings {
   std::string axis = "auto";        ///< of the sweep
   std::optional<double> skin;       ///< of the candidate list, as a fraction of a radius; empty: see skin_of()
   std::string response = "impulse";
-  std::string integrator = "symplectic-euler";
+  std::optional<int> iterations;     ///< of impulse and position-based in a substep; empty: the response's own number
+  std::string solver = "auto";       ///< of impulse and position-based
+  std::string correction = "split";  ///< what impulse does about overlap
+  std::string contact_end = "overlap";  ///< when a contact of the penalty response ends
+  double compliance = 0;                ///< [m/N] of position-based contacts; 0: rigid
+  double contact_duration = 1e-6;       ///< [s] of event-driven collisions: those that follow sooner lose no energy
+  bool is_swept = false;                ///< contacts are found along the step
+  std::string integrator = "auto";
   std::string precision = "float";
   std::string backend = "auto";
   double dt = 1.0 / 240;         ///< [s]
@@ -25,11 +32,17 @@ struct Settings {
   int threads = 0;               ///< 0: all cores
   std::optional<int64_t> count;  ///< spheres generated, in place of the scene's own number
   std::optional<uint64_t> seed;
+  double max_overlap = 1;    ///< of the smaller radius; more stops the run
+  double max_energy = 10;    ///< of the energy at the start; more stops the run
+  bool keeps_tally = false;  ///< whether Report::tally is wanted; no option, follows from what is to be observed
 };
 
 /// The candidate list's skin: what was asked for; else a tenth where the program chooses the broad phase, and none where
 /// one was named, which is then to be seen at work in every step.
 double skin_of(const Settings& settings);
+
+/// The integrator by name, also where settings leave it to the response.
+std::string integrator_of(const Settings& settings);
 
 /// One shared option: "--name VALUE" on the command line, "name = value" in [defaults].
 struct SettingInfo {

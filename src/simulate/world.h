@@ -16,6 +16,13 @@
 
 namespace ballpit {
 
+/// What collisions did since the start; observables.h makes figures of it. Kept by worlds whose settings ask for it.
+struct Tally {
+  int64_t collisions = 0;    ///< of spheres with each other, each counted once
+  double virial = 0;         ///< [J·s] Σ over collisions of Δp·d: the impulse times the distance of the centres
+  double floor_impulse = 0;  ///< [kg·m/s] that spheres gave the wall at min.y
+};
+
 /// Figures of a world's present state, and of the way to it.
 struct Report {
   int64_t count = 0;  ///< spheres
@@ -31,9 +38,12 @@ struct Report {
   int64_t contacts = 0;           ///< overlapping pairs in the present state, walls not counted
   double kinetic_energy = 0;      ///< [J]
   double potential_energy = 0;    ///< [J] −Σ m·g·x, zero at the origin
+  double elastic_energy = 0;      ///< [J] in springs of the penalty response
   Vec3d momentum{0.0};            ///< [kg·m/s]
   double max_overlap = 0;         ///< largest overlap, with spheres or walls, as a fraction of the smaller radius
   uint64_t state_hash = 0;        ///< of the bits of all positions and velocities
+  int64_t events = 0;             ///< of the event-driven response: collisions and crossings of cells
+  Tally tally;
 };
 
 class World {
