@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Worlds and pair searches on an NVIDIA GPU: the kernels of src/simulate instantiated for CUDA, in two and three dimensions.
+// Worlds and pair searches on an NVIDIA GPU.
 #include "cuda_executor.h"
+#include "simulate/make_world.h"
 #include "simulate/pair_search_on.h"
-#include "simulate/world_on.h"
 
 namespace ballpit {
 

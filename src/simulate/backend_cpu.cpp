@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Worlds on the CPU: every kernel instantiated for oneTBB, in two and three dimensions.
+// Worlds and pair searches on the CPU.
 #include "exec/cpu_executor.h"
+#include "simulate/make_world.h"
 #include "simulate/pair_search_on.h"
-#include "simulate/world_on.h"
 
 namespace ballpit {
 

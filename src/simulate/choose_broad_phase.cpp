@@ -116,11 +116,14 @@ BroadPhaseParameters<V> broad_phase_parameters(const Settings& settings, const B
   return parameters;
 }
 
-template BroadPhaseChoice choose_broad_phase(const Settings&, const BroadPhaseParameters<Vec2>&);
-template BroadPhaseChoice choose_broad_phase(const Settings&, const BroadPhaseParameters<Vec3>&);
-template BroadPhaseParameters<Vec2> broad_phase_parameters(const Settings&, const Box<Vec2>&, Span<const float>,
-                                                           int64_t);
-template BroadPhaseParameters<Vec3> broad_phase_parameters(const Settings&, const Box<Vec3>&, Span<const float>,
-                                                           int64_t);
+#define BALLPIT_INSTANTIATE(V)                                                                                   \
+  template BroadPhaseChoice choose_broad_phase(const Settings&, const BroadPhaseParameters<V>&);                 \
+  template BroadPhaseParameters<V> broad_phase_parameters(const Settings&, const Box<V>&, Span<const Scalar<V>>, \
+                                                          int64_t);
+
+BALLPIT_INSTANTIATE(Vec2)
+BALLPIT_INSTANTIATE(Vec3)
+BALLPIT_INSTANTIATE(Vec2d)
+BALLPIT_INSTANTIATE(Vec3d)
 
 }  // namespace ballpit

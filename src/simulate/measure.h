@@ -2,6 +2,7 @@
 // What a report tells of a state: sums over bodies and contacts in double precision, in an order fixed by the indices.
 #pragma once
 
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -31,6 +32,7 @@ template <class V>
 struct MotionOf {
   BodiesView<V> bodies;
   V gravity;
+  V zero{};  ///< [m] where potential energy is 0
 
   HOST_DEVICE Motion operator()(int i) const {
     const double mass = 1.0 / double(bodies.inverse_mass[i]);
@@ -38,7 +40,7 @@ struct MotionOf {
     double squared = 0, height = 0, p[3] = {0, 0, 0};
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       squared += double(v[axis]) * double(v[axis]);
-      height -= double(gravity[axis]) * double(x[axis]);
+      height -= double(gravity[axis]) * (double(x[axis]) - double(zero[axis]));
       p[axis] = mass * double(v[axis]);
     }
     return {0.5 * mass * squared, mass * height, p[0], p[1], p[2]};
@@ -53,15 +55,18 @@ void measure_motion(Exec& exec, const BodiesView<V>& bodies, const V& gravity, R
   report.momentum = {motion.px, motion.py, motion.pz};
 }
 
+/// Map: how much pair k overlaps, as a fraction of the smaller radius.
 template <class V>
-struct ContactOverlap {
+struct PairOverlap {
   BodiesView<V> bodies;
-  ContactsView<V> contacts;
+  Box<V> box;
+  Span<const Pair> pairs;
 
-  HOST_DEVICE double operator()(int c) const {
-    const Pair pair = contacts.pairs[c];
-    return double(contacts.geometry[c].overlap) /
-           double(bodies.radius[pair.i] < bodies.radius[pair.j] ? bodies.radius[pair.i] : bodies.radius[pair.j]);
+  HOST_DEVICE double operator()(int k) const {
+    const Pair pair = pairs[k];
+    const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
+    const double ri = double(bodies.radius[pair.i]), rj = double(bodies.radius[pair.j]);
+    return (ri + rj - std::sqrt(double(dot(d, d)))) / (ri < rj ? ri : rj);
   }
 };
 
@@ -82,9 +87,9 @@ struct WallOverlap {
 
 /// The largest overlap of two spheres, or of a sphere and a wall, as a fraction of the smaller radius.
 template <class V, class Exec>
-double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const ContactsView<V>& contacts) {
+double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs) {
   const double spheres =
-      reduce(exec, "largest overlap", contacts.pairs.size(), 0.0, ContactOverlap<V>{bodies, contacts}, Largest{});
+      reduce(exec, "largest overlap", pairs.size(), 0.0, PairOverlap<V>{bodies, box, pairs}, Largest{});
   const double walls = reduce(exec, "largest overlap", bodies.size(), 0.0, WallOverlap<V>{bodies, box}, Largest{});
   return spheres < walls ? walls : spheres;
 }

@@ -83,6 +83,55 @@ struct Box {
       if (high >= 0 && !(axis == 1 && boundary == Boundary::open_top)) visit(axis, 1, high);
     }
   }
+
+  /// The same for each wall that a sphere touches at p, or enters on its way from p to `end`: then without an overlap.
+  template <class Visit>
+  HOST_DEVICE void for_each_wall_on_way(const V& p, const V& end, Real radius, Visit&& visit) const {
+    if (is_periodic()) return;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      const Real low = radius - (p[axis] - min[axis]), high = radius - (max[axis] - p[axis]);
+      const Real low_end = radius - (end[axis] - min[axis]), high_end = radius - (max[axis] - end[axis]);
+      if (low >= 0 || low_end >= 0) visit(axis, -1, low > 0 ? low : Real(0));
+      if ((high >= 0 || high_end >= 0) && !(axis == 1 && boundary == Boundary::open_top)) {
+        visit(axis, 1, high > 0 ? high : Real(0));
+      }
+    }
+  }
+};
+
+/// The walls as a response meets them: where bodies are, or along the way that they are about to go.
+template <class V>
+struct WallsView {
+  using Real = Scalar<V>;
+  Box<V> box;
+  Span<const V> way;  ///< [m] of each body in this step; empty where contacts are not swept
+
+  /// As Box::for_each_wall(), for body i at p; a wall that is met on the way has no overlap yet.
+  template <class Visit>
+  HOST_DEVICE void for_each(int i, const V& p, Real radius, Visit&& visit) const {
+    if (way.empty()) {
+      box.for_each_wall(p, radius, visit);
+      return;
+    }
+    box.for_each_wall_on_way(p, p + way[i], radius, visit);
+  }
+};
+
+/// Where a response notes what it does, for a tally; empty spans where none is kept.
+template <class V>
+struct ImpulseNotes {
+  Span<Scalar<V>> contact;  ///< [kg·m/s] exchanged by each contact
+  Span<Scalar<V>> floor;    ///< [kg·m/s] given by each body to the wall at min.y
+
+  HOST_DEVICE bool are_kept() const { return !floor.empty(); }
+};
+
+/// Kernel: to = from.
+template <class T>
+struct CopyValues {
+  Span<const T> from;
+  Span<T> to;
+  HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
 };
 
 /// Spheres that touch exactly are in contact: |d|² ≤ (r_i + r_j)².
@@ -120,14 +169,14 @@ struct ContactsView {
     return first[body + 1] - first[body] + incoming_first[body + 1] - incoming_first[body];
   }
 
-  /// Calls visit(contact, other body, side) in an order fixed by the indices; side is +1 where the normal points away
-  /// from `body`, −1 where it points to it.
+  /// Calls visit(contact, other body, side) in the order of contacts; side is +1 where the normal points away from `body`,
+  /// −1 where it points to it.
   template <class Visit>
   HOST_DEVICE void for_each_of(int body, Visit&& visit) const {
-    for (int c = first[body]; c < first[body + 1]; ++c) visit(c, pairs[c].j, 1);
     for (int k = incoming_first[body]; k < incoming_first[body + 1]; ++k) {
       visit(incoming[k].contact, incoming[k].body, -1);
     }
+    for (int c = first[body]; c < first[body + 1]; ++c) visit(c, pairs[c].j, 1);
   }
 };
 

@@ -34,6 +34,8 @@ struct Report {
   std::string broadphase_reason;  ///< why auto chose it; empty where it was asked for
   int64_t searches = 0;           ///< times that the broad phase searched; fewer than steps where there is a skin
   int64_t detection_bytes = 0;    ///< memory of broad and narrow phase
+  int64_t body_bytes = 0;         ///< memory of positions, velocities, radii and masses
+  int64_t motion_bytes = 0;       ///< memory of response, integrator, guard and tally
   int64_t candidates = 0;         ///< narrow-phase tests made to detect the contacts of the present state
   int64_t contacts = 0;           ///< overlapping pairs in the present state, walls not counted
   double kinetic_energy = 0;      ///< [J]
@@ -60,6 +62,10 @@ class World {
 
   /// The present state, in double precision; starts the same world again.
   virtual Bodies bodies() = 0;
+
+  /// The last state that passed the guard, and its time [s]: what is left where step() throws.
+  virtual Bodies last_good() { return bodies(); }
+  virtual double last_good_time() { return time(); }
 
   virtual int64_t steps() const = 0;
   virtual double time() const = 0;  ///< [s]

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The world, written once for every executor and number of dimensions. A step, from top to bottom:
+// The world, written once for every executor, number of dimensions and precision. A step, from top to bottom:
 //
 //     sort       now and then, bodies in memory by where they are
-//     detect     broad phase and narrow phase, on frozen positions
-//     kick       gravity
-//     respond    contacts and walls change velocities
-//     drift      positions move
-//     check      no sphere has left
+//     substeps   detect, respond, integrate: motion.h
+//     guard      no sphere has left; now and then: nothing overlaps too much, no energy came from nowhere
 //
-// Instantiated by backend_cpu.cpp and cuda/backend_cuda.cu.
+// Instantiated for each vector type by worlds_cpu_*.cpp and cuda/worlds_cuda_*.cu.
 #pragma once
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <sstream>
+#include <utility>
+#include <variant>
 
-#include "core/error.h"
-#include "exec/reduce.h"
-#include "simulate/choose_broad_phase.h"
-#include "simulate/detector.h"
+#include "simulate/guard.h"
+#include "simulate/integrate/explicit_euler.h"
+#include "simulate/integrate/rk4.h"
 #include "simulate/integrate/symplectic_euler.h"
+#include "simulate/integrate/velocity_verlet.h"
+#include "simulate/make_world.h"
 #include "simulate/measure.h"
-#include "simulate/narrowphase/contact_list.h"
+#include "simulate/methods.h"
+#include "simulate/motion.h"
 #include "simulate/response/impulse.h"
-#include "simulate/spatial_order.h"
+#include "simulate/response/kinematic.h"
 #include "simulate/world.h"
 
 namespace ballpit {
@@ -34,87 +34,108 @@ class WorldOn final : public World {
   using Real = Scalar<V>;
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
+  using Motion =
+      std::variant<VelocityMotion<V, Exec, ImpulseResponse<V, Exec>>,
+                   VelocityMotion<V, Exec, KinematicResponse<V, Exec>>, PositionMotion<V, Exec>,
+                   ForceMotion<V, Exec, ExplicitEuler<V, Exec>>, ForceMotion<V, Exec, SymplecticEuler<V, Exec>>,
+                   ForceMotion<V, Exec, VelocityVerlet<V, Exec>>, ForceMotion<V, Exec, RungeKutta4<V, Exec>>>;
 
  public:
   WorldOn(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings)
-      : exec_(std::move(exec)),
-        box_{narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary},
-        gravity_(narrow<V>(scene.physics.gravity)),
-        dt_(settings.dt),
+      : dt_(settings.dt),
         substeps_(settings.substeps),
-        parameters_(parameters_of(scene, settings, box_)),
-        choice_(choose_broad_phase(settings, parameters_)),
-        detector_(choice_.method, parameters_, skin_of(settings)),
-        order_(box_, scene.bodies.size()),
-        response_(impulse_parameters(scene.physics, settings)) {
-    upload(scene.bodies);
-  }
+        state_(std::move(exec), scene, settings, margin_of(scene, settings)),
+        motion_(make_motion(scene.physics, settings)),
+        tally_(settings.keeps_tally),
+        guard_(settings.max_overlap, settings.max_energy) {}
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
-    if (order_.is_due(steps_)) sort_bodies();
+    if (!guard_.is_started()) guard_.start(state_, elastic_energy());
+    if (state_.order().is_due(steps_)) sort();
     ++steps_;
-    for (int k = 0; k < substeps_; ++k) substep(static_cast<Real>(dt_ / substeps_));
+    const Real h = static_cast<Real>(dt_ / substeps_);
+    for (int k = 0; k < substeps_; ++k) {
+      std::visit([&](auto& motion) { motion.substep(state_, tally_, h); }, motion_);
+    }
+    guard_.check_inside(state_, steps_, time());
+    if (guard_.is_due(steps_)) guard_.check(state_, elastic_energy(), steps_, time());
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   Inspection inspect() override {
-    detect();
+    Exec& exec = state_.exec();
     Inspection result;
-    result.bodies.count = position_.size();
+    result.bodies.count = state_.count();
     result.bodies.dimensions = kDimensions<V>;
-    result.bodies.position = flat(downloaded(position_));
-    result.bodies.velocity = flat(downloaded(velocity_));
-    const auto radius = downloaded(radius_);
+    result.bodies.position = flat(state_.downloaded(state_.position));
+    result.bodies.velocity = flat(state_.downloaded(state_.velocity));
+    const std::vector<Real> radius = state_.radii();
     result.bodies.radius.assign(radius.begin(), radius.end());
-    result.contacts = exec_->download(detector_.pairs());
-    result.grids = detector_.inspect(*exec_, view());
-    const std::vector<int> id_at = exec_->download(order_.id_at());
+    result.contacts = exec.download(state_.pairs());
+    result.grids = state_.detector().inspect(exec, state_.bodies());
+    const std::vector<int> id_at = exec.download(state_.order().id_at());
     if (!id_at.empty()) name_by_id(result, id_at);
     return result;
   }
 
   Report report() override {
-    detect();
-    list_.build(*exec_, detector_.pairs(), detector_.first(), view(), box_);
+    Exec& exec = state_.exec();
     Report report;
-    report.broadphase = choice_.method;
-    report.broadphase_reason = choice_.reason;
-    report.count = position_.size();
+    report.contacts = state_.pairs().size();
+    report.broadphase = state_.choice().method;
+    report.broadphase_reason = state_.choice().reason;
+    report.count = state_.count();
     report.steps = steps_;
     report.time = time();
     report.seconds = seconds_;
-    report.contacts = detector_.pairs().size();
-    report.candidates = detector_.candidates(*exec_);
-    report.searches = detector_.searches();
-    report.detection_bytes = detector_.bytes();
-    measure_motion(*exec_, view(), gravity_, report);
-    report.max_overlap = largest_overlap(*exec_, view(), box_, list_.view());
-    report.state_hash = hash_state(downloaded(position_), downloaded(velocity_));
-    report.stages = exec_->stage_times().stages();
+    report.candidates = state_.detector().candidates(exec);
+    report.searches = state_.detector().searches();
+    report.detection_bytes = state_.detector().bytes();
+    report.body_bytes = state_.bytes();
+    report.motion_bytes =
+        std::visit([](auto& motion) { return motion.bytes(); }, motion_) + guard_.bytes() + tally_.bytes();
+    measure_motion(exec, state_.bodies(), state_.gravity(), report);
+    report.elastic_energy = elastic_energy();
+    report.max_overlap = largest_overlap(exec, state_.bodies(), state_.box(), state_.pairs());
+    report.state_hash = hash_state(state_.downloaded(state_.position), state_.downloaded(state_.velocity));
+    report.tally = tally_.tally();
+    report.stages = exec.stage_times().stages();
     return report;
   }
 
-  Bodies bodies() override {
-    Bodies result;
-    for (const V& p : downloaded(position_)) result.position.push_back(widen(p));
-    for (const V& v : downloaded(velocity_)) result.velocity.push_back(widen(v));
-    const auto radius = downloaded(radius_), inverse = downloaded(inverse_mass_);
-    for (size_t i = 0; i < result.position.size(); ++i) {
-      result.radius.push_back(radius[radius.size() == 1 ? 0 : i]);
-      result.mass.push_back(1.0 / inverse[inverse.size() == 1 ? 0 : i]);
-    }
-    return result;
-  }
-
+  Bodies bodies() override { return state_.download(state_.position, state_.velocity); }
+  Bodies last_good() override { return guard_.is_started() ? guard_.last_good(state_) : bodies(); }
+  double last_good_time() override { return guard_.last_good_time(); }
   int64_t steps() const override { return steps_; }
   double time() const override { return static_cast<double>(steps_) * dt_; }
 
  private:
-  static BroadPhaseParameters<V> parameters_of(const Scene& scene, const Settings& settings, const Box<V>& box) {
-    const std::vector<Real> radius(scene.bodies.radius.begin(), scene.bodies.radius.end());
-    const auto count = static_cast<int64_t>(radius.size());
-    return broad_phase_parameters<V>(settings, box, Span<const Real>(radius.data(), count), count);
+  /// [m] that spheres may be apart and be contacts for the position-based response: part of a radius, and what gravity does.
+  static double margin_of(const Scene& scene, const Settings& settings) {
+    if (settings.response != "position-based" || scene.bodies.size() == 0) return 0;
+    const double h = settings.dt / settings.substeps;
+    const auto& radius = scene.bodies.radius;
+    return 0.01 * *std::max_element(radius.begin(), radius.end()) + length(scene.physics.gravity) * h * h;
+  }
+
+  static Motion make_motion(const Physics& physics, const Settings& settings) {
+    if (settings.response == "kinematic") {
+      return VelocityMotion<V, Exec, KinematicResponse<V, Exec>>(
+          KinematicResponse<V, Exec>(physics.restitution, physics.wall_restitution), settings.is_swept);
+    }
+    if (settings.response == "position-based") return PositionMotion<V, Exec>(position_parameters(physics, settings));
+    if (settings.response == "penalty") return make_force_motion(penalty_law(physics, settings), settings);
+    return VelocityMotion<V, Exec, ImpulseResponse<V, Exec>>(
+        ImpulseResponse<V, Exec>(impulse_parameters(physics, settings)), settings.is_swept);
+  }
+
+  static Motion make_force_motion(const PenaltyLaw<Real>& law, const Settings& settings) {
+    const std::string integrator = integrator_of(settings);
+    if (integrator == "explicit-euler") return ForceMotion<V, Exec, ExplicitEuler<V, Exec>>(law);
+    if (integrator == "symplectic-euler") return ForceMotion<V, Exec, SymplecticEuler<V, Exec>>(law);
+    if (integrator == "rk4") return ForceMotion<V, Exec, RungeKutta4<V, Exec>>(law);
+    return ForceMotion<V, Exec, VelocityVerlet<V, Exec>>(law);
   }
 
   static ImpulseParameters impulse_parameters(const Physics& physics, const Settings& settings) {
@@ -124,87 +145,49 @@ class WorldOn final : public World {
     parameters.wall_restitution = physics.wall_restitution;
     parameters.push_limit = kPushSteps * gravity * settings.dt / settings.substeps;
     parameters.correction = gravity > 0 ? 0.0 : 0.4;
+    if (settings.iterations) parameters.iterations = *settings.iterations;
+    parameters.is_by_colour = settings.solver == "gauss-seidel";
+    if (settings.correction != "split") {
+      parameters.push = parameters.foresight = parameters.slop = 0;
+      parameters.entered = parameters.correction = settings.correction == "surface" ? 1 : 0;
+    }
     return parameters;
   }
 
-  void upload(const Bodies& bodies) {
-    std::vector<V> position, velocity;
-    for (const Vec3d& p : bodies.position) position.push_back(narrow<V>(p));
-    for (const Vec3d& v : bodies.velocity) velocity.push_back(narrow<V>(v));
-    exec_->upload(position_, position);
-    exec_->upload(velocity_, velocity);
-    std::vector<double> inverse_mass;
-    for (const double mass : bodies.mass) inverse_mass.push_back(1.0 / mass);
-    upload_per_body(radius_, bodies.radius);
-    upload_per_body(inverse_mass_, inverse_mass);
+  static PositionBasedParameters position_parameters(const Physics& physics, const Settings& settings) {
+    return {physics.restitution, physics.wall_restitution, settings.compliance, length(physics.gravity),
+            settings.iterations.value_or(1)};
   }
 
-  /// One number where all are equal, else one each.
-  void upload_per_body(Buffer<Real>& buffer, const std::vector<double>& values) {
-    const bool is_uniform = std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
-    const auto last = is_uniform && !values.empty() ? values.begin() + 1 : values.end();
-    const std::vector<Real> rounded(values.begin(), last);
-    exec_->upload(buffer, rounded);
+  static PenaltyLaw<Real> penalty_law(const Physics& physics, const Settings& settings) {
+    const bool ends_with_force = settings.contact_end == "force";
+    return {static_cast<Real>(physics.stiffness),
+            static_cast<Real>(damping_of(physics.restitution, ends_with_force)),
+            static_cast<Real>(damping_of(physics.wall_restitution, ends_with_force)),
+            static_cast<Real>(physics.shear),
+            physics.law == "hertz",
+            ends_with_force};
   }
 
-  static PerBody<Real> per_body(const Buffer<Real>& buffer) {
-    return {buffer.span().data(), buffer.size() == 1 ? 0 : 1};
+  void sort() {
+    state_.sort([&](const auto& rearrange) {
+      std::visit([&](auto& motion) { motion.for_each_kept(rearrange); }, motion_);
+      tally_.for_each_kept(rearrange);
+      guard_.for_each_kept(rearrange);
+    });
   }
 
-  BodiesView<V> view() const {
-    return {position_.span(), velocity_.span(), per_body(radius_), per_body(inverse_mass_)};
-  }
-
-  /// The values of all bodies by id; one value where all are equal.
-  template <class T>
-  std::vector<T> downloaded(const Buffer<T>& buffer) const {
-    return by_id(exec_->download(buffer.span()), exec_->download(order_.id_at()));
-  }
-
-  /// Finds the contacts of the present state, once: looking at them before a step saves the step the work.
-  void detect() {
-    if (is_detected_) return;
-    detector_.find(*exec_, view());
-    is_detected_ = true;
-  }
-
-  /// Sorts the bodies in memory by where they are.
-  void sort_bodies() {
-    order_.sort(*exec_, position_.span());
-    order_.rearrange(*exec_, position_, after_);
-    order_.rearrange(*exec_, velocity_, after_);
-    order_.rearrange(*exec_, radius_, scalar_scratch_);
-    order_.rearrange(*exec_, inverse_mass_, scalar_scratch_);
-    order_.commit(*exec_);
-    detector_.discard();
-    is_detected_ = false;
-  }
-
-  void substep(Real dt) {
-    const int64_t n = position_.size();
-    detect();
-    list_.build(*exec_, detector_.pairs(), detector_.first(), view(), box_);
-
-    after_.resize(n);
-    exec_->parallel_for("kick", n, Kick<V>{velocity_.span(), gravity_ * dt, after_.span()});
-    response_.respond(*exec_, view(), box_, list_.view(), dt, after_);
-    std::swap(velocity_, after_);
-
-    exec_->parallel_for("drift", n, Drift<V>{box_, dt, velocity_.span(), response_.correction(), position_.span()});
-    is_detected_ = false;
-    check();
-  }
-
-  /// Throws where a body is not a number or outside the domain.
-  void check() {
-    const int64_t bad = first_outside(*exec_, view(), box_, order_.id_at());
-    if (bad < 0) return;
-    const Vec3d p = widen(downloaded(position_)[static_cast<size_t>(bad)]);
-    std::ostringstream message;
-    message << "step " << steps_ << " (t = " << time() << " s): sphere " << bad
-            << " left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z
-            << "); a smaller --dt or more --substeps may help";
-    throw RunError(message.str());
+  /// [J] in springs; 0 for responses without.
+  double elastic_energy() {
+    return std::visit(
+        [&](auto& motion) {
+          if constexpr (requires { motion.elastic_energy(state_); }) {
+            return motion.elastic_energy(state_);
+          } else {
+            return 0.0;
+          }
+        },
+        motion_);
   }
 
   static std::vector<float> flat(const std::vector<V>& values) {
@@ -220,33 +203,19 @@ class WorldOn final : public World {
   // high, and no more, so that freed overlap does not throw spheres up.
   static constexpr double kPushSteps = 100;
 
-  std::unique_ptr<Exec> exec_;
-  Box<V> box_;
-  V gravity_;  // [m/s²]
   double dt_;  // [s]
   int substeps_;
-
-  Buffer<V> position_, velocity_, after_;
-  Buffer<Real> radius_, inverse_mass_, scalar_scratch_;
-  BroadPhaseParameters<V> parameters_;
-  BroadPhaseChoice choice_;
-  Detector<V, Exec> detector_;
-  SpatialOrder<V, Exec> order_;
-  ContactList<V, Exec> list_;
-  ImpulseResponse<V, Exec> response_;
-
-  bool is_detected_ = false;
+  StepState<V, Exec> state_;
+  Motion motion_;
+  TallyKeeper<V, Exec> tally_;
+  Guard<V, Exec> guard_;
   int64_t steps_ = 0;
   double seconds_ = 0;
 };
 
-/// A world of the scene's dimensions on an executor.
-template <class Exec>
-std::unique_ptr<World> make_world_on(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings) {
-  if (scene.domain.dimensions == 2) {
-    return std::make_unique<WorldOn<Vec2, Exec>>(std::move(exec), scene, settings);
-  }
-  return std::make_unique<WorldOn<Vec3, Exec>>(std::move(exec), scene, settings);
+template <class V, class Exec>
+std::unique_ptr<World> make_world_of(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings) {
+  return std::make_unique<WorldOn<V, Exec>>(std::move(exec), scene, settings);
 }
 
 }  // namespace ballpit

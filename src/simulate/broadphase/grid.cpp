@@ -178,6 +178,8 @@ std::optional<GridInspection> list_cells(const Grid<V>& grid, const std::vector<
   template std::optional<GridInspection> list_cells(const Grid<V>&, const std::vector<V>&, const std::vector<int>&);
 BALLPIT_INSTANTIATE(Vec2)
 BALLPIT_INSTANTIATE(Vec3)
+BALLPIT_INSTANTIATE(Vec2d)
+BALLPIT_INSTANTIATE(Vec3d)
 #undef BALLPIT_INSTANTIATE
 
 }  // namespace ballpit

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <cstring>
+#include <limits>
 
 #include "exec/reduce.h"
 #include "simulate/broadphase/grid.h"
@@ -37,7 +38,7 @@ HOST_DEVICE inline uint32_t sortable(float value) {
 template <class V>
 struct StoreEndpoints {
   int axis;
-  Scalar<V> guard;  ///< what rounding may hide [m]
+  Scalar<V> guard;  ///< what rounding may hide, that of keys to single precision included [m]
   Span<const V> position;
   PerBody<Scalar<V>> radius;
   Span<uint32_t> keys;
@@ -46,8 +47,8 @@ struct StoreEndpoints {
   HOST_DEVICE void operator()(int i) const {
     const int n = static_cast<int>(position.size());
     const Scalar<V> x = position[i][axis], reach = radius[i] + guard;
-    keys[i] = sortable(x - reach);
-    keys[n + i] = sortable(x + reach);
+    keys[i] = sortable(static_cast<float>(x - reach));
+    keys[n + i] = sortable(static_cast<float>(x + reach));
     endpoints[i] = i;
     endpoints[n + i] = n + i;
   }
@@ -114,8 +115,8 @@ struct SortAndSweepCandidates {
   }
 
  private:
-  HOST_DEVICE Real begin_of(int slot) const {
-    return slots_view.coordinate[axis][slot] - (slots_view.radius[slot] + guard);
+  HOST_DEVICE float begin_of(int slot) const {  // rounded as its key was
+    return static_cast<float>(slots_view.coordinate[axis][slot] - (slots_view.radius[slot] + guard));
   }
 
   /// The begins that an interval meets when it goes on at the other end of the axis.
@@ -176,7 +177,9 @@ class SortAndSweep {
   void plan(const BroadPhaseParameters<V>& parameters) {
     box_ = parameters.box;
     wanted_axis_ = parameters.axis;
-    guard_ = static_cast<Real>(rounding_guard(parameters.box) + 1e-6 * double(parameters.largest_radius()));
+    constexpr double kCoarser =
+        double(std::numeric_limits<float>::epsilon()) / double(std::numeric_limits<Real>::epsilon());
+    guard_ = static_cast<Real>(kCoarser * rounding_guard(parameters.box) + 1e-6 * double(parameters.largest_radius()));
     largest_diameter_ = 2 * double(parameters.largest_radius());
   }
 

@@ -58,13 +58,6 @@ struct HasLeftSkin {
   }
 };
 
-template <class V>
-struct CopyPosition {
-  Span<const V> from;
-  Span<V> to;
-  HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
-};
-
 template <class V, class Exec>
 class CandidateList {
   using Real = Scalar<V>;
@@ -109,7 +102,7 @@ class CandidateList {
   ContactRows<Exec>& rows() { return rows_; }
   void start(Exec& exec, const BodiesView<V>& bodies) {
     start_.resize(bodies.size());
-    exec.parallel_for("note positions", bodies.size(), CopyPosition<V>{bodies.position, start_.span()});
+    exec.parallel_for("note positions", bodies.size(), CopyValues<V>{bodies.position, start_.span()});
     is_valid_ = true;
   }
 

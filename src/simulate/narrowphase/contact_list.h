@@ -66,6 +66,7 @@ class ContactList {
     exec.bin("sort incoming", SecondBody{pairs}, IncomingAt{pairs}, incoming_first_.span(), incoming_.span());
   }
 
+  Span<ContactGeometry<V>> geometry() { return geometry_.span(); }
   ContactsView<V> view() const { return {pairs_, geometry_.span(), first_, incoming_first_.span(), incoming_.span()}; }
 
  private:

@@ -5,9 +5,11 @@
 //     contacts  (0,3) (0,7) (2,5)
 //     first     0 2 2 3 3 …                          where each body's row begins
 //
-// On the CPU, blocks of pairs are tested by vector instructions (range_tests.h); on other executors the list goes through
+// On the CPU in single precision, blocks of pairs are tested by vector instructions (range_tests.h); on other executors the list goes through
 // the kernels of list_search.h. Cost: O(candidates + n).
 #pragma once
+
+#include <type_traits>
 
 #include "simulate/narrowphase/candidate_list.h"
 #include "simulate/narrowphase/list_search.h"
@@ -29,9 +31,10 @@ class ListFilter {
   ListSearch<V, Exec> search_;
 };
 
-/// On the CPU, by vector instructions.
+/// On the CPU in single precision, by vector instructions.
 template <class V>
-class ListFilter<V, CpuExecutor> {
+requires std::is_same_v < Scalar<V>,
+float > class ListFilter<V, CpuExecutor> {
  public:
   void find(CpuExecutor& exec, const ListedCandidates& list, const BodiesView<V>& bodies, const Box<V>& box,
             ContactRows<CpuExecutor>& rows) {

@@ -5,13 +5,14 @@
 //     found             (3,0)    –       (1,2) (1,4)  scan, fill: pairs in the order of the slots
 //     pairs   (0,3) (1,2) (1,4)                       sorted by i (a counting sort), each row by j
 //
-// On the CPU, blocks of slots are searched by vector instructions (range_tests.h) in place of count, scan and fill.
+// On the CPU in single precision, blocks of slots are searched by vector instructions (range_tests.h) in place of count, scan and fill.
 // Cost: one pass over the candidates, or two for threads with more contacts than are kept; O(contacts + n) to order them.
 // Sibling for candidates in lists: list_search.h.
 #pragma once
 
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "exec/cpu_executor.h"
@@ -114,7 +115,7 @@ class KernelRangeSearch {
   Buffer<Pair> pairs_;
 };
 
-/// The same on the CPU, by vector instructions.
+/// The same on the CPU in single precision, by vector instructions.
 template <class V>
 class VectorRangeSearch {
  public:
@@ -178,9 +179,8 @@ struct RangeSearchOn {
   using Type = KernelRangeSearch<V, Exec>;
 };
 template <class V>
-struct RangeSearchOn<V, CpuExecutor> {
-  using Type = VectorRangeSearch<V>;
-};
+requires std::is_same_v < Scalar<V>,
+float > struct RangeSearchOn<V, CpuExecutor> { using Type = VectorRangeSearch<V>; };
 
 /// Finds contacts in ranges and puts them into rows. `rows` receives them.
 template <class V, class Exec>

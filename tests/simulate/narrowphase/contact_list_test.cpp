@@ -75,7 +75,7 @@ TEST_CASE("each body lists its own contacts, with the side that it is on") {
     contacts.for_each_of(body, [&](int c, int other, int side) { seen.push_back({c, other, side}); });
   }
   // body 0: contact 0 with 1; body 1: contact 1 with 2, then contact 0 with 0; body 2: contact 1 with 1
-  CHECK(seen == std::vector<std::array<int, 3>>{{0, 1, 1}, {1, 2, 1}, {0, 0, -1}, {1, 1, -1}});
+  CHECK(seen == std::vector<std::array<int, 3>>{{0, 1, 1}, {0, 0, -1}, {1, 2, 1}, {1, 1, -1}});
   CHECK(contacts.count_of(1) == 2);
 }
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Worlds on an NVIDIA GPU in double precision.
+#include "cuda_executor.h"
+#include "simulate/world_on.h"
+
+namespace ballpit {
+
+template std::unique_ptr<World> make_world_of<Vec2d>(std::unique_ptr<CudaExecutor>, const Scene&, const Settings&);
+template std::unique_ptr<World> make_world_of<Vec3d>(std::unique_ptr<CudaExecutor>, const Scene&, const Settings&);
+
+}  // namespace ballpit

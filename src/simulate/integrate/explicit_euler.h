@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Explicit Euler: positions and velocities both move by what was before the step.
+//
+//     a ← forces(x, v) / m
+//     x ← x + dt · v
+//     v ← v + dt · a
+//
+// First order, and unstable for springs at any step: an oscillator's amplitude grows by √(1 + ω²dt²) in each. Here to be seen
+// failing. Cost: one evaluation of the forces. Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration" (2006),
+// section I.1. Its siblings: symplectic_euler.h, velocity_verlet.h, rk4.h.
+#pragma once
+
+#include "simulate/state.h"
+
+namespace ballpit {
+
+/// Kernel: moves body i.
+template <class V>
+struct ExplicitEulerStep {
+  Box<V> box;
+  Scalar<V> dt;
+  Span<const V> acceleration;
+  Span<V> position, velocity;
+
+  HOST_DEVICE void operator()(int i) const {
+    position[i] = box.wrap(position[i] + velocity[i] * dt);
+    velocity[i] += acceleration[i] * dt;
+  }
+};
+
+template <class V, class Exec>
+class ExplicitEuler {
+ public:
+  /// Moves `state` by dt. forces.at(state, duration, counts, acceleration) evaluates them at its present positions.
+  template <class State, class Forces>
+  void step(State& state, Forces& forces, Scalar<V> dt) {
+    acceleration_.resize(state.count());
+    forces.at(state, dt, true, acceleration_.span());
+    state.exec().parallel_for(
+        "drift and kick", state.count(),
+        ExplicitEulerStep<V>{state.box(), dt, acceleration_.span(), state.position.span(), state.velocity.span()});
+    state.moved();
+  }
+
+  int64_t bytes() const { return acceleration_.bytes(); }
+
+ private:
+  typename Exec::template Buffer<V> acceleration_;
+};
+
+}  // namespace ballpit

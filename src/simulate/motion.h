@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// A substep, whole, for each kind of response: where it stands between detection and integration.
+//
+//     velocities   contacts ──▶ kick ──▶ respond ──▶ drift               kinematic, impulse
+//     forces       integrator { contacts ──▶ forces }                    penalty
+//     positions    kick ──▶ drift ──▶ contacts there, and near ones ──▶ respond         position-based
+//
+// Each has substep(state, tally, dt), for_each_kept(rearrange) for what it keeps for each body, and bytes().
+#pragma once
+
+#include <utility>
+
+#include "simulate/integrate/symplectic_euler.h"
+#include "simulate/response/penalty.h"
+#include "simulate/response/position_based.h"
+#include "simulate/step_state.h"
+#include "simulate/swept.h"
+#include "simulate/tally_on.h"
+
+namespace ballpit {
+
+/// For responses that change velocities.
+template <class V, class Exec, class Response>
+class VelocityMotion {
+  using Real = Scalar<V>;
+
+ public:
+  VelocityMotion(Response response, bool is_swept) : response_(std::move(response)), is_swept_(is_swept) {}
+
+  void substep(StepState<V, Exec>& state, TallyKeeper<V, Exec>& tally, Real dt) {
+    Exec& exec = state.exec();
+    const int64_t n = state.count();
+    const BodiesView<V> bodies = state.bodies();
+    after_.resize(n);
+    Span<const V> kicked = bodies.velocity;
+    if (state.has_gravity()) {
+      exec.parallel_for("kick", n, Kick<V>{bodies.velocity, state.gravity() * dt, after_.span()});
+      kicked = after_.span();
+    }
+    const ContactsView<V> contacts = is_swept_ ? swept_.find(state, kicked, dt) : state.contacts();
+    const ImpulseNotes<V> notes = tally.begin(exec, n, contacts.pairs.size());
+    response_.respond(exec, bodies, {state.box(), swept_.way()}, contacts, dt, kicked, after_, notes);
+    tally.end(exec, bodies, state.box(), contacts);
+    std::swap(state.velocity, after_);
+    drift(state, contacts, dt);
+    state.moved();
+  }
+
+  template <class Rearrange>
+  void for_each_kept(const Rearrange& rearrange) {
+    if constexpr (requires { response_.for_each_kept(rearrange); }) response_.for_each_kept(rearrange);
+  }
+
+  int64_t bytes() const { return after_.bytes() + response_.bytes() + swept_.bytes(); }
+
+ private:
+  void drift(StepState<V, Exec>& state, const ContactsView<V>& contacts, Real dt) {
+    const Span<V> position = state.position.span();
+    const Span<const V> velocity = state.velocity.span();
+    if (is_swept_) {
+      state.exec().parallel_for("swept drift", state.count(),
+                                SweptDrift<V>{state.bodies(), state.box(), contacts, swept_.time(), swept_.way(),
+                                              velocity, response_.correction(), dt, position});
+    } else {
+      state.exec().parallel_for("drift", state.count(),
+                                Drift<V>{state.box(), dt, velocity, response_.correction(), position});
+    }
+  }
+
+  Response response_;
+  bool is_swept_;
+  SweptContacts<V, Exec> swept_;
+  typename Exec::template Buffer<V> after_;
+};
+
+/// For the penalty response, by any integrator.
+template <class V, class Exec, class Integrator>
+class ForceMotion {
+  using Real = Scalar<V>;
+
+ public:
+  explicit ForceMotion(const PenaltyLaw<Real>& law) : response_(law) {}
+
+  void substep(StepState<V, Exec>& state, TallyKeeper<V, Exec>& tally, Real dt) {
+    Forces forces{response_, tally};
+    integrator_.step(state, forces, dt);
+  }
+
+  double elastic_energy(StepState<V, Exec>& state) const {
+    return response_.elastic_energy(state.exec(), state.bodies(), state.box(), state.contacts());
+  }
+
+  template <class Rearrange>
+  void for_each_kept(const Rearrange& rearrange) {
+    if constexpr (requires { integrator_.for_each_kept(rearrange); }) integrator_.for_each_kept(rearrange);
+  }
+
+  int64_t bytes() const { return response_.bytes() + integrator_.bytes(); }
+
+ private:
+  /// What integrators evaluate.
+  struct Forces {
+    PenaltyResponse<V, Exec>& response;
+    TallyKeeper<V, Exec>& tally;
+
+    bool depend_on_velocity() const { return response.depends_on_velocity(); }
+
+    /// The accelerations at the present positions, which act for `duration`; `counts`: new contacts are collisions.
+    void at(StepState<V, Exec>& state, Real duration, bool counts, Span<V> acceleration) {
+      Exec& exec = state.exec();
+      const ContactsView<V> contacts = state.contacts();
+      const ImpulseNotes<V> notes = tally.begin(exec, state.count(), contacts.pairs.size());
+      response.accelerate(exec, state.bodies(), state.box(), contacts, state.gravity(), duration, notes, acceleration);
+      tally.end(exec, state.bodies(), state.box(), contacts, counts);
+    }
+  };
+
+  PenaltyResponse<V, Exec> response_;
+  Integrator integrator_;
+};
+
+/// For the position-based response. Spheres that do not overlap where they are predicted may come to while others are moved: so
+/// near ones are contacts, too.
+template <class V, class Exec>
+class PositionMotion {
+  using Real = Scalar<V>;
+
+ public:
+  explicit PositionMotion(const PositionBasedParameters& parameters) : response_(parameters) {}
+
+  void substep(StepState<V, Exec>& state, TallyKeeper<V, Exec>& tally, Real h) {
+    Exec& exec = state.exec();
+    const int64_t n = state.count();
+    before_.resize(n);
+    exec.parallel_for("note velocities", n, CopyValues<V>{state.velocity.span(), before_.span()});
+    if (state.has_gravity()) {
+      exec.parallel_for("kick", n, Kick<V>{before_.span(), state.gravity() * h, state.velocity.span()});
+    }
+    exec.parallel_for("drift", n, Drift<V>{state.box(), h, state.velocity.span(), {}, state.position.span()});
+    state.moved();
+    const ContactsView<V> contacts = state.near_contacts();
+    const ImpulseNotes<V> notes = tally.begin(exec, n, contacts.pairs.size());
+    response_.respond(state, contacts, before_.span(), h, notes);
+    tally.end(exec, state.bodies(), state.box(), contacts);
+  }
+
+  template <class Rearrange>
+  void for_each_kept(const Rearrange&) {}
+
+  int64_t bytes() const { return before_.bytes() + response_.bytes(); }
+
+ private:
+  PositionBasedResponse<V, Exec> response_;
+  typename Exec::template Buffer<V> before_;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// What a substep works on: the bodies, the domain, and the contacts of the present positions, found when they are asked for.
+//
+//     motion ──contacts()──▶ detector ──▶ contact list        once for the same positions
+//        └── writes position, velocity ──moved()──▶ the next contacts() searches again
+//
+// Equal radii and equal masses are one number each.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "simulate/choose_broad_phase.h"
+#include "simulate/detector.h"
+#include "simulate/narrowphase/contact_list.h"
+#include "simulate/spatial_order.h"
+#include "simulate/state.h"
+
+namespace ballpit {
+
+/// Kernel: radii with a margin.
+template <class Real>
+struct AddMargin {
+  Span<const Real> radius;
+  Real margin;
+  Span<Real> grown;
+  HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] + margin; }
+};
+
+template <class V, class Exec>
+class StepState {
+ public:
+  using Vector = V;
+  using Real = Scalar<V>;
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+  /// `margin` [m]: how near spheres are to be for near_contacts().
+  StepState(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings, double margin = 0)
+      : exec_(std::move(exec)),
+        box_{narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary},
+        gravity_(narrow<V>(scene.physics.gravity)),
+        margin_(static_cast<Real>(margin)),
+        parameters_(parameters_of(scene, settings, box_, margin_)),
+        choice_(choose_broad_phase(settings, parameters_)),
+        detector_(choice_.method, parameters_, skin_of(settings)),
+        order_(box_, scene.bodies.size()) {
+    upload(scene.bodies);
+  }
+
+  Exec& exec() { return *exec_; }
+  const Box<V>& box() const { return box_; }
+  const V& gravity() const { return gravity_; }  ///< [m/s²]
+  bool has_gravity() const { return dot(gravity_, gravity_) > 0; }
+  int64_t count() const { return position.size(); }
+  const BroadPhaseParameters<V>& parameters() const { return parameters_; }
+  const BroadPhaseChoice& choice() const { return choice_; }
+  Detector<V, Exec>& detector() { return detector_; }
+  SpatialOrder<V, Exec>& order() { return order_; }
+
+  BodiesView<V> bodies() const {
+    return {position.span(), velocity.span(), per_body(radius_), per_body(inverse_mass_)};
+  }
+
+  /// The pairs in contact at the present positions, in canonical order.
+  Span<const Pair> pairs() {
+    detect();
+    return detector_.pairs();
+  }
+
+  /// The same, measured with the present velocities and listed by body.
+  ContactsView<V> contacts() {
+    detect();
+    list_.build(*exec_, detector_.pairs(), detector_.first(), bodies(), box_);
+    return list_.view();
+  }
+
+  /// The contacts of spheres whose radii are larger by the margin: those that touch, and those that may come to touch while
+  /// positions are changed a little. Measured as they are, so overlaps may be negative.
+  ContactsView<V> near_contacts() {
+    grown_.resize(radius_.size());
+    exec_->parallel_for("grow radii", grown_.size(), AddMargin<Real>{radius_.span(), margin_, grown_.span()});
+    BodiesView<V> grown = bodies();
+    grown.radius = per_body(grown_);
+    detector_.find(*exec_, grown);
+    is_detected_ = false;
+    list_.build(*exec_, detector_.pairs(), detector_.first(), bodies(), box_);
+    return list_.view();
+  }
+
+  /// To be called by whoever has changed positions.
+  void moved() { is_detected_ = false; }
+
+  /// Sorts the bodies in memory by where they are; `more` rearranges what others keep for each body.
+  template <class More>
+  void sort(const More& more) {
+    order_.sort(*exec_, position.span());
+    order_.rearrange(*exec_, position, spare_);
+    order_.rearrange(*exec_, velocity, spare_);
+    order_.rearrange(*exec_, radius_, scalar_spare_);
+    order_.rearrange(*exec_, inverse_mass_, scalar_spare_);
+    more([&](Buffer<V>& values) { order_.rearrange(*exec_, values, spare_); });
+    order_.commit(*exec_);
+    detector_.discard();
+    moved();
+  }
+
+  /// The values of all bodies by id; one value where all are equal.
+  template <class T>
+  std::vector<T> downloaded(const Buffer<T>& buffer) const {
+    return by_id(exec_->download(buffer.span()), exec_->download(order_.id_at()));
+  }
+
+  /// In double precision, by id.
+  Bodies download(const Buffer<V>& position_of, const Buffer<V>& velocity_of) const {
+    Bodies result;
+    for (const V& p : downloaded(position_of)) result.position.push_back(widen(p));
+    for (const V& v : downloaded(velocity_of)) result.velocity.push_back(widen(v));
+    const auto radius = downloaded(radius_), inverse = downloaded(inverse_mass_);
+    for (size_t i = 0; i < result.position.size(); ++i) {
+      result.radius.push_back(radius[radius.size() == 1 ? 0 : i]);
+      result.mass.push_back(1.0 / inverse[inverse.size() == 1 ? 0 : i]);
+    }
+    return result;
+  }
+
+  std::vector<Real> radii() const { return downloaded(radius_); }
+
+  /// Memory of the bodies themselves.
+  int64_t bytes() const { return position.bytes() + velocity.bytes() + radius_.bytes() + inverse_mass_.bytes(); }
+
+  Buffer<V> position;  ///< [m]
+  Buffer<V> velocity;  ///< [m/s]
+
+ private:
+  static BroadPhaseParameters<V> parameters_of(const Scene& scene, const Settings& settings, const Box<V>& box,
+                                               Real margin) {
+    const std::vector<Real> radius(scene.bodies.radius.begin(), scene.bodies.radius.end());
+    const auto count = static_cast<int64_t>(radius.size());
+    auto parameters = broad_phase_parameters<V>(settings, box, Span<const Real>(radius.data(), count), count);
+    for (SizeClass<V>& spheres : parameters.classes) spheres.largest += margin;
+    return parameters;
+  }
+
+  static PerBody<Real> per_body(const Buffer<Real>& buffer) {
+    return {buffer.span().data(), buffer.size() == 1 ? 0 : 1};
+  }
+
+  void upload(const Bodies& bodies) {
+    std::vector<V> positions, velocities;
+    for (const Vec3d& p : bodies.position) positions.push_back(narrow<V>(p));
+    for (const Vec3d& v : bodies.velocity) velocities.push_back(narrow<V>(v));
+    exec_->upload(position, positions);
+    exec_->upload(velocity, velocities);
+    std::vector<double> inverse_mass;
+    for (const double mass : bodies.mass) inverse_mass.push_back(1.0 / mass);
+    upload_per_body(radius_, bodies.radius);
+    upload_per_body(inverse_mass_, inverse_mass);
+  }
+
+  /// One number where all are equal, else one each.
+  void upload_per_body(Buffer<Real>& buffer, const std::vector<double>& values) {
+    const bool is_uniform = std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
+    const auto last = is_uniform && !values.empty() ? values.begin() + 1 : values.end();
+    const std::vector<Real> rounded(values.begin(), last);
+    exec_->upload(buffer, rounded);
+  }
+
+  void detect() {
+    if (is_detected_) return;
+    detector_.find(*exec_, bodies());
+    is_detected_ = true;
+  }
+
+  std::unique_ptr<Exec> exec_;
+  Box<V> box_;
+  V gravity_;
+  Real margin_;  // [m]
+  BroadPhaseParameters<V> parameters_;
+  BroadPhaseChoice choice_;
+  Detector<V, Exec> detector_;
+  SpatialOrder<V, Exec> order_;
+  ContactList<V, Exec> list_;
+  Buffer<Real> radius_, inverse_mass_, scalar_spare_, grown_;
+  Buffer<V> spare_;  // for sorting
+  bool is_detected_ = false;
+};
+
+}  // namespace ballpit

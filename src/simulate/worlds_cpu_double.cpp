@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Worlds on the CPU in double precision.
+#include "exec/cpu_executor.h"
+#include "simulate/world_on.h"
+
+namespace ballpit {
+
+template std::unique_ptr<World> make_world_of<Vec2d>(std::unique_ptr<CpuExecutor>, const Scene&, const Settings&);
+template std::unique_ptr<World> make_world_of<Vec3d>(std::unique_ptr<CpuExecutor>, const Scene&, const Settings&);
+
+}  // namespace ballpit
