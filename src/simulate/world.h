@@ -61,6 +61,10 @@ class World {
   /// The present state, in double precision; starts the same world again.
   virtual Bodies bodies() = 0;
 
+  /// The last state that was found good, also where step() has thrown since; like bodies(), it starts again.
+  virtual Bodies last_good() { return bodies(); }
+  virtual double last_good_time() { return time(); }  ///< [s] of that state
+
   virtual int64_t steps() const = 0;
   virtual double time() const = 0;  ///< [s]
 };
