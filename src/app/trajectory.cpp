@@ -5,11 +5,7 @@
 
 namespace ballpit {
 
-void Trajectory::keep(World& world) {
-  if (world.steps() == last_step_) return;
-  file_.append(world.time(), world.bodies());
-  last_step_ = world.steps();
-}
+void Trajectory::keep(World& world) { file_.append(world.time(), world.bodies()); }
 
 void Trajectory::finish(World& world) {
   keep(world);

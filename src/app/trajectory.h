@@ -12,11 +12,11 @@ namespace ballpit {
 
 class Trajectory {
  public:
-  /// Throws RunError where the file cannot be written, as all that follow do.
+  /// Throws RunError where the file cannot be written, as pass() and finish() do.
   Trajectory(const std::string& path, const Domain& domain, int64_t every)
       : path_(path), file_(path, domain), every_(every) {}
 
-  /// To be called in each state: keeps those that are due.
+  /// To be called in each state but the last: keeps those that are due.
   void pass(World& world) {
     if (world.steps() % every_ == 0) keep(world);
   }
@@ -34,7 +34,6 @@ class Trajectory {
   std::string path_;
   ExtendedXyz file_;
   int64_t every_;
-  int64_t last_step_ = -1;  // of the last frame
 };
 
 }  // namespace ballpit
