@@ -61,9 +61,9 @@ class World {
   /// The present state, in double precision; starts the same world again.
   virtual Bodies bodies() = 0;
 
-  /// The last state that was found good, also where step() has thrown since; like bodies(), it starts again.
+  /// The last state that passed the guard, and its time [s]: what is left where step() throws.
   virtual Bodies last_good() { return bodies(); }
-  virtual double last_good_time() { return time(); }  ///< [s] of that state
+  virtual double last_good_time() { return time(); }
 
   virtual int64_t steps() const = 0;
   virtual double time() const = 0;  ///< [s]
