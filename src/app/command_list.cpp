@@ -11,6 +11,7 @@
 #include "render/theme.h"
 #include "scene/catalog.h"
 #include "simulate/methods.h"
+#include "simulate/observables.h"
 #include "simulate/world.h"
 
 namespace ballpit {
@@ -63,8 +64,27 @@ Json list_labels(const Table& table) {
   return list;
 }
 
+Json list_observables() {
+  Json list = Json::array();
+  for (const Observable& observable : observables()) {
+    list.push_back({{"name", observable.name},
+                    {"label", observable.label},
+                    {"unit", observable.unit},
+                    {"planar_unit", observable.planar_unit},
+                    {"estimator", observable.estimator}});
+  }
+  return list;
+}
+
+/// "Pressure [Pa; in the plane N/m]"
+std::string label_with_unit(const Json& observable) {
+  const std::string label = observable["label"], unit = observable["unit"], planar = observable["planar_unit"];
+  if (unit == "1") return label;
+  return label + " [" + unit + (planar == unit ? "" : "; in the plane " + planar) + "]";
+}
+
 void print_line(const std::string& name, const std::string& text) {
-  std::printf("  %-18s %s\n", name.c_str(), text.c_str());
+  std::printf("  %-22s %s\n", name.c_str(), text.c_str());
 }
 
 void print_text(const Json& list) {
@@ -87,6 +107,10 @@ void print_text(const Json& list) {
   for (const Json& overlay : list["overlays"]) print_line(overlay["name"], overlay["label"]);
   std::puts("--theme");
   for (const Json& theme : list["themes"]) print_line(theme["name"], theme["label"]);
+  std::puts("--observe");
+  for (const Json& observable : list["observables"]) {
+    print_line(observable["name"], label_with_unit(observable) + ": " + observable["estimator"].get<std::string>());
+  }
 }
 
 class ListCommand final : public Command {
@@ -96,11 +120,9 @@ class ListCommand final : public Command {
   }
 
   void run() override {
-    const Json list{{"scenes", list_scenes()},
-                    {"methods", list_methods()},
-                    {"backends", list_backends()},
-                    {"overlays", list_labels(overlay_table())},
-                    {"themes", list_labels(themes())}};
+    const Json list{{"scenes", list_scenes()},         {"methods", list_methods()},
+                    {"backends", list_backends()},     {"overlays", list_labels(overlay_table())},
+                    {"themes", list_labels(themes())}, {"observables", list_observables()}};
     if (json_) {
       print_json(list);
     } else {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// ballpit simulate: no pictures; the final state and a summary.
+// ballpit simulate: no pictures; the the final state, observables, a trajectory, and a summary.
 #include <iostream>
 #include <optional>
+#include <sstream>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/observe.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "app/session.h"
 #include "app/summary.h"
+#include "app/trajectory.h"
 #include "core/error.h"
 #include "scene/spheres_csv.h"
 
@@ -16,12 +19,36 @@ namespace ballpit {
 
 namespace {
 
+/// Writes the last good state of a run that failed, and tells where: "; the last good state, of t = 0.32 s, is in FILE". Where
+/// that fails too, as it may where a device or a disk did, it tells why.
+std::string rescue(Session& session, const std::string& out) {
+  const std::string path = out.empty() ? session.scene().name + "-last-good.csv" : out;
+  std::ostringstream text;
+  try {
+    text << "; the last good state, of t = " << session.world().last_good_time() << " s, ";
+    write_spheres_csv(path, session.world().last_good());
+    text << "is in " << path;
+  } catch (const std::exception& error) {
+    text << "is lost: " << error.what();
+  }
+  return text.str();
+}
+
 class SimulateCommand final : public Command {
  public:
   void add_options(CLI::App& command) override {
     time_option_ =
         command.add_option("--time", time_, "simulated time; default: the scene's duration")->type_name("SECONDS");
     out_option_ = command.add_option("--out", out_, "write the final state there, as CSV")->type_name("FILE");
+    observe_option_ = command
+                          .add_option("--observe", observe_,
+                                      "what to measure at the end: all, or some of " + join(observable_names()))
+                          ->type_name("A,B,…");
+    trajectory_option_ =
+        command.add_option("--trajectory", trajectory_, "write frames there, as extended XYZ")->type_name("FILE");
+    every_option_ = command.add_option("--every", every_, "steps from one frame of the trajectory to the next")
+                        ->type_name("N")
+                        ->capture_default_str();
     command.add_flag("--json", json_, "print the summary as one JSON object")->disable_flag_override();
     arguments_.add_to(command);
   }
@@ -30,37 +57,71 @@ class SimulateCommand final : public Command {
     std::optional<double> time;
     if (time_option_->count() > 0) time = parse_number("--time", time_, 0, 1e9);
     if (out_option_->count() > 0) parse_path("--out", out_);
-    Session session(arguments_.scene(), arguments_.given());
-    step_to(session, time.value_or(session.scene().needs.duration));
+    const int64_t every = parse_trajectory();
+    std::vector<Observable> observables;
+    if (observe_option_->count() > 0) observables = parse_observables(observe_);
+    Session session(arguments_.scene(), arguments_.given(), need_tally(observables));
+    simulate(session, time.value_or(session.scene().needs.duration), every);
     if (!out_.empty()) write_spheres_csv(out_, session.world().bodies());
-    const auto summary = summarize(session);
-    if (json_) {
-      print_json(summary);
-    } else {
-      std::cout << describe(summary);
-    }
+    tell(session, observables);
   }
 
  private:
-  static void step_to(Session& session, double time) {
-    catch_interrupts();
+  /// Returns the steps between frames.
+  int64_t parse_trajectory() const {
+    if (trajectory_option_->count() > 0) parse_path("--trajectory", trajectory_);
+    if (!trajectory_.empty() && trajectory_ == out_) {
+      throw UserError("--trajectory: found " + trajectory_ + ", which is --out as well, allowed a file of its own");
+    }
+    const int64_t every = parse_integer("--every", every_, 1, 1'000'000'000);
+    if (every_option_->count() > 0 && trajectory_.empty()) {
+      throw UserError("--every: found " + every_ + " without --trajectory, allowed together with it");
+    }
+    return every;
+  }
+
+  void simulate(Session& session, double time, int64_t every) const {
     const int64_t steps = session.steps_until(time);
-    Progress progress("steps", steps);
-    session.advance_to(time, [&] {
-      progress.show(session.world().steps());
-      return was_interrupted();
-    });
+    std::optional<Trajectory> trajectory;
+    if (!trajectory_.empty()) trajectory.emplace(trajectory_, session.scene().domain, every);
+    try {
+      step_to(session, time, steps, trajectory);
+    } catch (const RunError& error) {
+      throw RunError(error.what() + rescue(session, out_) + (trajectory ? trajectory->finish_early() : ""));
+    }
     if (was_interrupted()) {
       throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " + std::to_string(steps) +
-                     " steps");
+                     " steps" + (trajectory ? trajectory->finish_early() : ""));
     }
   }
 
+  /// Steps to the end, or until it is interrupted.
+  static void step_to(Session& session, double time, int64_t steps, std::optional<Trajectory>& trajectory) {
+    catch_interrupts();
+    Progress progress("steps", steps);
+    session.advance_to(time, [&] {
+      if (trajectory) trajectory->pass(session.world());
+      progress.show(session.world().steps());
+      return was_interrupted();
+    });
+    if (trajectory && !was_interrupted()) trajectory->finish(session.world());
+  }
+
+  void tell(Session& session, const std::vector<Observable>& observables) const {
+    auto summary = summarize(session);
+    if (!observables.empty()) summary["observables"] = observe(session, observables);
+    if (json_) {
+      print_json(summary);
+      return;
+    }
+    std::cout << describe(summary);
+    if (!observables.empty()) std::cout << describe_observed(summary["observables"]);
+  }
+
   SceneArguments arguments_;
-  std::string time_;
-  std::string out_;
-  CLI::Option* time_option_ = nullptr;
-  CLI::Option* out_option_ = nullptr;
+  std::string time_, out_, observe_, trajectory_, every_ = "1";
+  CLI::Option *time_option_ = nullptr, *out_option_ = nullptr, *observe_option_ = nullptr;
+  CLI::Option *trajectory_option_ = nullptr, *every_option_ = nullptr;
   bool json_ = false;
 };
 

@@ -10,12 +10,13 @@
 
 namespace ballpit {
 
-Session::Session(std::string_view scene, const std::vector<GivenOption>& given) {
+Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally) {
   Settings overrides;
   apply_given(overrides, given);
   scene_ = load_scene(scene, {overrides.count, overrides.seed});
   for (const DefaultOption& option : scene_.defaults) apply_setting(settings_, option.key, option.value, option.where);
   apply_given(settings_, given);
+  settings_.keeps_tally = keeps_tally;
   warn_of_small_cells(settings_);
   const Backend backend = select_backend(settings_.backend);
   backend_ = backend.name;

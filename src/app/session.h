@@ -19,8 +19,9 @@ namespace ballpit {
 class Session {
  public:
   /// Loads a scene and makes its world. Options given override the scene's [defaults], which override the
-  /// program's. Throws UserError for anything that is not allowed.
-  Session(std::string_view scene, const std::vector<GivenOption>& given);
+  /// program's. The world keeps a tally of collisions where it is told to. Throws UserError for anything that is not
+  /// allowed.
+  Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally = false);
 
   /// Steps until the state nearest to `time` [s], or until stop() is true. Throws RunError as World::step()
   /// does.

@@ -2,8 +2,8 @@
 #include "scene/input_error.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
+
+#include "core/append_number.h"
 
 namespace ballpit {
 
@@ -48,9 +48,9 @@ UserError input_error(const Place& place, std::string_view key, std::string_view
 }
 
 std::string number_text(double value) {
-  std::array<char, 32> buffer;
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return error == std::errc() ? std::string(buffer.data(), end) : "?";
+  std::string text;
+  append_number(text, value);
+  return text;
 }
 
 std::string limits_text(const Limits& limits) { return number_text(limits.low) + " to " + number_text(limits.high); }

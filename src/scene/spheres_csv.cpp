@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/append_number.h"
 #include "core/file.h"
 #include "scene/input_error.h"
 #include "scene/line_reader.h"
@@ -164,12 +165,6 @@ RestingSpheres resting_spheres_in(LineReader lines) {
   return std::move(rows.spheres);
 }
 
-void append_number(std::string& text, double value, char separator) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  text.append(buffer.data(), end) += separator;
-}
-
 }  // namespace
 
 Bodies parse_spheres_csv(std::string_view text, std::string_view file_name, double density) {
@@ -191,9 +186,11 @@ void write_spheres_csv(const std::filesystem::path& path, const Bodies& bodies) 
   for (size_t i = 0; i < bodies.position.size(); ++i) {
     for (const double value : {bodies.position[i].x, bodies.position[i].y, bodies.position[i].z, bodies.radius[i],
                                bodies.velocity[i].x, bodies.velocity[i].y, bodies.velocity[i].z}) {
-      append_number(text, value, ',');
+      append_number(text, value);
+      text += ',';
     }
-    append_number(text, bodies.mass[i], '\n');
+    append_number(text, bodies.mass[i]);
+    text += '\n';
   }
   write_file(path, text);
 }

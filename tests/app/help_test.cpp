@@ -6,6 +6,7 @@
 #include "render/theme.h"
 #include "scene/catalog.h"
 #include "simulate/methods.h"
+#include "simulate/observables.h"
 #include "simulate/settings.h"
 #include "simulate/world.h"
 #include "tests/app/run_program.h"
@@ -65,7 +66,7 @@ TEST_CASE("the help of render names every overlay and theme") {
   for (const std::string& name : names_in(themes())) CHECK_THAT(outcome.out, Contains(name));
 }
 
-TEST_CASE("list --json is one object that holds every scene, method, backend, overlay and theme") {
+TEST_CASE("list --json is one object that holds every scene, method, backend, overlay, theme and observable") {
   const Outcome outcome = run_program({"list", "--json"});
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
@@ -73,6 +74,10 @@ TEST_CASE("list --json is one object that holds every scene, method, backend, ov
   CHECK(names_of(list["scenes"]) == names_in(built_in_scenes()));
   CHECK(names_of(list["overlays"]) == names_in(overlay_table()));
   CHECK(names_of(list["themes"]) == names_in(themes()));
+  CHECK(names_of(list["observables"]) == names_in(observables()));
+  for (const nlohmann::json& observable : list["observables"]) {
+    for (const char* key : {"label", "unit", "planar_unit", "estimator"}) CHECK(observable[key].is_string());
+  }
   CHECK(names_of(list["backends"]) == std::vector<std::string>{"cpu", "cuda"});
   size_t count = 0;
   for (const Method& method : methods()) {
@@ -95,6 +100,15 @@ TEST_CASE("list names for people what list --json names") {
   }
   for (const std::string& name : names_in(overlay_table())) CHECK_THAT(outcome.out, Contains(name));
   for (const std::string& name : names_in(themes())) CHECK_THAT(outcome.out, Contains(name));
+  for (const Observable& observable : observables()) {
+    CHECK_THAT(outcome.out, Contains(std::string(observable.name)) && Contains(std::string(observable.estimator)));
+  }
+  CHECK_THAT(outcome.out, Contains("Pressure [Pa; in the plane N/m]: ") && Contains("Largest overlap: "));
+}
+
+TEST_CASE("the help of simulate names every observable") {
+  const Outcome outcome = run_program({"simulate", "--help"});
+  for (const std::string& name : names_in(observables())) CHECK_THAT(outcome.out, Contains(name));
 }
 
 TEST_CASE("doctor --json is one object that tells what there is, or why not") {

@@ -21,11 +21,23 @@ bool redirect(const char* path, int to) {
   return file >= 0 && ::dup2(file, to) >= 0;
 }
 
-[[noreturn]] void become_program(char* const* arguments, const char* out, const char* err, uint64_t memory) {
-  const rlimit limit{memory, memory};
-  const bool is_ready = redirect(out, STDOUT_FILENO) && redirect(err, STDERR_FILENO) &&
-                        (memory == 0 || ::setrlimit(RLIMIT_AS, &limit) == 0);
-  if (is_ready) ::execv(BALLPIT_PROGRAM, arguments);
+bool set_limit(int resource, uint64_t bytes) {
+  const rlimit limit{bytes, bytes};
+  return bytes == 0 || ::setrlimit(resource, &limit) == 0;
+}
+
+/// What the child becomes, made before the fork.
+struct Child {
+  std::vector<char*> arguments;
+  std::string folder, out, err;
+  uint64_t memory, file_size;
+};
+
+[[noreturn]] void become_program(const Child& child) {
+  const bool is_ready = ::chdir(child.folder.c_str()) == 0 && redirect(child.out.c_str(), STDOUT_FILENO) &&
+                        redirect(child.err.c_str(), STDERR_FILENO) && set_limit(RLIMIT_AS, child.memory) &&
+                        set_limit(RLIMIT_FSIZE, child.file_size) && ::signal(SIGXFSZ, SIG_IGN) != SIG_ERR;
+  if (is_ready) ::execv(BALLPIT_PROGRAM, child.arguments.data());
   ::_exit(127);
 }
 
@@ -45,14 +57,19 @@ Scratch::~Scratch() {
 Program::Program(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
   std::vector<std::string> words{BALLPIT_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  const std::string out = circumstances.out_file.empty() ? scratch_ / "out" : circumstances.out_file;
-  const std::string err = scratch_ / "err";
+  Child child{{},
+              circumstances.folder,
+              circumstances.out_file,
+              scratch_ / "err",
+              circumstances.memory,
+              circumstances.file_size};
+  for (std::string& word : words) child.arguments.push_back(word.data());
+  child.arguments.push_back(nullptr);
+  if (child.folder.empty()) child.folder = scratch_.path().string();
+  if (child.out.empty()) child.out = scratch_ / "out";
   process_ = ::fork();
   if (process_ < 0) throw std::runtime_error("cannot fork");
-  if (process_ == 0) become_program(pointers.data(), out.c_str(), err.c_str(), circumstances.memory);
+  if (process_ == 0) become_program(child);
 }
 
 Program::~Program() {

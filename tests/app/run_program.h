@@ -36,6 +36,8 @@ struct Outcome {
 struct Circumstances {
   uint64_t memory = 0;     ///< [bytes] of address space, where above 0
   std::string out_file{};  ///< where standard output goes, in place of Outcome::out
+  std::string folder{};    ///< where the program runs, in place of one that is removed at the end
+  uint64_t file_size = 0;  ///< [bytes] that a file may have, where above 0
 };
 
 /// A running program; killed if nobody waits for its end.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Wrong command lines: status 2 and one line that names the option, what was found and what is allowed.
 #include <algorithm>
+#include <filesystem>
 
 #include <catch2/catch.hpp>
 
 #include "scene/catalog.h"
+#include "simulate/observables.h"
 #include "simulate/settings.h"
 #include "simulate/world.h"
 #include "tests/app/run_program.h"
@@ -125,17 +127,12 @@ TEST_CASE("numbers that are none, not finite or out of range are refused by ever
     std::string allowed;
   };
   std::vector<Option> options{
-      {"simulate", "time", "a number from 0 to 1e+09"},
-      {"render", "frames", "an integer from 1 to 100000"},
-      {"render", "fps", "a number from 0.001 to 1e+06"},
-      {"render", "every", "an integer from 1 to 1000000"},
-      {"render", "from", "a number from 0 to 1e+09"},
-      {"render", "supersample", "an integer from 1 to 4"},
-      {"render", "size", "WIDTHxHEIGHT, each from 16 to 16384"},
-      {"pairs", "repeat", "an integer from 1 to 10000"},
-      {"bench", "counts", "an integer from 1 to 100000000"},
-      {"bench", "threads", "an integer from 0 to 256"},
-      {"bench", "repeat", "an integer from 1 to 1000"},
+      {"simulate", "time", "a number from 0 to 1e+09"},    {"simulate", "every", "an integer from 1 to 1000000000"},
+      {"render", "frames", "an integer from 1 to 100000"}, {"render", "fps", "a number from 0.001 to 1e+06"},
+      {"render", "every", "an integer from 1 to 1000000"}, {"render", "from", "a number from 0 to 1e+09"},
+      {"render", "supersample", "an integer from 1 to 4"}, {"render", "size", "WIDTHxHEIGHT, each from 16 to 16384"},
+      {"pairs", "repeat", "an integer from 1 to 10000"},   {"bench", "counts", "an integer from 1 to 100000000"},
+      {"bench", "threads", "an integer from 0 to 256"},    {"bench", "repeat", "an integer from 1 to 1000"},
       {"bench", "limit", "a number from 0.001 to 1e+06"},
   };
   for (const SettingInfo& setting : setting_table())
@@ -206,9 +203,34 @@ TEST_CASE("overlays and themes that do not exist are refused with those that do"
              Contains("--theme: found nothing, allowed projector, dark"));
 }
 
+TEST_CASE("observables that do not exist are refused with those that do") {
+  for (const char* observables :
+       {"magic", "", "pressure,", ",pressure", "pressure,magic", "all,pressure", "Pressure"}) {
+    const std::string error = error_of(with(valid("simulate"), {"--observe", observables}));
+    CHECK_THAT(error, Contains("--observe: found ") && Contains(", allowed all alone, or some of kinetic-energy, "));
+    for (const Observable& observable : ballpit::observables())
+      CHECK_THAT(error, Contains(std::string(observable.name)));
+  }
+  CHECK_THAT(error_of({"simulate", "nosuch", "--observe", "magic"}), Contains("--observe: found magic"));
+}
+
+TEST_CASE("a trajectory needs a path of its own, and steps between frames need a trajectory") {
+  check_all({
+      {{"simulate", "--trajectory"}, "--trajectory: found nothing, allowed FILE"},
+      {{"simulate", "--trajectory", ""}, "--trajectory: found nothing, allowed a path"},
+      {{"simulate", "--trajectory", "x", "--out", "x"},
+       "--trajectory: found x, which is --out as well, allowed a file of its own"},
+      {{"simulate", "--every", "5"}, "--every: found 5 without --trajectory, allowed together with it"},
+      {{"simulate", "--trajectory", "x", "--every", "0"}, "--every: found 0, allowed an integer from 1 to 1000000000"},
+  });
+}
+
 TEST_CASE("more steps than can be counted are refused, in place of none being made") {
   CHECK_THAT(error_of({"simulate", "two-spheres", "--time", "1e9", "--dt", "1e-12"}),
              Contains("--dt: found 1e-12") && Contains("1e+21 steps"));
+  const Scratch scratch;
+  error_of({"simulate", "two-spheres", "--time", "1e9", "--dt", "1e-12", "--trajectory", scratch / "a.xyz"});
+  CHECK(std::filesystem::is_empty(scratch.path()));
 }
 
 TEST_CASE("a backend without a device is refused with the reason") {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "scene/extended_xyz.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "core/append_number.h"
+#include "core/error.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr size_t kBufferSize = 1 << 20;
+
+// No chemical element: ASE's name of what is none. OVITO takes any name.
+constexpr const char* kSpecies = "X";
+
+void append_numbers(std::string& text, std::initializer_list<double> values) {
+  const char* separator = "";
+  for (const double value : values) {
+    text += separator;
+    append_number(text, value);
+    separator = " ";
+  }
+}
+
+/// [m] A plane gets the thickness of its spheres, since a cell without volume is refused.
+double thickness_of(const Bodies& bodies) {
+  const auto largest = std::max_element(bodies.radius.begin(), bodies.radius.end());
+  return largest == bodies.radius.end() ? 1.0 : 2 * *largest;
+}
+
+}  // namespace
+
+ExtendedXyz::ExtendedXyz(const std::filesystem::path& path, const Domain& domain) : domain_(domain), file_(path) {}
+
+ExtendedXyz::~ExtendedXyz() {
+  try {
+    finish();
+  } catch (const RunError&) {
+    // nobody is left to tell
+  }
+}
+
+void ExtendedXyz::append(double time, const Bodies& bodies) {
+  append_header(time, bodies);
+  for (size_t i = 0; i < bodies.position.size(); ++i) {
+    const Vec3d &x = bodies.position[i], &v = bodies.velocity[i];
+    buffer_.append(kSpecies) += ' ';
+    append_numbers(buffer_, {x.x, x.y, x.z, bodies.radius[i], v.x, v.y, v.z, bodies.mass[i]});
+    buffer_ += '\n';
+    if (buffer_.size() >= kBufferSize) flush();
+  }
+  flush();
+  whole_ = written_;
+  ++frames_;
+}
+
+void ExtendedXyz::append_header(double time, const Bodies& bodies) {
+  const bool is_planar = domain_.dimensions == 2, is_periodic = domain_.boundary == Boundary::periodic;
+  Vec3d origin = domain_.min, size = domain_.max - domain_.min;
+  if (is_planar) {
+    size.z = thickness_of(bodies);
+    origin.z = -0.5 * size.z;
+  }
+  buffer_ += std::to_string(bodies.size()) + "\nLattice=\"";
+  append_numbers(buffer_, {size.x, 0, 0, 0, size.y, 0, 0, 0, size.z});
+  buffer_ += "\" Origin=\"";
+  append_numbers(buffer_, {origin.x, origin.y, origin.z});
+  buffer_ += "\" Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:mass:R:1 Time=";
+  append_number(buffer_, time);
+  buffer_ += !is_periodic ? " pbc=\"F F F\"\n" : is_planar ? " pbc=\"T T F\"\n" : " pbc=\"T T T\"\n";
+}
+
+void ExtendedXyz::flush() {
+  file_->write(buffer_);
+  written_ += static_cast<int64_t>(buffer_.size());
+  buffer_.clear();
+}
+
+void ExtendedXyz::finish() {
+  if (!file_) return;
+  if (frames_ > 0) {
+    file_->cut_to(whole_);  // what a full disk has left of one more frame
+    file_->commit();
+  }
+  file_.reset();
+}
+
+}  // namespace ballpit
