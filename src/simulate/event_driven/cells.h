@@ -10,7 +10,7 @@
 // a single cell. The outermost cells of a domain with walls end at the walls; without a ceiling the uppermost reach up
 // without end. Edges are at least the largest diameter, so that spheres which touch lie in neighbouring cells, and larger
 // where the domain would have more cells than `limit`.
-// Cost: 4 bytes a cell, 4 a sphere (Flight::next).
+// Cost: 4 bytes a cell, 4 a sphere.
 #pragma once
 
 #include <array>
@@ -27,22 +27,36 @@ struct BlockPart {
   int side = 0;   ///< −1 or +1
 };
 
+/// A sphere in a block, and which of its images lies there.
+struct Neighbor {
+  int32_t body;
+  int32_t image;
+};
+
 template <class V>
 class Cells {
   static constexpr int kAxes = kDimensions<V>;
 
  public:
-  Cells(const Box<V>& box, double diameter, double limit) : box_(box) {
+  Cells(const Box<V>& box, double diameter, double limit, int64_t bodies)
+      : box_(box), next_(static_cast<size_t>(bodies), -1) {
     // A little larger: positions are rounded, and so are the times of crossings.
     double edge = diameter * (1 + 1e-9);
     while (!fit(edge) || double(count_.x) * count_.y * count_.z > limit) edge *= 1.05;
     for (int axis = 0; axis < kAxes; ++axis) edge_[axis] = (box.max[axis] - box.min[axis]) / count_[axis];
     head_.assign(static_cast<size_t>(count_.x) * count_.y * count_.z, -1);
+    for (int image = 0; image < 27; ++image) {
+      const IVec3 periods = IVec3(image % 3, image / 3 % 3, image / 9) - 1;
+      for (int axis = 0; axis < kAxes; ++axis) {
+        shifts_[static_cast<size_t>(image)][axis] = periods[axis] * (box.max[axis] - box.min[axis]);
+      }
+    }
   }
 
   const IVec3& count() const { return count_; }
   const V& edge() const { return edge_; }
   const std::vector<int32_t>& head() const { return head_; }
+  const std::vector<int32_t>& next() const { return next_; }
 
   IVec3 cell_of(const V& p) const {
     IVec3 cell{0};
@@ -63,61 +77,58 @@ class Cells {
     return cell[axis] == (side > 0 ? count_[axis] - 1 : 0);
   }
 
-  void link(int body, const IVec3& cell, std::vector<Flight<V>>& flights) {
+  void link(int body, const IVec3& cell) {
     int32_t& head = head_[index(cell)];
-    flights[static_cast<size_t>(body)].next = head;
+    next_[static_cast<size_t>(body)] = head;
     head = body;
   }
 
-  void unlink(int body, const IVec3& cell, std::vector<Flight<V>>& flights) {
+  void unlink(int body, const IVec3& cell) {
     int32_t* link = &head_[index(cell)];
-    while (*link != body) link = &flights[static_cast<size_t>(*link)].next;
-    *link = flights[static_cast<size_t>(body)].next;
+    while (*link != body) link = &next_[static_cast<size_t>(*link)];
+    *link = next_[static_cast<size_t>(body)];
   }
 
-  /// Calls visit(first body, shift) for each cell of the block that holds spheres; shift [m] takes the cell to its place
-  /// beside the block's centre.
-  template <class Visit>
-  void for_each_around(const IVec3& cell, BlockPart part, Visit&& visit) const {
+  /// Lists all spheres in a block, or a part of it.
+  void gather(const IVec3& cell, BlockPart part, std::vector<Neighbor>& neighbors) const {
     const Steps xs = steps(cell, 0, part), ys = steps(cell, 1, part);
-    const Steps zs = kAxes == 3 ? steps(cell, 2, part) : Steps{1, {0}, {0}};
-    V shift{};
+    const Steps zs = kAxes == 3 ? steps(cell, 2, part) : Steps{};
+    neighbors.clear();
     for (int z = 0; z < zs.count; ++z) {
-      if constexpr (kAxes == 3) shift[2] = zs.shift[z];
       for (int y = 0; y < ys.count; ++y) {
-        shift[1] = ys.shift[y];
-        const int32_t* row = head_.data() + static_cast<size_t>(zs.cell[z] * count_.y + ys.cell[y]) * count_.x;
+        const int32_t* row = head_.data() + index({0, ys.cell[y], zs.cell[z]});
+        const int image = 9 * zs.image[z] + 3 * ys.image[y];
         for (int x = 0; x < xs.count; ++x) {
-          const int32_t head = row[xs.cell[x]];
-          if (head < 0) continue;
-          shift[0] = xs.shift[x];
-          visit(head, shift);
+          for (int32_t k = row[xs.cell[x]]; k >= 0; k = next_[static_cast<size_t>(k)]) {
+            neighbors.push_back({k, image + xs.image[x]});
+          }
         }
       }
     }
   }
 
+  /// What takes a neighbour from where it is stored to its image [m].
+  const V& shift(const Neighbor& neighbor) const { return shifts_[static_cast<size_t>(neighbor.image)]; }
+
  private:
-  /// The cells of a block along one axis.
+  /// The cells of a block along one axis, and whether they lie in the image before the domain (0), in the domain (1), or
+  /// in the image after it (2).
   struct Steps {
-    int count = 0;
-    std::array<int, 3> cell;
-    std::array<double, 3> shift;
+    int count = 1;
+    std::array<int, 3> cell{0, 0, 0};
+    std::array<int, 3> image{1, 1, 1};
   };
 
   Steps steps(const IVec3& cell, int axis, BlockPart part) const {
     const int first = part.axis == axis ? part.side : -1, last = part.axis == axis ? part.side : 1;
     Steps result;
+    result.count = 0;
     for (int offset = first; offset <= last; ++offset) {
-      int c = cell[axis] + offset;
-      double shift = 0;
-      if (c < 0 || c >= count_[axis]) {
-        if (!box_.is_periodic()) continue;
-        c -= offset * count_[axis];
-        shift = offset * (box_.max[axis] - box_.min[axis]);
-      }
-      result.cell[result.count] = c;
-      result.shift[result.count++] = shift;
+      const int c = cell[axis] + offset;
+      const bool is_inside = c >= 0 && c < count_[axis];
+      if (!is_inside && !box_.is_periodic()) continue;
+      result.cell[result.count] = is_inside ? c : c - offset * count_[axis];
+      result.image[result.count++] = is_inside ? 1 : 1 + offset;
     }
     return result;
   }
@@ -137,9 +148,11 @@ class Cells {
   }
 
   Box<V> box_;
-  V edge_{};        // [m]
-  IVec3 count_{1};  // cells along each axis; z is 1 in planar scenes
-  std::vector<int32_t> head_;
+  V edge_{};                    // [m]
+  IVec3 count_{1};              // cells along each axis; z is 1 in planar scenes
+  std::array<V, 27> shifts_{};  // [m] by image: 9·z + 3·y + x, each 0, 1 or 2 for −1, 0 or +1 period
+  std::vector<int32_t> head_;   // per cell: the sphere linked last, or −1
+  std::vector<int32_t> next_;   // per sphere: the one linked before it in the same cell, or −1
 };
 
 }  // namespace ballpit

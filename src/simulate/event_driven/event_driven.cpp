@@ -12,7 +12,10 @@ namespace {
 constexpr double kCellsPerSphere = 2;  // at most: emptier cells cost more to visit than crossings saved
 constexpr double kEpoch = 512;         // radii that a sphere flies in an epoch: rounding of times costs 1e-13 radii
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-constexpr int64_t kStandstill = 1000;  // events a sphere at one moment: more than any cascade in a packing needs
+// Time stands still where so many events a sphere fall on one moment, which is a part of an epoch, or the duration of a
+// contact if that is shorter: more than the cascades in any packing have.
+constexpr int64_t kStandstill = 1000;
+constexpr double kMoment = 0x1p-16;
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 1.0 : *std::max_element(values.begin(), values.end());
@@ -25,7 +28,7 @@ double cell_limit(const Scene& scene) { return 64 + kCellsPerSphere * double(sce
 template <class V>
 EventDriven<V>::EventDriven(const Scene& scene, const EventRules<V>& rules)
     : rules_(rules),
-      cells_(rules.box, 2 * largest(scene.bodies.radius), cell_limit(scene)),
+      cells_(rules.box, 2 * largest(scene.bodies.radius), cell_limit(scene), scene.bodies.size()),
       queue_(scene.bodies.size()),
       flights_(scene.bodies.position.size()),
       forecasts_(scene.bodies.position.size()),
@@ -37,7 +40,7 @@ EventDriven<V>::EventDriven(const Scene& scene, const EventRules<V>& rules)
     flight.position = rules.box.wrap(narrow<V>(scene.bodies.position[size_t(i)]));
     flight.velocity = narrow<V>(scene.bodies.velocity[size_t(i)]);
     forecasts_[size_t(i)].cell = cells_.cell_of(flight.position);
-    cells_.link(i, cell(i), flights_);
+    cells_.link(i, cell(i));
   }
   for (int i = 0; i < size(); ++i) forecast(i);
 }
@@ -69,9 +72,7 @@ void EventDriven<V>::next_event() {
   if (queue_.first_time() >= epoch_length_) start_epoch();
   const int i = queue_.first();
   const Forecast& f = forecasts_[size_t(i)];
-  const double time = f.time();
-  simultaneous_ = time > now_ ? 0 : simultaneous_ + 1;
-  now_ = time;
+  now_ = f.time();
   flights_[size_t(i)].advance(now_, rules_.gravity);
   if (f.contact_time <= f.face_time) {
     is_void(f) ? forecast(i) : collide(i, f.partner);
@@ -90,14 +91,19 @@ void EventDriven<V>::start_epoch() {
   }
   queue_.shift(epoch_length_);
   now_ -= epoch_length_;
+  moment_start_ -= epoch_length_;
   ++epochs_;
 }
 
 template <class V>
 void EventDriven<V>::count_event(int i) {
   ++events_;
-  if (simultaneous_ > kStandstill * (size() + 10)) {
-    fail(i, "time stands still: collisions follow each other without end; a longer --contact-duration ends them");
+  const double contact = rules_.contact_duration > 0 ? rules_.contact_duration : kNever;
+  if (now_ - moment_start_ >= std::min(kMoment * epoch_length_, contact)) {
+    moment_start_ = now_;
+    moment_events_ = 0;
+  } else if (++moment_events_ > kStandstill * size()) {
+    fail(i, "collisions follow each other without end; a longer --contact-duration ends them");
   }
 }
 
@@ -140,24 +146,26 @@ void EventDriven<V>::forecast_contacts(int i, BlockPart part) {
   const Flight<V>& flight = flights_[size_t(i)];
   Forecast& f = forecasts_[size_t(i)];
   const bool falls = rules_.gravity != V{};
-  cells_.for_each_around(f.cell, part, [&](int head, const V& shift) {
-    const V center = flight.position - shift;
-    for (int k = head; k >= 0; k = flights_[size_t(k)].next) {
-      const Flight<V>& other = flights_[size_t(k)];
-      const double elapsed = now_ - other.time;
-      V d = other.position + elapsed * other.velocity - center, u = other.velocity - flight.velocity;
-      if (falls) {
-        d += (0.5 * elapsed * elapsed) * rules_.gravity;
-        u += elapsed * rules_.gravity;
-      }
-      ++predictions_;
-      const double time = now_ + time_to_contact(d, u, radius(i) + radius(k));
-      if (time > f.contact_time || time == kNever || (time == f.contact_time && k > f.partner)) continue;
-      f.contact_time = time;
-      f.partner = k;
-      f.partner_collisions = other.collisions;
+  cells_.gather(f.cell, part, neighbors_);
+  predictions_ += static_cast<int64_t>(neighbors_.size());
+  for (const Neighbor& neighbor : neighbors_) {
+    const int k = neighbor.body;
+    const Flight<V>& other = flights_[size_t(k)];
+    const double elapsed = now_ - other.time;
+    V d = other.position + elapsed * other.velocity + cells_.shift(neighbor) - flight.position;
+    V u = other.velocity - flight.velocity;
+    if (falls) {
+      d += (0.5 * elapsed * elapsed) * rules_.gravity;
+      u += elapsed * rules_.gravity;
     }
-  });
+    const double wait = time_to_contact(d, u, radius(i) + radius(k));
+    if (wait == kNever) continue;
+    const double time = now_ + wait;
+    if (time > f.contact_time || (time == f.contact_time && k > f.partner)) continue;
+    f.contact_time = time;
+    f.partner = k;
+    f.partner_collisions = other.collisions;
+  }
 }
 
 /// Two spheres exchange Δp = (1 + e)·μ·(v12·n)·n, with the reduced mass μ.
@@ -204,14 +212,14 @@ void EventDriven<V>::hit_wall(int i) {
 template <class V>
 void EventDriven<V>::cross_face(int i) {
   Forecast& f = forecasts_[size_t(i)];
-  cells_.unlink(i, f.cell, flights_);
+  cells_.unlink(i, f.cell);
   if (cells_.is_border(f.cell, f.axis, f.side)) {  // of a periodic domain: on to the other end
     f.cell[f.axis] = f.side > 0 ? 0 : cells_.count()[f.axis] - 1;
     flights_[size_t(i)].position[f.axis] -= f.side * (rules_.box.max[f.axis] - rules_.box.min[f.axis]);
   } else {
     f.cell[f.axis] += f.side;
   }
-  cells_.link(i, f.cell, flights_);
+  cells_.link(i, f.cell);
   count_event(i);
   // The forecast contact holds, since no velocity has changed; only the spheres ahead are new.
   const BlockPart ahead{f.axis, f.side};
@@ -248,7 +256,7 @@ void EventDriven<V>::fail(int i, const std::string& what) const {
 template <class V>
 int64_t EventDriven<V>::bytes() const {
   return static_cast<int64_t>(flights_.size() * sizeof(Flight<V>) + forecasts_.size() * sizeof(Forecast) +
-                              cells_.head().size() * sizeof(int32_t)) +
+                              (cells_.head().size() + cells_.next().size()) * sizeof(int32_t)) +
          queue_.bytes();
 }
 

@@ -62,8 +62,8 @@ class EventDriven {
   EventDriven(const Scene& scene, const EventRules<V>& rules);
 
   /// Handles all events up to `time` [s] since the start.
-  /// Throws RunError, with sphere, event and time, where a sphere is not finite or outside the domain, or where so many
-  /// collisions fall on one moment that time stands still.
+  /// Throws RunError, with sphere, event and time, where a sphere is not finite or outside the domain, or where collisions
+  /// follow each other without end.
   void run_until(double time);
 
   int size() const { return static_cast<int>(flights_.size()); }
@@ -75,7 +75,6 @@ class EventDriven {
   const EventRules<V>& rules() const { return rules_; }
   const Cells<V>& cells() const { return cells_; }
   const IVec3& cell(int i) const { return forecasts_[size_t(i)].cell; }
-  int next(int i) const { return flights_[size_t(i)].next; }
 
   const Tally& tally() const { return tally_; }
   int64_t events() const { return events_; }            ///< contacts, walls and crossings
@@ -110,13 +109,15 @@ class EventDriven {
   Tournament queue_;
   std::vector<Flight<V>> flights_;
   std::vector<Forecast> forecasts_;
+  std::vector<Neighbor> neighbors_;     // of the sphere that is forecast
   std::vector<double> radii_, masses_;  // [m], [kg] one each, or one for all
 
   double now_ = 0;           // [s] since the epoch
   double epoch_length_ = 1;  // [s]
   int64_t epochs_ = 0;
   int64_t events_ = 0, predictions_ = 0;
-  int64_t simultaneous_ = 0;  // events since time moved last
+  double moment_start_ = 0;  // [s] since the epoch; a moment is what kMoment says
+  int64_t moment_events_ = 0;
   Tally tally_;
 };
 

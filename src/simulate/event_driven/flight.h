@@ -27,7 +27,6 @@ struct alignas(64) Flight {
   V velocity{};             ///< [m/s] at `time`
   double time = 0;          ///< [s] since the epoch
   uint32_t collisions = 0;  ///< so far, with spheres and walls: a forecast that knows an older number is void
-  int32_t next = -1;        ///< the sphere linked before it in the same cell, or −1
 
   V position_at(double now, const V& gravity) const {
     const double elapsed = now - time;
@@ -50,15 +49,11 @@ inline constexpr double kGrazing = 1e-10;
 /// other. |d + u·t| = radii, smaller root: u²t² + 2bt + c = 0. Gravity acts on both alike and drops out.
 template <class V>
 double time_to_contact(const V& d, const V& u, double radii) {
-  const double b = dot(d, u);
-  if (b >= 0) return kNever;
-  const double speed_squared = dot(u, u);
-  if (b * b <= kGrazing * kGrazing * radii * radii * speed_squared) return kNever;
-  const double c = dot(d, d) - radii * radii;
-  if (c <= 0) return 0;
-  const double discriminant = b * b - speed_squared * c;
-  if (discriminant <= 0) return kNever;
-  return c / (-b + std::sqrt(discriminant));
+  const double b = dot(d, u), u_squared = dot(u, u), radii_squared = radii * radii;
+  const double c = dot(d, d) - radii_squared;
+  // Approaching (b < 0) and b² > u²·c, in one comparison: most spheres miss, but each condition alone is a coin's toss.
+  if (!(b * -std::fabs(b) > u_squared * std::max(c, kGrazing * kGrazing * radii_squared))) return kNever;
+  return c <= 0 ? 0 : c / (-b + std::sqrt(b * b - u_squared * c));
 }
 
 /// The time [s] until a point meets a plane that is `distance` ahead [m], at the speed `approach` [m/s] that grows by

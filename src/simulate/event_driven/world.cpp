@@ -95,18 +95,19 @@ class EventDrivenWorld final : public World {
   /// Calls visit(pair, gap [m]) for each pair of spheres that touch, by i, then j.
   template <class Visit>
   void for_each_contact(Visit&& visit) const {
+    std::vector<Neighbor> neighbors;
     std::vector<std::pair<int, double>> partners;
     for (int i = 0; i < motion_.size(); ++i) {
       partners.clear();
       const V p = motion_.position_at(time(), i);
-      motion_.cells().for_each_around(motion_.cell(i), {}, [&](int head, const V& shift) {
-        for (int j = head; j >= 0; j = motion_.next(j)) {
-          if (j <= i) continue;
-          const double gap =
-              length(motion_.position_at(time(), j) + shift - p) - (motion_.radius(i) + motion_.radius(j));
-          if (gap <= kTouching * std::min(motion_.radius(i), motion_.radius(j))) partners.emplace_back(j, gap);
-        }
-      });
+      motion_.cells().gather(motion_.cell(i), {}, neighbors);
+      for (const Neighbor& neighbor : neighbors) {
+        const int j = neighbor.body;
+        if (j <= i) continue;
+        const double radii = motion_.radius(i) + motion_.radius(j);
+        const double gap = length(motion_.position_at(time(), j) + motion_.cells().shift(neighbor) - p) - radii;
+        if (gap <= kTouching * std::min(motion_.radius(i), motion_.radius(j))) partners.emplace_back(j, gap);
+      }
       std::sort(partners.begin(), partners.end());
       for (const auto& [j, gap] : partners) visit(Pair{i, j}, gap);
     }
@@ -137,7 +138,7 @@ class EventDrivenWorld final : public World {
     result.edge = Vec3(widen(cells.edge()));
     result.cells = cells.count();
     result.head = cells.head();
-    for (int i = 0; i < motion_.size(); ++i) result.next.push_back(motion_.next(i));
+    result.next = cells.next();
     return result;
   }
 
