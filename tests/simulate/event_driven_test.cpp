@@ -88,7 +88,7 @@ TEST_CASE("event-driven: a bouncing ball hits the floor at the times of the clos
 }
 
 TEST_CASE("event-driven: a bouncing ball rests after t1·(1 + e)/(1 − e), at a bounded number of events a second") {
-  // Once a bounce is shorter than a contact, it loses no energy: at least e·t_c lies between two of them.
+  // A sphere that lies on the floor bounces for the duration of a contact each time.
   const double rest = std::sqrt(2 / 9.81) * 1.8 / 0.2, contact_duration = 1e-4;
   CHECK(rest == Approx(4.063712769).margin(1e-9));
   const Report before = world_at(dropped_ball(), rest - 0.1, contact_duration)->report();
@@ -96,7 +96,7 @@ TEST_CASE("event-driven: a bouncing ball rests after t1·(1 + e)/(1 − e), at a
   const Report later = world_at(dropped_ball(), rest + 1.1, contact_duration)->report();
   CHECK(before.kinetic_energy + before.potential_energy - 2 * 9.81 * 0.05 > 1e-3);
   CHECK(at_rest.kinetic_energy < std::pow(9.81 * contact_duration, 2));
-  CHECK(later.events - at_rest.events <= 1 / (0.8 * contact_duration) + 1);
+  CHECK(later.events - at_rest.events <= 1 / contact_duration + 1);
   CHECK(later.tally.floor_impulse - at_rest.tally.floor_impulse == Approx(2 * 9.81).epsilon(1e-4));
 }
 
@@ -216,22 +216,24 @@ TEST_CASE("event-driven: a million events leave no overlap and no trace in energ
   CHECK(length(report.momentum) < 1e-9);
 }
 
-TEST_CASE("event-driven: a heap comes to rest without overlap") {
+TEST_CASE("event-driven: spheres settle without overlap, at a bounded number of events a second") {
   Scene scene = mixed_heap();
   scene.physics.restitution = scene.physics.wall_restitution = 0.4;
   Settings settings = event_driven(0.5);
   settings.contact_duration = 1e-4;
   const auto world = make_cpu_world(scene, settings);
-  double energy = total_energy(world->report());
+  Report last = world->report();
+  const double energy = total_energy(last);
   for (int k = 0; k < 8; ++k) {
     world->step();
     const Report report = world->report();
-    printf("%d K %g E %g events %ld overlap %g\n",k,report.kinetic_energy,total_energy(report),report.events,report.max_overlap);
     CHECK(report.max_overlap < 1e-10);
-    CHECK(total_energy(report) < energy + 1e-3);
-    energy = total_energy(report);
+    CHECK(total_energy(report) < total_energy(last) + 1e-3);
+    CHECK(double(report.events - last.events) < 2 * 60 * settings.dt / settings.contact_duration);
+    last = report;
   }
-  CHECK(world->report().kinetic_energy < 0.1);
+  // They lie on a floor without friction, which gravity makes slide to and fro.
+  CHECK(last.kinetic_energy < 0.005 * energy);
 }
 
 TEST_CASE("event-driven: the motion does not depend on dt, to the last bit") {

@@ -187,24 +187,30 @@ void EventDriven<V>::collide(int i, int j) {
 
   ++tally_.collisions;
   tally_.virial += share * mass(i) * (approach + parting) * distance;
-  for (const int k : {i, j}) note_collision(k);
+  for (const int k : {i, j}) {
+    ++flights_[size_t(k)].collisions;
+    forecasts_[size_t(k)].last_collision = now_;
+  }
   count_event(i);
-  for (const int k : {i, j}) forecast(k);
+  forecast(i);
+  forecast(j);
 }
 
-/// Sphere i is thrown back by a wall, at least so fast that gravity needs the duration of a contact to bring it back: so
-/// often bounces a sphere that is at rest.
+/// Sphere i is thrown back by a wall; at least so fast that gravity needs the duration of a contact to bring it back. A
+/// sphere that bounces no faster lies on the wall: that is no collision after which others would lose no energy.
 template <class V>
 void EventDriven<V>::hit_wall(int i) {
   const int axis = forecasts_[size_t(i)].axis, side = forecasts_[size_t(i)].side;
   double& velocity = flights_[size_t(i)].velocity[axis];
   const double approach = std::max(0.0, side * velocity);
   const double e = is_lossless(i) ? 1.0 : rules_.wall_restitution;
-  const double parting = std::max(e * approach, 0.5 * rules_.contact_duration * side * rules_.gravity[axis]);
+  const double resting = std::max(0.0, 0.5 * rules_.contact_duration * side * rules_.gravity[axis]);
+  const double parting = std::max(e * approach, resting);
   velocity = -side * parting;
 
   if (axis == 1 && side < 0) tally_.floor_impulse += mass(i) * (approach + parting);
-  note_collision(i);
+  ++flights_[size_t(i)].collisions;
+  if (parting > resting) forecasts_[size_t(i)].last_collision = now_;
   count_event(i);
   forecast(i);
 }
@@ -226,12 +232,6 @@ void EventDriven<V>::cross_face(int i) {
   forecast_faces(i);
   forecast_contacts(i, ahead);
   queue_.set(i, f.time());
-}
-
-template <class V>
-void EventDriven<V>::note_collision(int i) {
-  ++flights_[size_t(i)].collisions;
-  forecasts_[size_t(i)].last_collision = now_;
 }
 
 template <class V>

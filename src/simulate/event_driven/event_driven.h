@@ -99,7 +99,6 @@ class EventDriven {
   void hit_wall(int i);
   void cross_face(int i);
   bool is_lossless(int i) const { return now_ - forecasts_[size_t(i)].last_collision < rules_.contact_duration; }
-  void note_collision(int i);
 
   void check(int i) const;
   [[noreturn]] void fail(int i, const std::string& what) const;
