@@ -36,6 +36,7 @@ struct Neighbor {
 template <class V>
 class Cells {
   static constexpr int kAxes = kDimensions<V>;
+  static constexpr size_t kBlock = 64;  // room for a block's first spheres, and for most lists
 
  public:
   Cells(const Box<V>& box, double diameter, double limit, int64_t bodies)
@@ -89,22 +90,19 @@ class Cells {
     *link = next_[static_cast<size_t>(body)];
   }
 
-  /// Lists all spheres in a block, or a part of it.
+  /// Lists all spheres in a block, or a part of it: the first of each cell, then what follows each sphere of the list,
+  /// at its end. So all lists are walked at once, without waiting for the memory of one, and without a branch that
+  /// depends on how long they are.
   void gather(const IVec3& cell, BlockPart part, std::vector<Neighbor>& neighbors) const {
-    const Steps xs = steps(cell, 0, part), ys = steps(cell, 1, part);
-    const Steps zs = kAxes == 3 ? steps(cell, 2, part) : Steps{};
-    neighbors.clear();
-    for (int z = 0; z < zs.count; ++z) {
-      for (int y = 0; y < ys.count; ++y) {
-        const int32_t* row = head_.data() + index({0, ys.cell[y], zs.cell[z]});
-        const int image = 9 * zs.image[z] + 3 * ys.image[y];
-        for (int x = 0; x < xs.count; ++x) {
-          for (int32_t k = row[xs.cell[x]]; k >= 0; k = next_[static_cast<size_t>(k)]) {
-            neighbors.push_back({k, image + xs.image[x]});
-          }
-        }
-      }
+    neighbors.resize(kBlock);
+    size_t count = gather_first(cell, part, neighbors.data());
+    for (size_t k = 0; k < count; ++k) {
+      if (count == neighbors.size()) neighbors.resize(2 * count);
+      const int32_t next = next_[static_cast<size_t>(neighbors[k].body)];
+      neighbors[count] = {next, neighbors[k].image};
+      count += next >= 0;
     }
+    neighbors.resize(count);
   }
 
   /// What takes a neighbour from where it is stored to its image [m].
@@ -118,6 +116,23 @@ class Cells {
     std::array<int, 3> cell{0, 0, 0};
     std::array<int, 3> image{1, 1, 1};
   };
+
+  size_t gather_first(const IVec3& cell, BlockPart part, Neighbor* neighbors) const {
+    const Steps xs = steps(cell, 0, part), ys = steps(cell, 1, part);
+    const Steps zs = kAxes == 3 ? steps(cell, 2, part) : Steps{};
+    size_t count = 0;
+    for (int z = 0; z < zs.count; ++z) {
+      for (int y = 0; y < ys.count; ++y) {
+        const int32_t* row = head_.data() + index({0, ys.cell[y], zs.cell[z]});
+        const int image = 9 * zs.image[z] + 3 * ys.image[y];
+        for (int x = 0; x < xs.count; ++x) {
+          neighbors[count] = {row[xs.cell[x]], image + xs.image[x]};
+          count += neighbors[count].body >= 0;
+        }
+      }
+    }
+    return count;
+  }
 
   Steps steps(const IVec3& cell, int axis, BlockPart part) const {
     const int first = part.axis == axis ? part.side : -1, last = part.axis == axis ? part.side : 1;
