@@ -1,77 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Event-driven motion against closed forms, and what must hold whatever the scene.
-#include <algorithm>
-
+// Event-driven motion against closed forms and brute force.
 #include <catch2/catch.hpp>
 
 #include "core/error.h"
 #include "tests/simulate/event_oracle.h"
+#include "tests/simulate/event_worlds.h"
 #include "tests/simulate/hard_sphere_gas.h"
 
 using namespace ballpit;
-
-namespace {
-
-Scene empty_box(double size = 10.0) {
-  Scene scene;
-  scene.domain.max = Vec3d(size);
-  scene.physics.restitution = scene.physics.wall_restitution = 1.0;
-  return scene;
-}
-
-/// A ball whose lowest point is 1 m above the floor; g = 9.81 m/s², e = 0.8.
-Scene dropped_ball() {
-  Scene scene = empty_box(4.0);
-  scene.physics.gravity = {0, -9.81, 0};
-  scene.physics.wall_restitution = 0.8;
-  add_sphere(scene, {1, 1.05, 1}, Vec3d(0.0), 0.05, 2.0);
-  return scene;
-}
-
-/// Spheres in a row along x, the first of them moving at 1 m/s towards the others, which touch.
-Scene cradle(int count, double restitution) {
-  Scene scene = empty_box(20.0);
-  scene.physics.restitution = restitution;
-  add_sphere(scene, {2, 5, 5}, {1, 0, 0}, 0.5);
-  for (int k = 1; k < count; ++k) add_sphere(scene, {3.0 + k, 5, 5}, Vec3d(0.0), 0.5);
-  return scene;
-}
-
-/// 60 spheres of radii 0.1 to 0.2 and various masses in a box with walls: gravity aslant, everything inelastic.
-Scene mixed_heap() {
-  Scene scene;
-  scene.domain.max = {3, 3, 3};
-  scene.domain.boundary = Boundary::open_top;
-  scene.physics.gravity = {0.3, -9.81, 0.1};
-  scene.physics.restitution = 0.7;
-  scene.physics.wall_restitution = 0.9;
-  Random random(5);
-  for (int k = 0; k < 60; ++k) {
-    const Vec3d p(0.4 + 0.55 * (k % 5), 0.4 + 0.55 * (k / 20), 0.4 + 0.6 * (k / 5 % 4));
-    add_sphere(scene, p, random.uniform(Vec3d(-2.0), Vec3d(2.0)), random.uniform(0.1, 0.2), random.uniform(0.5, 2.0));
-  }
-  return scene;
-}
-
-Settings event_driven(double dt) {
-  Settings settings;
-  settings.response = "event-driven";
-  settings.dt = dt;
-  return settings;
-}
-
-/// The world at time t, in one step.
-std::unique_ptr<World> world_at(const Scene& scene, double t, double contact_duration = 1e-6) {
-  Settings settings = event_driven(t);
-  settings.contact_duration = contact_duration;
-  auto world = make_cpu_world(scene, settings);
-  world->step();
-  return world;
-}
-
-double total_energy(const Report& report) { return report.kinetic_energy + report.potential_energy; }
-
-}  // namespace
 
 TEST_CASE("event-driven: a bouncing ball hits the floor at the times of the closed form, within a nanosecond") {
   // t_n = t1·[1 + 2e(1 − e^(n−1))/(1 − e)], t1 = √(2·h0/g).
@@ -85,30 +21,6 @@ TEST_CASE("event-driven: a bouncing ball hits the floor at the times of the clos
   CHECK(world_at(dropped_ball(), t_n - 1e-9)->report().tally.floor_impulse ==
         Approx(impulse_after(n - 1)).epsilon(1e-12));
   CHECK(world_at(dropped_ball(), t_n + 1e-9)->report().tally.floor_impulse == Approx(impulse_after(n)).epsilon(1e-12));
-}
-
-TEST_CASE("event-driven: a bouncing ball rests after t1·(1 + e)/(1 − e), at a bounded number of events a second") {
-  // A sphere that lies on the floor bounces for the duration of a contact each time.
-  const double rest = std::sqrt(2 / 9.81) * 1.8 / 0.2, contact_duration = 1e-4;
-  CHECK(rest == Approx(4.063712769).margin(1e-9));
-  const Report before = world_at(dropped_ball(), rest - 0.1, contact_duration)->report();
-  const Report at_rest = world_at(dropped_ball(), rest + 0.1, contact_duration)->report();
-  const Report later = world_at(dropped_ball(), rest + 1.1, contact_duration)->report();
-  CHECK(before.kinetic_energy + before.potential_energy - 2 * 9.81 * 0.05 > 1e-3);
-  CHECK(at_rest.kinetic_energy < std::pow(9.81 * contact_duration, 2));
-  CHECK(later.events - at_rest.events <= 1 / contact_duration + 1);
-  CHECK(later.tally.floor_impulse - at_rest.tally.floor_impulse == Approx(2 * 9.81).epsilon(1e-4));
-}
-
-TEST_CASE("event-driven: a ball that lies on the floor stays there, whatever its restitution") {
-  const double e = GENERATE(0.0, 0.5, 1.0);
-  Scene scene = dropped_ball();
-  scene.physics.wall_restitution = e;
-  scene.bodies.position[0].y = 0.05;
-  const auto world = world_at(scene, 1.0, 1e-4);
-  CHECK(world->bodies().position[0].y == Approx(0.05).margin(1e-7));
-  CHECK(world->report().events <= 10001);
-  CHECK(world->report().max_overlap < 1e-10);
 }
 
 TEST_CASE("event-driven: two spheres exchange Δp = (1 + e)·μ·(v12·n)·n and keep their tangential parts") {
@@ -142,23 +54,6 @@ TEST_CASE("event-driven: in a cradle of touching spheres the last one leaves wit
   CHECK(after.position.back().x == Approx(3.0 + count - 1 + 3).margin(1e-12));
 }
 
-TEST_CASE("event-driven: spheres that overlap by a millionth of a radius part and collide like others") {
-  Scene scene = cradle(4, 1.0);
-  for (size_t k = 2; k < 4; ++k) scene.bodies.position[k].x -= 0.5e-6 * double(k - 1);
-  const auto world = world_at(scene, 4.0);
-  CHECK(world->bodies().velocity[3].x == Approx(1).epsilon(1e-12));
-  CHECK(world->report().tally.collisions == 3);
-}
-
-TEST_CASE("event-driven: spheres that touch and do not approach each other do not collide") {
-  Scene scene = empty_box();
-  const Vec3d drift(0.01, 0.02, 0.03);
-  for (int k = 0; k < 8; ++k) add_sphere(scene, Vec3d(3 + k % 2, 3 + k / 2 % 2, 3 + k / 4), drift, 0.5);
-  const auto world = world_at(scene, 50.0);
-  CHECK(world->report().contacts == 12);
-  CHECK(world->report().tally.collisions == 0);
-}
-
 TEST_CASE("event-driven: spheres that meet three at a time keep energy and momentum, and have one order") {
   // A break: one sphere hits a triangle of touching ones head-on, two of them at the same moment.
   Scene scene = empty_box();
@@ -172,68 +67,6 @@ TEST_CASE("event-driven: spheres that meet three at a time keep energy and momen
   CHECK(length(report.momentum - Vec3d(0, -1, 0)) < 1e-13);
   CHECK(report.max_overlap < 1e-12);
   CHECK(report.state_hash == world_at(scene, 3.0)->report().state_hash);
-}
-
-TEST_CASE("event-driven: three balls in a row collapse below e = 7 − 4√3, and the TC model ends it") {
-  // McNamara and Young, "Inelastic collapse and clumping in a one-dimensional granular medium" (1992),
-  // doi 10.1063/1.858323: below that restitution the middle ball never stops going to and fro.
-  const auto collisions = [](double e, double contact_duration) {
-    Scene scene = empty_box(100.0);
-    scene.physics.restitution = e;
-    add_sphere(scene, {10, 50, 50}, {1, 0, 0}, 0.5);
-    add_sphere(scene, {20, 50, 50}, Vec3d(0.0), 0.5);
-    add_sphere(scene, {30, 50, 50}, {-1, 0, 0}, 0.5);
-    return world_at(scene, 30.0, contact_duration)->report().tally.collisions;
-  };
-  const double critical = 7 - 4 * std::sqrt(3.0);
-  CHECK(collisions(critical - 0.03, 0.0) > 20);
-  CHECK(collisions(critical + 0.03, 0.0) < 12);
-  CHECK(collisions(critical - 0.03, 1e-3) < 12);
-}
-
-TEST_CASE("event-driven: spheres that stay together (e = 0) neither creep into each other nor collide without end") {
-  // A head-on train of spheres that lose all relative speed, then fly on as one for ten thousand radii.
-  Scene scene = empty_box(20.0);
-  scene.domain.boundary = Boundary::periodic;
-  scene.physics.restitution = 0;
-  for (int k = 0; k < 5; ++k) add_sphere(scene, {2 + 1.5 * k, 5, 5}, {3.0 - 0.3 * k * k, 0.1, 0.2}, 0.5, 1 + 0.37 * k);
-  const auto world = make_cpu_world(scene, event_driven(1000));
-  for (int k = 0; k < 5; ++k) {
-    world->step();
-    CHECK(world->report().max_overlap < 1e-10);
-    CHECK(world->report().tally.collisions < 200);
-  }
-}
-
-TEST_CASE("event-driven: a million events leave no overlap and no trace in energy and momentum") {
-  const Scene scene = make_lattice_gas(4, 0.9, 3);
-  const auto world = make_cpu_world(scene, event_driven(100));
-  world->step();
-  const Report report = world->report();
-  CHECK(report.events > 400000);
-  CHECK(report.max_overlap < 1e-10);
-  CHECK(report.kinetic_energy == Approx(1.5 * double(scene.bodies.size() - 1)).epsilon(1e-11));
-  CHECK(length(report.momentum) < 1e-9);
-}
-
-TEST_CASE("event-driven: spheres settle without overlap, at a bounded number of events a second") {
-  Scene scene = mixed_heap();
-  scene.physics.restitution = scene.physics.wall_restitution = 0.4;
-  Settings settings = event_driven(0.5);
-  settings.contact_duration = 1e-4;
-  const auto world = make_cpu_world(scene, settings);
-  Report last = world->report();
-  const double energy = total_energy(last);
-  for (int k = 0; k < 8; ++k) {
-    world->step();
-    const Report report = world->report();
-    CHECK(report.max_overlap < 1e-10);
-    CHECK(total_energy(report) < total_energy(last) + 1e-3);
-    CHECK(double(report.events - last.events) < 2 * 60 * settings.dt / settings.contact_duration);
-    last = report;
-  }
-  // They lie on a floor without friction, which gravity makes slide to and fro.
-  CHECK(last.kinetic_energy < 0.005 * energy);
 }
 
 TEST_CASE("event-driven: the motion does not depend on dt, to the last bit") {
@@ -374,14 +207,5 @@ TEST_CASE("event-driven: a state that is not finite stops the run and names sphe
     FAIL("ran on");
   } catch (const RunError& error) {
     CHECK_THAT(error.what(), Catch::Contains("event 0 (t = 0 s), sphere 17"));
-  }
-}
-
-TEST_CASE("event-driven: without a contact duration a ball that comes to rest stops the run instead of time") {
-  try {
-    world_at(dropped_ball(), 5.0, 0.0);
-    FAIL("ran on");
-  } catch (const RunError& error) {
-    CHECK_THAT(error.what(), Catch::Contains("sphere 0") && Catch::Contains("--contact-duration"));
   }
 }

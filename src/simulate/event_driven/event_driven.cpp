@@ -51,14 +51,16 @@ std::vector<double> EventDriven<V>::per_body(const std::vector<double>& values) 
   return is_uniform && !values.empty() ? std::vector<double>{values.front()} : values;
 }
 
-/// Times count from the start of an epoch, so that their rounding does not grow in long runs. A power of two, since
-/// subtracting it from later times is exact.
+/// Times count from the start of an epoch, so that their rounding does not grow in long runs. Its length is a power of
+/// two, since subtracting multiples of it from later times is exact.
 template <class V>
 double EventDriven<V>::epoch_length(const Scene& scene) {
   const Vec3d extent = scene.domain.max - scene.domain.min;
   double speed = std::sqrt(2 * length(scene.physics.gravity) * length(extent));
   for (const Vec3d& v : scene.bodies.velocity) speed = std::max(speed, length(v));
-  return speed > 0 ? std::ldexp(1.0, std::ilogb(kEpoch * largest(scene.bodies.radius) / speed)) : 1.0;
+  double radius = length(extent);
+  for (const double r : scene.bodies.radius) radius = std::min(radius, r);
+  return speed > 0 ? std::ldexp(1.0, std::ilogb(kEpoch * radius / speed)) : 1.0;
 }
 
 template <class V>
@@ -83,16 +85,17 @@ void EventDriven<V>::next_event() {
 
 template <class V>
 void EventDriven<V>::start_epoch() {
-  for (Flight<V>& flight : flights_) flight.time -= epoch_length_;
+  const double shift = epoch_length_ * std::floor(queue_.first_time() / epoch_length_);
+  for (Flight<V>& flight : flights_) flight.time -= shift;
   for (Forecast& f : forecasts_) {
-    f.contact_time -= epoch_length_;
-    f.face_time -= epoch_length_;
-    f.last_collision -= epoch_length_;
+    f.contact_time -= shift;
+    f.face_time -= shift;
+    f.last_collision -= shift;
   }
-  queue_.shift(epoch_length_);
-  now_ -= epoch_length_;
-  moment_start_ -= epoch_length_;
-  ++epochs_;
+  queue_.shift(shift);
+  now_ -= shift;
+  moment_start_ -= shift;
+  epoch_start_ += shift;
 }
 
 template <class V>
@@ -249,8 +252,7 @@ void EventDriven<V>::check(int i) const {
 template <class V>
 void EventDriven<V>::fail(int i, const std::string& what) const {
   std::ostringstream message;
-  message << "event " << events_ << " (t = " << static_cast<double>(epochs_) * epoch_length_ + now_ << " s), sphere "
-          << i << ": " << what;
+  message << "event " << events_ << " (t = " << epoch_start_ + now_ << " s), sphere " << i << ": " << what;
   throw RunError(message.str());
 }
 
