@@ -126,10 +126,10 @@ TEST_CASE("event-driven: spheres that stay together (e = 0) neither creep into e
 
 TEST_CASE("event-driven: a million events leave no overlap and no trace in energy and momentum") {
   const Scene scene = make_lattice_gas(4, 0.9, 3);
-  const auto world = make_cpu_world(scene, event_driven(100));
+  const auto world = make_cpu_world(scene, event_driven(250));
   world->step();
   const Report report = world->report();
-  CHECK(report.events > 400000);
+  CHECK(report.events > 1000000);
   CHECK(report.max_overlap < 1e-10);
   CHECK(report.kinetic_energy == Approx(1.5 * double(scene.bodies.size() - 1)).epsilon(1e-11));
   CHECK(length(report.momentum) < 1e-9);
