@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Event-driven motion by brute force, the oracle of the fast one: all spheres are kept at the same time; before each event
 // every pair, image and wall is asked when it would collide. O(n²) an event, in extended precision, formulas as in
-// textbooks: nothing here is shared with what it tests.
+// textbooks: it has no line in common with what it tests.
 #pragma once
 
 #include <array>
