@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Worlds and pair searches on the CPU.
 #include "exec/cpu_executor.h"
+#include "simulate/event_driven/world.h"
 #include "simulate/make_world.h"
 #include "simulate/pair_search_on.h"
 
@@ -9,6 +10,7 @@ namespace ballpit {
 Backend cpu_backend() {
   return {"cpu", "", std::to_string(CpuExecutor(0).threads()) + " threads",
           [](const Scene& scene, const Settings& settings) {
+            if (settings.response == "event-driven") return make_event_driven_world(scene, settings);
             return make_world_on(std::make_unique<CpuExecutor>(settings.threads), scene, settings);
           },
           [](const Settings& settings) -> std::unique_ptr<PairSearch> {

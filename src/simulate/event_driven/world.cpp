@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "simulate/event_driven/world.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "simulate/event_driven/event_driven.h"
+#include "simulate/measure.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kTouching = 1e-9;  // of the smaller radius: a gap that counts as a contact
+
+template <class V>
+class EventDrivenWorld final : public World {
+ public:
+  EventDrivenWorld(const Scene& scene, const Settings& settings)
+      : dt_(settings.dt), motion_(scene, rules(scene, settings)) {}
+
+  void step() override {
+    const auto start = std::chrono::steady_clock::now();
+    motion_.run_until(static_cast<double>(++steps_) * dt_);
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  Inspection inspect() override {
+    Inspection result;
+    result.bodies.count = motion_.size();
+    result.bodies.dimensions = kDimensions<V>;
+    for (int i = 0; i < motion_.size(); ++i) {
+      const V p = position(i), v = velocity(i);
+      for (int axis = 0; axis < kDimensions<V>; ++axis) {
+        result.bodies.position.push_back(static_cast<float>(p[axis]));
+        result.bodies.velocity.push_back(static_cast<float>(v[axis]));
+      }
+      result.bodies.radius.push_back(static_cast<float>(motion_.radius(i)));
+    }
+    for_each_contact([&](Pair pair, double) { result.contacts.push_back(pair); });
+    result.grids.push_back(grid());
+    return result;
+  }
+
+  Report report() override {
+    Report report;
+    report.count = motion_.size();
+    report.steps = steps_;
+    report.time = time();
+    report.seconds = seconds_;
+    report.stages = {{"handle events", seconds_, steps_}};
+    report.broadphase = "event cells";
+    report.broadphase_reason = "event-driven motion searches cells of its own";
+    report.detection_bytes = motion_.bytes();
+    report.candidates = motion_.predictions();
+    report.events = motion_.events();
+    report.tally = motion_.tally();
+    for_each_contact([&](Pair pair, double gap) {
+      ++report.contacts;
+      const double radius = std::min(motion_.radius(pair.i), motion_.radius(pair.j));
+      report.max_overlap = std::max(report.max_overlap, -gap / radius);
+    });
+    measure_bodies(report);
+    return report;
+  }
+
+  Bodies bodies() override {
+    Bodies result;
+    for (int i = 0; i < motion_.size(); ++i) {
+      result.position.push_back(widen(position(i)));
+      result.velocity.push_back(widen(velocity(i)));
+      result.radius.push_back(motion_.radius(i));
+      result.mass.push_back(motion_.mass(i));
+    }
+    return result;
+  }
+
+  int64_t steps() const override { return steps_; }
+  double time() const override { return static_cast<double>(steps_) * dt_; }
+
+ private:
+  static EventRules<V> rules(const Scene& scene, const Settings& settings) {
+    EventRules<V> rules;
+    rules.box = {narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary};
+    rules.gravity = narrow<V>(scene.physics.gravity);
+    rules.restitution = scene.physics.restitution;
+    rules.wall_restitution = scene.physics.wall_restitution;
+    rules.contact_duration = settings.contact_duration;
+    return rules;
+  }
+
+  V position(int i) const { return motion_.rules().box.wrap(motion_.position_at(time(), i)); }
+  V velocity(int i) const { return motion_.velocity_at(time(), i); }
+
+  /// Calls visit(pair, gap [m]) for each pair of spheres that touch, by i, then j.
+  template <class Visit>
+  void for_each_contact(Visit&& visit) const {
+    std::vector<Neighbor> neighbors;
+    std::vector<std::pair<int, double>> partners;
+    for (int i = 0; i < motion_.size(); ++i) {
+      partners.clear();
+      const V p = motion_.position_at(time(), i);
+      motion_.cells().gather(motion_.cell(i), {}, neighbors);
+      for (const Neighbor& neighbor : neighbors) {
+        const int j = neighbor.body;
+        if (j <= i) continue;
+        const double radii = motion_.radius(i) + motion_.radius(j);
+        const double gap = length(motion_.position_at(time(), j) + motion_.cells().shift(neighbor) - p) - radii;
+        if (gap <= kTouching * std::min(motion_.radius(i), motion_.radius(j))) partners.emplace_back(j, gap);
+      }
+      std::sort(partners.begin(), partners.end());
+      for (const auto& [j, gap] : partners) visit(Pair{i, j}, gap);
+    }
+  }
+
+  /// Energy, momentum, overlap with walls and the hash of the present state.
+  void measure_bodies(Report& report) const {
+    std::vector<V> positions, velocities;
+    Motion sum;
+    for (int i = 0; i < motion_.size(); ++i) {
+      positions.push_back(position(i));
+      velocities.push_back(velocity(i));
+      const double radius = motion_.radius(i), inverse_mass = 1 / motion_.mass(i);
+      const BodiesView<V> body{{&positions.back(), 1}, {&velocities.back(), 1}, {&radius, 0}, {&inverse_mass, 0}};
+      sum = sum + MotionOf<V>{body, motion_.rules().gravity}(0);
+      report.max_overlap = std::max(report.max_overlap, WallOverlap<V>{body, motion_.rules().box}(0));
+    }
+    report.kinetic_energy = sum.kinetic;
+    report.potential_energy = sum.potential;
+    report.momentum = {sum.px, sum.py, sum.pz};
+    report.state_hash = hash_state(positions, velocities);
+  }
+
+  GridInspection grid() const {
+    const Cells<V>& cells = motion_.cells();
+    GridInspection result;
+    result.origin = Vec3(widen(motion_.rules().box.min));
+    result.edge = Vec3(widen(cells.edge()));
+    result.cells = cells.count();
+    result.head = cells.head();
+    result.next = cells.next();
+    return result;
+  }
+
+  double dt_;  // [s]
+  EventDriven<V> motion_;
+  int64_t steps_ = 0;
+  double seconds_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<World> make_event_driven_world(const Scene& scene, const Settings& settings) {
+  if (scene.domain.dimensions == 2) return std::make_unique<EventDrivenWorld<Vec2d>>(scene, settings);
+  return std::make_unique<EventDrivenWorld<Vec3d>>(scene, settings);
+}
+
+}  // namespace ballpit
