@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "core/random.h"
@@ -17,8 +18,8 @@ namespace ballpit {
 namespace {
 
 constexpr std::array kBeds{
-    BedInfo{"loose", "20 % of the volume, speeds up to 1 m/s: a moving gas, contacts are few and short"},
-    BedInfo{"dense", "a heap at rest, shaken a little: about 60 % of the volume and six contacts a sphere"},
+    BedInfo{"loose", "20 % of the volume, speeds up to 1 m/s: a gas, contacts are few and short"},
+    BedInfo{"dense", "a heap come to rest and shaken: 62 % of the volume, about six contacts a sphere"},
 };
 
 constexpr double kRadius = 0x1p-7;     // [m]
@@ -28,41 +29,65 @@ constexpr double kTimeStep = 6.25e-6;  // [s] a fiftieth of that
 constexpr double kGravity = 9.81;      // [m/s²]
 constexpr double kHeadroom = 0.125;    // [m] higher than 1 m/s carries a sphere: no program meets the lid
 
-constexpr double kSettleStep = 1.0 / 1000;  // [s]
-constexpr int kSettleSteps = 700;           // a heap of 100 000 spheres falls for half of that
-constexpr double kRelaxRestitution = 0.1;   // springs come to rest soon
-constexpr double kShake = 0.05;             // [m/s] highest speed
+constexpr double kRelaxRestitution = 0.1;  // springs come to rest soon
+constexpr double kShake = 0.02;            // [m/s] highest speed
 
-/// Rounded to a multiple of 2⁻¹⁰ m.
-double coarse(double length) { return std::ceil(length * 0x1p10) * 0x1p-10; }
+/// [m] between neighbours of a face-centred lattice whose spheres take up `fraction` of the volume: φ = √2·π/6·(2r/d)³.
+/// Rounded to a multiple of 2⁻¹⁴ m, so that walls are exact.
+double spacing_of(double fraction) {
+  return std::round(2 * kRadius * std::cbrt(std::numbers::sqrt2 * std::numbers::pi / 6 / fraction) * 0x1p14) * 0x1p-14;
+}
 
 Vec3d rounded(const Vec3d& a) { return widen(narrow<Vec3>(a)); }
 
-/// Spheres on a jittered cubic lattice that takes up `fraction` of its cube, shuffled; a box around it with headroom.
-Scene lattice(int64_t count, double fraction, double speed, Random& random) {
-  const double spacing = coarse(kRadius * std::cbrt(4.0 / 3 * std::numbers::pi / fraction));
-  const double jitter = 0.99 * (spacing / 2 - kRadius);
-  const auto side = static_cast<int64_t>(std::ceil(std::cbrt(static_cast<double>(count)) - 1e-9));
-  const double width = static_cast<double>(side) * spacing;
+/// Durstenfeld 1964, Algorithm 235.
+void shuffle(std::vector<Vec3d>& places, Random& random) {
+  for (size_t k = places.size(); k > 1; --k) {
+    std::swap(places[k - 1], places[static_cast<size_t>(random.uniform() * static_cast<double>(k))]);
+  }
+}
+
+/// How spheres are placed: on a face-centred lattice, jittered as far as they cannot touch.
+struct Lattice {
+  double fraction;  ///< of the volume, were all sites taken
+  double taken;     ///< share of the sites
+  double speed;     ///< [m/s] at most
+};
+
+/// So many sites, a square of `side` sites in each layer, the layers half the width high.
+std::vector<Vec3d> sites_of(int64_t count, int64_t side, double spacing) {
+  std::vector<Vec3d> sites;
+  for (int64_t k = 0; k < count; ++k) {
+    const int64_t layer = k / (side * side);
+    const double shift = layer % 2 == 0 ? 0.5 : 1.0;
+    sites.emplace_back((static_cast<double>(k % side) + shift) * spacing,
+                       (static_cast<double>(layer) / std::numbers::sqrt2 + 0.5) * spacing,
+                       (static_cast<double>(k / side % side) + shift) * spacing);
+  }
+  return sites;
+}
+
+/// Spheres on a lattice, shuffled; a box around it with headroom.
+Scene lattice_scene(int64_t count, const Lattice& lattice, Random& random) {
+  const double spacing = spacing_of(lattice.fraction), jitter = 0.99 * (spacing / 2 - kRadius) / std::sqrt(3.0);
+  const auto site_count = static_cast<int64_t>(std::ceil(static_cast<double>(count) / lattice.taken));
+  const auto side =
+      static_cast<int64_t>(std::ceil(std::cbrt(std::numbers::sqrt2 * static_cast<double>(site_count)) - 1e-9));
+  std::vector<Vec3d> sites = sites_of(site_count, side, spacing);
+  const double width = (static_cast<double>(side) + 0.5) * spacing;
   Scene scene;
-  scene.domain.max = Vec3d(width, width + kHeadroom, width);
+  scene.domain.max = Vec3d(width, std::ceil((sites.back().y + spacing / 2) * 0x1p7) * 0x1p-7 + kHeadroom, width);
   scene.domain.boundary = Boundary::open_top;
   scene.physics.gravity = Vec3d(0, -kGravity, 0);
   scene.physics.stiffness = kStiffness;
   scene.physics.density = kDensity;
+  shuffle(sites, random);
   scene.bodies.resize(count);
-  for (int64_t k = 0; k < count; ++k) {
-    const auto i = static_cast<size_t>(k);
-    const Vec3d cell(static_cast<double>(k % side), static_cast<double>(k / (side * side)),
-                     static_cast<double>(k / side % side));
-    scene.bodies.position[i] = rounded((cell + 0.5) * spacing + random.uniform(Vec3d(-jitter), Vec3d(jitter)));
-    scene.bodies.velocity[i] = rounded(speed * random.uniform() * random.direction(3));
+  for (size_t i = 0; i < scene.bodies.position.size(); ++i) {
+    scene.bodies.position[i] = sites[i] + random.uniform(Vec3d(-jitter), Vec3d(jitter));
+    scene.bodies.velocity[i] = lattice.speed * random.uniform() * random.direction(3);
     scene.bodies.radius[i] = kRadius;
     scene.bodies.mass[i] = kDensity * 4 / 3 * std::numbers::pi * std::pow(kRadius, 3);
-  }
-  for (size_t k = scene.bodies.position.size(); k > 1; --k) {  // Durstenfeld 1964, Algorithm 235
-    std::swap(scene.bodies.position[k - 1],
-              scene.bodies.position[static_cast<size_t>(random.uniform() * static_cast<double>(k))]);
   }
   return scene;
 }
@@ -78,31 +103,18 @@ Bodies after(const Scene& scene, const Settings& settings, int64_t steps) {
   return world->bodies();
 }
 
-/// Falls by the impulse response, whose steps may be long; then springs take the load.
-void settle(Scene& scene, int64_t relax_steps) {
-  Settings settings = bed_settings(kSettleStep);
-  settings.response = "impulse";
-  settings.integrator = "auto";
-  settings.threads = 0;
-  set_restitution(scene, 0);
-  scene.bodies = after(scene, settings, kSettleSteps);
-  std::fill(scene.bodies.velocity.begin(), scene.bodies.velocity.end(), Vec3d(0.0));
-  settings = bed_settings(kTimeStep);
-  settings.threads = 0;
-  set_restitution(scene, kRelaxRestitution);
-  if (relax_steps > 0) scene.bodies = after(scene, settings, relax_steps);
-}
-
 Scene loose_bed(int64_t count, Random& random) {
-  Scene scene = lattice(count, 0.2, 1.0, random);
+  Scene scene = lattice_scene(count, {0.2, 1.0, 1.0}, random);
   set_restitution(scene, 0.9);
   return scene;
 }
 
+/// Falls by a hundredth of its height, and gets a shake when it has come to rest.
 Scene dense_bed(int64_t count, int64_t relax_steps, Random& random) {
-  Scene scene = lattice(count, 0.4, 0.2, random);
-  settle(scene, relax_steps);
-  for (Vec3d& v : scene.bodies.velocity) v = rounded(v + kShake * random.uniform() * random.direction(3));
+  Scene scene = lattice_scene(count, {0.73, 0.92, 0.0}, random);
+  set_restitution(scene, kRelaxRestitution);
+  scene.bodies = after(scene, bed_settings(kTimeStep), relax_steps);
+  for (Vec3d& v : scene.bodies.velocity) v += kShake * random.uniform() * random.direction(3);
   set_restitution(scene, 0.5);
   return scene;
 }
@@ -121,6 +133,8 @@ Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t relax_
   } else {
     throw UserError("--beds: found " + std::string(name) + ", allowed loose, dense");
   }
+  for (Vec3d& p : bed.scene.bodies.position) p = rounded(p);
+  for (Vec3d& v : bed.scene.bodies.velocity) v = rounded(v);
   bed.scene.name = name;
   return bed;
 }

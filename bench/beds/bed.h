@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Two beds of equal spheres in a box with an open top, under gravity: what bench_beds steps with the penalty response
-// and with LAMMPS. Positions, radius and walls are exact in single precision, so both programs start from the same
-// numbers. The same on every platform, as far as the worlds that settle the dense bed are.
-// Cost: the loose bed O(n); the dense one is settled, a few seconds for 100 000 spheres.
+// and with LAMMPS. Positions, velocities, radius and walls are exact in single precision, so both programs start
+// from the same numbers.
+// Cost: O(n) for the loose bed; the dense one is settled by the penalty response.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,7 @@ struct Bed {
   double dt;    ///< [s] about a fiftieth of a contact's duration
 };
 
-/// `relax_steps` of the penalty response let the dense bed's springs carry it before it is shaken; the loose one needs
-/// none. Throws UserError for a name that is none.
+/// The dense bed is let fall and come to rest for `relax_steps` before it is shaken; the loose one needs none. Throws UserError for a name that is none.
 Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t relax_steps);
 
 /// The penalty response's settings for a bed: one thread of the CPU, the broad phase that the program chooses.

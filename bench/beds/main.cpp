@@ -29,7 +29,7 @@ struct Options {
   std::vector<std::string> beds;
   std::vector<int64_t> counts{10000, 100000};
   uint64_t seed = 1;
-  int64_t relax = 4000;
+  int64_t relax = 8000;
   std::string only = "both";
   std::string lammps = "lmp";
   std::string integrator = "nve/sphere";
