@@ -103,17 +103,19 @@ Bodies after(const Scene& scene, const Settings& settings, int64_t steps) {
   return world->bodies();
 }
 
-Scene loose_bed(int64_t count, Random& random) {
+/// Flies until no lattice is left.
+Scene loose_bed(int64_t count, int64_t steps, Random& random) {
   Scene scene = lattice_scene(count, {0.2, 1.0, 1.0}, random);
   set_restitution(scene, 0.9);
+  scene.bodies = after(scene, bed_settings(kTimeStep), steps);
   return scene;
 }
 
 /// Falls by a hundredth of its height, and gets a shake when it has come to rest.
-Scene dense_bed(int64_t count, int64_t relax_steps, Random& random) {
+Scene dense_bed(int64_t count, int64_t steps, Random& random) {
   Scene scene = lattice_scene(count, {0.73, 0.92, 0.0}, random);
   set_restitution(scene, kRelaxRestitution);
-  scene.bodies = after(scene, bed_settings(kTimeStep), relax_steps);
+  scene.bodies = after(scene, bed_settings(kTimeStep), steps);
   for (Vec3d& v : scene.bodies.velocity) v += kShake * random.uniform() * random.direction(3);
   set_restitution(scene, 0.5);
   return scene;
@@ -123,13 +125,13 @@ Scene dense_bed(int64_t count, int64_t relax_steps, Random& random) {
 
 std::span<const BedInfo> beds() { return kBeds; }
 
-Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t relax_steps) {
+Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle_steps) {
   Random random(seed);
   Bed bed{std::string(name), {}, kTimeStep};
   if (name == "loose") {
-    bed.scene = loose_bed(count, random);
+    bed.scene = loose_bed(count, settle_steps / 2, random);
   } else if (name == "dense") {
-    bed.scene = dense_bed(count, relax_steps, random);
+    bed.scene = dense_bed(count, settle_steps, random);
   } else {
     throw UserError("--beds: found " + std::string(name) + ", allowed loose, dense");
   }

@@ -2,7 +2,7 @@
 // Two beds of equal spheres in a box with an open top, under gravity: what bench_beds steps with the penalty response
 // and with LAMMPS. Positions, velocities, radius and walls are exact in single precision, so both programs start
 // from the same numbers.
-// Cost: O(n) for the loose bed; the dense one is settled by the penalty response.
+// Cost: that of the steps which bring them from a lattice into their state.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,9 @@ struct Bed {
   double dt;    ///< [s] about a fiftieth of a contact's duration
 };
 
-/// The dense bed is let fall and come to rest for `relax_steps` before it is shaken; the loose one needs none. Throws UserError for a name that is none.
-Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t relax_steps);
+/// The penalty response lets the dense bed fall and come to rest for `settle_steps` before it is shaken, and the loose one
+/// fly for half as many. Throws UserError for a name that is none.
+Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle_steps);
 
 /// The penalty response's settings for a bed: one thread of the CPU, the broad phase that the program chooses.
 Settings bed_settings(double dt);

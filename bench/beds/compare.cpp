@@ -2,10 +2,11 @@
 #include "compare.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <numbers>
+
+#include <time.h>
 
 #include "simulate/world.h"
 
@@ -13,19 +14,32 @@ namespace ballpit {
 
 namespace {
 
-/// The same as LAMMPS does: lists are made before the first step, and `warmup` steps before the clock starts.
+double now_in_seconds(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// As LAMMPS does: `warmup` steps before the clocks start, and the state is looked at after they stop.
 Measured run_ours(const Bed& bed, const Settings& settings, const Stretch& stretch) {
   const std::unique_ptr<World> world = cpu_backend().make_world(bed.scene, settings);
   for (int64_t k = 0; k < stretch.warmup; ++k) world->step();
-  const auto start = std::chrono::steady_clock::now();
+  const double wall = now_in_seconds(CLOCK_MONOTONIC), cpu = now_in_seconds(CLOCK_PROCESS_CPUTIME_ID);
   for (int64_t k = 0; k < stretch.steps; ++k) world->step();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Measured measured;
+  measured.seconds = now_in_seconds(CLOCK_MONOTONIC) - wall;
+  measured.cpu_seconds = now_in_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
   const Report report = world->report();
-  return {seconds, report.kinetic_energy, report.contacts, report.searches};
+  measured.kinetic_energy = report.kinetic_energy;
+  measured.contacts = report.contacts;
+  measured.searches = report.searches;
+  return measured;
 }
 
-void add_turn(Turns& turns, const Measured& measured, int64_t count, int64_t steps) {
-  turns.speed.push_back(1e-6 * static_cast<double>(count) * static_cast<double>(steps) / measured.seconds);
+/// Counts a turn's speed by the clock that is asked for.
+void add_turn(Turns& turns, const Measured& measured, int64_t count, const BedProtocol& protocol) {
+  const double seconds = protocol.clock == BedClock::wall ? measured.seconds : measured.cpu_seconds;
+  turns.speed.push_back(1e-6 * static_cast<double>(count) * static_cast<double>(protocol.stretch.steps) / seconds);
   turns.last = measured;
 }
 
@@ -63,9 +77,8 @@ BedRow compare_bed(const Bed& bed, std::optional<Lammps>& lammps, const BedProto
     lammps->prepare(folder, bed, protocol.lammps, protocol.stretch);
   }
   for (int turn = 0; turn < protocol.repeat; ++turn) {
-    const int64_t steps = protocol.stretch.steps;
-    if (row.ours) add_turn(*row.ours, run_ours(bed, protocol.settings, protocol.stretch), row.count, steps);
-    if (row.theirs) add_turn(*row.theirs, lammps->run(folder), row.count, steps);
+    if (row.ours) add_turn(*row.ours, run_ours(bed, protocol.settings, protocol.stretch), row.count, protocol);
+    if (row.theirs) add_turn(*row.theirs, lammps->run(folder), row.count, protocol);
   }
   return row;
 }

@@ -19,6 +19,7 @@ namespace ballpit {
 struct BedProtocol {
   int repeat = 5;
   Stretch stretch;
+  BedClock clock = BedClock::wall;
   bool runs_ours = true;
   Settings settings;  ///< ours
   LammpsOptions lammps;

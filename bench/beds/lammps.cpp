@@ -104,16 +104,19 @@ std::string error_line(const std::string& text) {
   return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);
 }
 
-/// The loop of the timed run: the one before the last, which is `run 0`.
-double loop_seconds(const std::string& text, const fs::path& log) {
+/// The log up to where the timed run ends, which the last one, `run 0`, follows.
+std::string timed_part(const std::string& text, const fs::path& log) {
   const size_t last = text.rfind("\nLoop time of ");
   if (last == std::string::npos) throw RunError("no loop time in " + log.string());
-  return number_after(text.substr(0, last), "Loop time of ", log);
+  return text.substr(0, last);
 }
 
-/// The same for "Neighbor list builds = 12" and the like.
-int64_t timed_builds(const std::string& text, const std::string& key, const fs::path& log) {
-  return static_cast<int64_t>(number_after(text.substr(0, text.rfind("\nLoop time of ")), key + " = ", log));
+/// The share of the wall time for which LAMMPS had a core: from "99.8% CPU use with 1 MPI tasks", the last such line.
+double cpu_share(const std::string& text, const fs::path& log) {
+  const size_t end = text.rfind("% CPU use with");
+  if (end == std::string::npos) throw RunError("no CPU use in " + log.string());
+  const size_t start = text.rfind('\n', end) + 1;
+  return 0.01 * std::strtod(text.c_str() + start, nullptr);
 }
 
 /// Runs a program in a folder and returns its exit status; its output is dropped.
@@ -171,14 +174,16 @@ Measured Lammps::run(const fs::path& folder) {
   }
   const size_t open = text.find('('), close = text.find(")\n");
   if (open < close && close < 80) version_ = text.substr(open + 1, close - open - 1);
-  if (timed_builds(text, "Dangerous builds", log) > 0) {
+  const std::string timed = timed_part(text, log);
+  if (number_after(timed, "Dangerous builds = ", log) > 0) {
     throw RunError("LAMMPS built neighbour lists too late, see " + log.string());
   }
   Measured measured;
-  measured.seconds = loop_seconds(text, log);
+  measured.seconds = number_after(timed, "Loop time of ", log);
+  measured.cpu_seconds = measured.seconds * cpu_share(timed, log);
   measured.kinetic_energy = number_after(text, "kinetic_energy ", log);
   measured.contacts = static_cast<int64_t>(number_after(text, "contacts ", log));
-  measured.searches = timed_builds(text, "Neighbor list builds", log);
+  measured.searches = static_cast<int64_t>(number_after(timed, "Neighbor list builds = ", log));
   return measured;
 }
 

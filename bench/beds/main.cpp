@@ -29,8 +29,9 @@ struct Options {
   std::vector<std::string> beds;
   std::vector<int64_t> counts{10000, 100000};
   uint64_t seed = 1;
-  int64_t relax = 8000;
+  int64_t settle = 8000;
   std::string only = "both";
+  std::string clock = "wall";
   std::string lammps = "lmp";
   std::string integrator = "nve/sphere";
   std::string precision = "float";
@@ -66,11 +67,12 @@ void check(const Options& options) {
   for (const std::string& bed : options.beds) require_name("--beds", bed, bed_names());
   for (const int64_t count : options.counts) require_range("--count", count, 1, 10'000'000);
   require_name("--only", options.only, {"both", "ours", "lammps"});
+  require_name("--clock", options.clock, {"wall", "cpu"});
   require_name("--lammps-fix", options.integrator, {"nve/sphere", "nve"});
   require_range("--repeat", options.protocol.repeat, 1, 1000);
   require_range("--warmup", options.protocol.stretch.warmup, 0, 1'000'000);
   require_range("--steps", options.protocol.stretch.steps, 1, 1'000'000);
-  require_range("--relax", options.relax, 0, 1'000'000);
+  require_range("--settle", options.settle, 0, 1'000'000);
   require(options.skin >= 0 && options.skin <= 10, "--skin", std::to_string(options.skin), "0 to 10");
   const double skin = options.protocol.lammps.skin;
   require(skin > 0 && skin <= 10, "--lammps-skin", std::to_string(skin), "above 0, to 10");
@@ -87,8 +89,10 @@ void add_options(CLI::App& app, Options& options) {
   add("--repeat", options.protocol.repeat, "N", "turns of ours and LAMMPS");
   add("--warmup", options.protocol.stretch.warmup, "N", "steps before the clock starts, in each turn");
   add("--steps", options.protocol.stretch.steps, "N", "steps timed, in each turn");
-  add("--relax", options.relax, "N", "steps in which the dense bed's springs come to rest, before all turns");
+  add("--settle", options.settle, "N",
+      "steps of ours in which the dense bed comes to rest, before all turns; half for the loose one");
   add("--only", options.only, "WHOM", "both, ours, lammps");
+  add("--clock", options.clock, "NAME", "wall, or cpu: time of the processes, on a busy machine");
   add("--broadphase", options.broadphase, "NAME", "ours");
   add("--skin", options.skin, "NUMBER", "ours, as a fraction of the radius");
   add("--precision", options.precision, "NAME", "ours: float, double");
@@ -140,6 +144,7 @@ std::optional<Lammps> find_lammps(const Options& options) {
 
 BedProtocol protocol_of(const Options& options) {
   BedProtocol protocol = options.protocol;
+  protocol.clock = options.clock == "cpu" ? BedClock::cpu : BedClock::wall;
   protocol.runs_ours = options.only != "lammps";
   protocol.lammps.rotates = options.integrator == "nve/sphere";
   apply_setting(protocol.settings, "broadphase", options.broadphase, "--broadphase");
@@ -155,7 +160,7 @@ std::vector<BedRow> compare_all(const Options& options, std::optional<Lammps>& l
   if (!options.json) std::cout << table_head() << std::flush;
   for (const std::string& name : options.beds) {
     for (const int64_t count : options.counts) {
-      const Bed bed = make_bed(name, count, options.seed, options.relax);
+      const Bed bed = make_bed(name, count, options.seed, options.settle);
       protocol.settings.dt = bed.dt;
       rows.push_back(compare_bed(bed, lammps, protocol, folder.of(bed)));
       if (!options.json) std::cout << table_line(rows.back()) << std::flush;
@@ -170,6 +175,7 @@ nlohmann::ordered_json describe(const Options& options, const std::optional<Lamm
                               {"warmup", options.protocol.stretch.warmup},
                               {"steps", options.protocol.stretch.steps},
                               {"threads", 1},
+                              {"clock", options.clock},
                               {"broadphase", options.broadphase},
                               {"skin", options.skin},
                               {"precision", options.precision},
@@ -188,8 +194,8 @@ void print_foot(const Options& options, const std::optional<Lammps>& lammps) {
   const nlohmann::ordered_json machine = describe_machine();
   std::cout << "\n"
             << machine["cpu"].get<std::string>() << ", " << machine["compiler"].get<std::string>() << ", "
-            << machine["build_type"].get<std::string>() << ", one thread; ours in " << options.precision << ", skin "
-            << options.skin << "\n";
+            << machine["build_type"].get<std::string>() << ", one thread, clock " << options.clock << "; ours in "
+            << options.precision << ", skin " << options.skin << "\n";
   if (!lammps) return;
   std::cout << "LAMMPS " << lammps->version() << ", fix " << options.integrator << ", skin "
             << options.protocol.lammps.skin << "\n";

@@ -12,8 +12,14 @@ struct Stretch {
   int64_t steps = 500;
 };
 
+enum class BedClock {
+  wall,
+  cpu,  ///< time of the process: for a machine that others use as well
+};
+
 struct Measured {
-  double seconds = 0;         ///< [s] the timed steps alone
+  double seconds = 0;         ///< [s] of the wall, the timed steps alone
+  double cpu_seconds = 0;     ///< [s] of the process, in the same steps
   double kinetic_energy = 0;  ///< [J] at the end
   int64_t contacts = 0;       ///< at the end, of spheres with each other
   int64_t searches = 0;       ///< for neighbours; ours in all steps, LAMMPS' in the timed ones
