@@ -129,7 +129,7 @@ Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle
   Random random(seed);
   Bed bed{std::string(name), {}, kTimeStep};
   if (name == "loose") {
-    bed.scene = loose_bed(count, settle_steps / 2, random);
+    bed.scene = loose_bed(count, settle_steps / 4, random);
   } else if (name == "dense") {
     bed.scene = dense_bed(count, settle_steps, random);
   } else {

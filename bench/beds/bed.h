@@ -30,7 +30,7 @@ struct Bed {
 };
 
 /// The penalty response lets the dense bed fall and come to rest for `settle_steps` before it is shaken, and the loose one
-/// fly for half as many. Throws UserError for a name that is none.
+/// fly for a quarter as many. Throws UserError for a name that is none.
 Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle_steps);
 
 /// The penalty response's settings for a bed: one thread of the CPU, the broad phase that the program chooses.

@@ -18,7 +18,7 @@
 namespace ballpit {
 
 struct LammpsOptions {
-  double skin = 0.2;    ///< as a fraction of the radius
+  double skin = 0.3;    ///< as a fraction of the radius
   bool rotates = true;  ///< fix nve/sphere, as is usual for granular beds; false: fix nve, which is cheaper
   bool newton = false;  ///< newton off is what LAMMPS' granular examples have
 };

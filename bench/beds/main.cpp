@@ -29,7 +29,7 @@ struct Options {
   std::vector<std::string> beds;
   std::vector<int64_t> counts{10000, 100000};
   uint64_t seed = 1;
-  int64_t settle = 8000;
+  int64_t settle = 16000;
   std::string only = "both";
   std::string clock = "wall";
   std::string lammps = "lmp";
@@ -90,7 +90,7 @@ void add_options(CLI::App& app, Options& options) {
   add("--warmup", options.protocol.stretch.warmup, "N", "steps before the clock starts, in each turn");
   add("--steps", options.protocol.stretch.steps, "N", "steps timed, in each turn");
   add("--settle", options.settle, "N",
-      "steps of ours in which the dense bed comes to rest, before all turns; half for the loose one");
+      "steps of ours in which the dense bed comes to rest, before all turns; a quarter for the loose one");
   add("--only", options.only, "WHOM", "both, ours, lammps");
   add("--clock", options.clock, "NAME", "wall, or cpu: time of the processes, on a busy machine");
   add("--broadphase", options.broadphase, "NAME", "ours");
