@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Two beds of equal spheres in a box with an open top, under gravity: what bench_beds steps with the penalty response
+// and with LAMMPS. Positions, velocities, radius and walls are exact in single precision, so both programs start
+// from the same numbers.
+// Cost: that of the steps which bring them from a lattice into their state.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scene/scene.h"
+#include "simulate/settings.h"
+
+namespace ballpit {
+
+struct BedInfo {
+  std::string_view name;
+  std::string_view description;
+};
+
+/// loose, dense.
+std::span<const BedInfo> beds();
+
+struct Bed {
+  std::string name;
+  Scene scene;  ///< start, box and physics
+  double dt;    ///< [s] about a fiftieth of a contact's duration
+};
+
+/// The penalty response lets the dense bed fall and come to rest for `settle_steps` before it is shaken, and the loose one
+/// fly for a quarter as many. Throws UserError for a name that is none.
+Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle_steps);
+
+/// The penalty response's settings for a bed: one thread of the CPU, the broad phase that the program chooses.
+Settings bed_settings(double dt);
+
+/// The share ζ of critical damping with which a linear contact keeps the share `restitution` of its speed:
+/// ζ = −ln e / √(π² + ln² e). Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z, section 2. 1 where e is 0.
+double damping_ratio(double restitution);
+
+}  // namespace ballpit
