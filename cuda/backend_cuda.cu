@@ -2,6 +2,7 @@
 // Worlds and pair searches on an NVIDIA GPU.
 #include "cuda_executor.h"
 #include "simulate/make_world.h"
+#include "simulate/methods.h"
 #include "simulate/pair_search_on.h"
 
 namespace ballpit {
@@ -33,6 +34,8 @@ Backend cuda_backend() {
   const std::string reason = why_unavailable();
   return {"cuda", reason, reason.empty() ? describe_device() : "",
           [](const Scene& scene, const Settings& settings) {
+            const std::string wrong = misfit(settings.response, "backend", "cuda");
+            if (!wrong.empty()) throw UserError("--backend: " + wrong);
             return make_world_on(std::make_unique<CudaExecutor>(), scene, settings);
           },
           [](const Settings& settings) -> std::unique_ptr<PairSearch> {

@@ -2,11 +2,13 @@
 #include "app/backends.h"
 
 #include "core/error.h"
+#include "simulate/methods.h"
 
 namespace ballpit {
 
-Backend select_backend(const std::string& name) {
-  if (name == "cpu") return cpu_backend();
+Backend select_backend(const std::string& name, const std::string& response) {
+  const bool is_cpu_alone = !misfit(response, "backend", "cuda").empty();
+  if (name == "cpu" || (name == "auto" && is_cpu_alone)) return cpu_backend();
   Backend cuda = cuda_backend();
   if (cuda.unavailable_reason.empty()) return cuda;
   if (name == "auto") return cpu_backend();

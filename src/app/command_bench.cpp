@@ -108,6 +108,7 @@ class BenchCommand final : public Command {
     plan.blocks = static_cast<int>(parse_integer("--repeat", repeat_, 1, 1000));
     plan.limit = parse_number("--limit", limit_, 1e-3, 1e6);
     apply_given(plan.settings, settings_.given());
+    check_given(plan.settings, settings_.given());
     std::vector<std::string> methods = names_of(Family::broadphase), backends;
     if (methods_option_->count() > 0) methods = parse_names("--methods", methods_, Family::broadphase);
     if (backends_option_->count() > 0) backends = parse_names("--backends", backends_, Family::backend);

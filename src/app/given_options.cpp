@@ -3,10 +3,40 @@
 
 #include <iostream>
 
+#include "core/error.h"
+#include "simulate/methods.h"
+
 namespace ballpit {
 
 void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
   for (const GivenOption& option : given) apply_setting(settings, option.name, option.value, "--" + option.name);
+}
+
+void check_given(const Settings& settings, const std::vector<GivenOption>& given) {
+  for (const GivenOption& option : given) {
+    const std::string wrong = misfit(settings.response, option.name, option.value);
+    if (!wrong.empty()) throw UserError("--" + option.name + ": " + wrong);
+  }
+}
+
+Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<GivenOption>& given) {
+  Settings settings;
+  for (const DefaultOption& option : defaults) apply_setting(settings, option.key, option.value, option.where);
+  const std::string of_scene = settings.response;
+  apply_given(settings, given);
+  const std::string response = settings.response;
+  check_given(settings, given);
+  Settings fitting;
+  for (const DefaultOption& option : defaults) {
+    const std::string wrong = misfit(response, option.key, option.value);
+    if (wrong.empty()) {
+      apply_setting(fitting, option.key, option.value, option.where);
+    } else if (response == of_scene) {
+      throw UserError(option.where + ": " + wrong);
+    }
+  }
+  apply_given(fitting, given);
+  return fitting;
 }
 
 void warn_of_small_cells(const Settings& settings) {

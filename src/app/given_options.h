@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/scene.h"
 #include "simulate/settings.h"
 
 namespace ballpit {
@@ -17,6 +18,13 @@ struct GivenOption {
 
 /// Applies them in their order. Throws UserError naming the option.
 void apply_given(Settings& settings, const std::vector<GivenOption>& given);
+
+/// Throws UserError where an option given does not go with the response that the settings name.
+void check_given(const Settings& settings, const std::vector<GivenOption>& given);
+
+/// A scene's defaults under what was given. A default that does not go with a response given in place of the scene's own is
+/// left out. Throws UserError naming option, or file and line.
+Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<GivenOption>& given);
 
 /// Cells smaller than a diameter are allowed, since a lecture shows what they do; but never in silence.
 void warn_of_small_cells(const Settings& settings);

@@ -21,7 +21,7 @@ namespace {
 std::vector<Pair> contacts_by_other_method(Session& session) {
   Settings settings;
   settings.broadphase = session.world().report().broadphase == "sorted-grid" ? "sort-and-sweep" : "sorted-grid";
-  settings.precision = session.settings().precision;
+  settings.precision = precision_of(session.settings());
   settings.threads = session.settings().threads;
   Scene scene;
   scene.domain = session.scene().domain;

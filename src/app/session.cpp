@@ -14,11 +14,10 @@ Session::Session(std::string_view scene, const std::vector<GivenOption>& given, 
   Settings overrides;
   apply_given(overrides, given);
   scene_ = load_scene(scene, {overrides.count, overrides.seed});
-  for (const DefaultOption& option : scene_.defaults) apply_setting(settings_, option.key, option.value, option.where);
-  apply_given(settings_, given);
+  settings_ = combine(scene_.defaults, given);
   settings_.keeps_tally = keeps_tally;
   warn_of_small_cells(settings_);
-  const Backend backend = select_backend(settings_.backend);
+  const Backend backend = select_backend(settings_.backend, settings_.response);
   backend_ = backend.name;
   world_ = backend.make_world(scene_, settings_);
   scene_.bodies = {};  // the world has them now

@@ -42,7 +42,7 @@ Json summarize(Session& session) {
                 {{"broadphase", report.broadphase},
                  {"response", settings.response},
                  {"integrator", integrator_of(settings)},
-                 {"precision", settings.precision},
+                 {"precision", precision_of(settings)},
                  {"backend", session.backend()}}}};
   if (!report.broadphase_reason.empty()) summary["reason"] = report.broadphase_reason;
   summary.update({{"seconds", report.seconds},

@@ -34,7 +34,7 @@ constexpr std::array kMethods{
            "XPBD: Macklin et al. 2016, doi 10.1145/2994258.2994272", "symplectic-euler",
            "iterations, solver, compliance"},
     Method{Family::response, "event-driven", "Event-driven", "cpu", "O(log n) a collision; exact",
-           "Alder and Wainwright 1959, doi 10.1063/1.1730376", "exact", "contact-duration"},
+           "Alder and Wainwright 1959, doi 10.1063/1.1730376", "exact", "contact-duration", "double"},
     Method{Family::solver, "auto", "The response's own", "cpu, cuda",
            "jacobi for impulse, gauss-seidel for position-based", ""},
     Method{Family::solver, "jacobi", "Jacobi", "cpu, cuda", "all contacts at once; one launch an iteration",
@@ -98,6 +98,9 @@ std::string misfit(std::string_view response, std::string_view option, std::stri
   }
   if (option == "backend" && value != "auto" && !lists(method.backends, value)) {
     return found + "auto, " + std::string(method.backends) + with + std::string(response);
+  }
+  if (option == "precision" && !lists(method.precisions, value)) {
+    return found + std::string(method.precisions) + with + std::string(response);
   }
   std::vector<std::string_view> users;
   for (const Method& other : kMethods) {

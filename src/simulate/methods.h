@@ -18,8 +18,9 @@ struct Method {
   std::string_view backends;  ///< where it runs
   std::string_view cost;
   std::string_view source;
-  std::string_view integrators = "";  ///< of a response: those it goes with, its own choice first
-  std::string_view options = "";      ///< of a response: those options of its kind that it uses
+  std::string_view integrators = "";              ///< of a response: those it goes with, its own choice first
+  std::string_view options = "";                  ///< of a response: those options of its kind that it uses
+  std::string_view precisions = "float, double";  ///< of a response: those it computes in
 };
 
 std::span<const Method> methods();

@@ -112,8 +112,8 @@ constexpr std::array kTable{
                 [] { return std::string("0 to 1e6"); },
                 [](Settings& s, std::string_view v) { return set_number(v, 0.0, 1e6, s.max_overlap); }},
     SettingInfo{"max-energy", "FACTOR", "of the energy at the start; more energy stops the run",
-                [] { return std::string("1 to 1e30"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 1.0, 1e30, s.max_energy); }},
+                [] { return std::string("1 to 1e15"); },
+                [](Settings& s, std::string_view v) { return set_number(v, 1.0, 1e15, s.max_energy); }},
     SettingInfo{"backend", "NAME", "processor that simulates", allowed_methods<Family::backend>,
                 set_method<Family::backend, &Settings::backend>},
     SettingInfo{"threads", "N", "CPU threads; 0 for all cores", [] { return std::string("0 to 256"); },
@@ -133,6 +133,11 @@ std::string integrator_of(const Settings& settings) {
   if (settings.integrator != "auto") return settings.integrator;
   const std::string_view names = find_method(Family::response, settings.response).integrators;
   return std::string(names.substr(0, names.find(',')));
+}
+
+std::string precision_of(const Settings& settings) {
+  const std::string_view precisions = find_method(Family::response, settings.response).precisions;
+  return precisions.find(settings.precision) == precisions.npos ? std::string(precisions) : settings.precision;
 }
 
 std::span<const SettingInfo> setting_table() { return kTable; }

@@ -44,6 +44,9 @@ double skin_of(const Settings& settings);
 /// The integrator by name, also where settings leave it to the response.
 std::string integrator_of(const Settings& settings);
 
+/// "double" where the response computes in nothing else, whatever the settings say.
+std::string precision_of(const Settings& settings);
+
 /// One shared option: "--name VALUE" on the command line, "name = value" in [defaults].
 struct SettingInfo {
   std::string_view name;

@@ -21,7 +21,9 @@ class Oscillator {
     scene.physics.gravity = {0, -kGravity, 0};
     scene.physics.stiffness = kStiffness;
     add_sphere(scene, {0, kRest + amplitude, 0}, Vec3d(0), 0.5, 1.0);
-    world_ = make_cpu_world(scene, settings_of("penalty", omega_dt / 100, integrator));
+    Settings settings = settings_of("penalty", omega_dt / 100, integrator);
+    settings.max_energy = settings.max_overlap = 1e15;  // some are here to be seen failing
+    world_ = make_cpu_world(scene, settings);
   }
 
   /// ½v² + ½ω²y².
@@ -66,7 +68,7 @@ TEST_CASE("explicit Euler gains energy by 1 + ω²dt² in every step") {
 }
 
 TEST_CASE("velocity Verlet's energy ranges over 1/(1 − ω²dt²/4) − 1 and does not drift") {
-  const double omega_dt = GENERATE(0.1, 0.5, 1.0);
+  const double omega_dt = GENERATE(0.1, 0.5, 0.9);
   const Range early = energy_range("velocity-verlet", omega_dt, 2000),
               late = energy_range("velocity-verlet", omega_dt, 20000);
   CHECK(early.most / early.least - 1 == Approx(1 / (1 - omega_dt * omega_dt / 4) - 1).epsilon(0.01));
