@@ -45,6 +45,13 @@ struct MeasureRanges {
   }
 };
 
+/// See Detector::near_pairs().
+struct NearPairs {
+  Span<const Pair> pairs;
+  Span<const int> first;  ///< where each body's row begins
+  int64_t version;        ///< other pairs have another
+};
+
 template <class V, class Exec>
 class Detector {
   using BroadPhase = std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
@@ -73,26 +80,19 @@ class Detector {
 
   /// Finds all contacts among the bodies.
   void find(Exec& exec, const BodiesView<V>& bodies) {
-    if (!list_.is_used() || pause_ > 0) {
-      if (pause_ > 0) --pause_;
+    if (has_list(exec, bodies)) {
+      list_filter_.find(exec, list_.candidates(), bodies, box_, rows_);
+    } else {
       search(exec, bodies, rows_);
-      return;
     }
-    if (!list_.is_valid(exec, bodies, box_)) {
-      if (list_uses_ < kWorthwhile) {
-        // It was not used often enough to be worth its making: something is too fast. Try again later.
-        pause_ = kPause;
-        list_uses_ = kWorthwhile;
-        search(exec, bodies, rows_);
-        return;
-      }
-      search(exec, list_.grown(exec, bodies), list_.rows());
-      list_.start(exec, bodies);
-      list_uses_ = 0;
-    }
-    ++list_uses_;
-    list_filter_.find(exec, list_.candidates(), bodies, box_, rows_);
-    is_list_last_ = true;
+  }
+
+  /// Pairs among which all contacts are, in canonical order: the candidate list while it is good, else the contacts. Those
+  /// who test pairs anyway save a pass by it.
+  NearPairs near_pairs(Exec& exec, const BodiesView<V>& bodies) {
+    if (has_list(exec, bodies)) return {list_.candidates().pairs, list_.candidates().first, searches_};
+    search(exec, bodies, rows_);
+    return {rows_.pairs(), rows_.first(), searches_};
   }
 
   /// Forgets the candidate list: the bodies are others now.
@@ -133,6 +133,29 @@ class Detector {
   }
 
  private:
+  /// Whether there is a candidate list that is good for these positions; one is made where it is due.
+  bool has_list(Exec& exec, const BodiesView<V>& bodies) {
+    is_list_last_ = false;
+    if (!list_.is_used()) return false;
+    if (pause_ > 0) {
+      --pause_;
+      return false;
+    }
+    if (!list_.is_valid(exec, bodies, box_)) {
+      if (list_uses_ < kWorthwhile) {
+        // It was not used often enough to be worth its making: something is too fast. Try again later.
+        pause_ = kPause;
+        list_uses_ = kWorthwhile;
+        return false;
+      }
+      search(exec, list_.grown(exec, bodies), list_.rows());
+      list_.start(exec, bodies);
+      list_uses_ = 0;
+    }
+    ++list_uses_;
+    return is_list_last_ = true;
+  }
+
   template <class Method>
   void use(const BroadPhaseParameters<V>& parameters) {
     if (auto* const same = std::get_if<Method>(&broad_phase_)) {

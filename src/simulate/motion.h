@@ -2,7 +2,7 @@
 // A substep, whole, for each kind of response: where it stands between detection and integration.
 //
 //     velocities   contacts ──▶ kick ──▶ respond ──▶ drift               kinematic, impulse
-//     forces       integrator { contacts ──▶ forces }                    penalty
+//     forces       integrator { candidates ──▶ forces }                    penalty
 //     positions    kick ──▶ drift ──▶ contacts there, and near ones ──▶ respond         position-based
 //
 // Each has substep(state, tally, dt), for_each_kept(rearrange) for what it keeps for each body, and bytes().
@@ -40,7 +40,7 @@ class VelocityMotion {
     const ContactsView<V> contacts = is_swept_ ? swept_.find(state, kicked, dt) : state.contacts();
     const ImpulseNotes<V> notes = tally.begin(exec, n, contacts.pairs.size());
     response_.respond(exec, bodies, {state.box(), swept_.way()}, contacts, dt, kicked, after_, notes);
-    tally.end(exec, bodies, state.box(), contacts);
+    tally.end(exec, bodies, state.box(), contacts.pairs, contacts.geometry);
     std::swap(state.velocity, after_);
     drift(state, contacts, dt);
     state.moved();
@@ -62,8 +62,7 @@ class VelocityMotion {
                                 SweptDrift<V>{state.bodies(), state.box(), contacts, swept_.time(), swept_.way(),
                                               velocity, response_.correction(), dt, position});
     } else {
-      state.exec().parallel_for("drift", state.count(),
-                                Drift<V>{state.box(), dt, velocity, response_.correction(), position});
+      state.exec().parallel_for("drift", state.count(), Drift<V>{dt, velocity, response_.correction(), position});
     }
   }
 
@@ -107,11 +106,10 @@ class ForceMotion {
 
     /// The accelerations at the present positions, which act for `duration`; `counts`: new contacts are collisions.
     void at(StepState<V, Exec>& state, Real duration, bool counts, Span<V> acceleration) {
-      Exec& exec = state.exec();
-      const ContactsView<V> contacts = state.contacts();
-      const ImpulseNotes<V> notes = tally.begin(exec, state.count(), contacts.pairs.size());
-      response.accelerate(exec, state.bodies(), state.box(), contacts, state.gravity(), duration, notes, acceleration);
-      tally.end(exec, state.bodies(), state.box(), contacts, counts);
+      const Span<const Pair> pairs = state.near_pairs().pairs;
+      const ImpulseNotes<V> notes = tally.begin(state.exec(), state.count(), pairs.size());
+      response.accelerate(state, duration, notes, acceleration);
+      tally.end(state.exec(), state.bodies(), state.box(), pairs, {}, counts);
     }
   };
 
@@ -136,12 +134,12 @@ class PositionMotion {
     if (state.has_gravity()) {
       exec.parallel_for("kick", n, Kick<V>{before_.span(), state.gravity() * h, state.velocity.span()});
     }
-    exec.parallel_for("drift", n, Drift<V>{state.box(), h, state.velocity.span(), {}, state.position.span()});
+    exec.parallel_for("drift", n, Drift<V>{h, state.velocity.span(), {}, state.position.span()});
     state.moved();
     const ContactsView<V> contacts = state.near_contacts();
     const ImpulseNotes<V> notes = tally.begin(exec, n, contacts.pairs.size());
     response_.respond(state, contacts, before_.span(), h, notes);
-    tally.end(exec, state.bodies(), state.box(), contacts);
+    tally.end(exec, state.bodies(), state.box(), contacts.pairs, contacts.geometry);
   }
 
   template <class Rearrange>

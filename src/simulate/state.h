@@ -35,6 +35,8 @@ struct Box {
   V max{};
   Boundary boundary = Boundary::walls;
 
+  static constexpr Real kFar = Real(1e30);  ///< [m]
+
   HOST_DEVICE bool is_periodic() const { return boundary == Boundary::periodic; }
 
   /// From a to b; in a periodic domain to b's nearest image. displacement(a, b) = −displacement(b, a) to the bit.
@@ -62,14 +64,13 @@ struct Box {
 
   /// Whether p is a place where a centre may be: finite, and inside all walls. False for NaN.
   HOST_DEVICE bool holds(const V& p) const {
+    bool is_held = true;
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      if (is_periodic() || (boundary == Boundary::open_top && axis == 1)) {
-        if (!(std::fabs(p[axis]) <= Real(1e30)) || (!is_periodic() && p[axis] < min[axis])) return false;
-      } else if (!(p[axis] >= min[axis] && p[axis] <= max[axis])) {
-        return false;
-      }
+      const Real low = is_periodic() ? -kFar : min[axis];
+      const Real high = is_periodic() || (boundary == Boundary::open_top && axis == 1) ? kFar : max[axis];
+      is_held = is_held & (p[axis] >= low) & (p[axis] <= high);
     }
-    return true;
+    return is_held;
   }
 
   /// Calls visit(axis, side, overlap) for each wall that a sphere touches: side −1 at min, +1 at max (the wall lies in
@@ -77,6 +78,11 @@ struct Box {
   template <class Visit>
   HOST_DEVICE void for_each_wall(const V& p, Real radius, Visit&& visit) const {
     if (is_periodic()) return;
+    bool is_near = false;  // one branch that is seldom taken, for six
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      is_near = is_near | (p[axis] - min[axis] <= radius) | (max[axis] - p[axis] <= radius);
+    }
+    if (!is_near) return;
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       const Real low = radius - (p[axis] - min[axis]), high = radius - (max[axis] - p[axis]);
       if (low >= 0) visit(axis, -1, low);

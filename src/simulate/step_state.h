@@ -20,6 +20,14 @@
 
 namespace ballpit {
 
+/// Kernel: body i's image inside a periodic domain.
+template <class V>
+struct Wrap {
+  Box<V> box;
+  Span<V> position;
+  HOST_DEVICE void operator()(int i) const { position[i] = box.wrap(position[i]); }
+};
+
 /// Kernel: radii with a margin.
 template <class Real>
 struct AddMargin {
@@ -77,6 +85,23 @@ class StepState {
     return list_.view();
   }
 
+  /// Pairs among which all contacts are, in canonical order, found once for the same positions.
+  const NearPairs& near_pairs() {
+    if (!has_near_pairs_) near_pairs_ = detector_.near_pairs(*exec_, bodies());
+    has_near_pairs_ = true;
+    return near_pairs_;
+  }
+
+  /// The same, listed by body, and not measured; listed anew only where the pairs are others.
+  ContactsView<V> linked_near_pairs() {
+    const NearPairs& near = near_pairs();
+    if (linked_version_ != near.version) {
+      near_list_.link(*exec_, near.pairs, near.first);
+      linked_version_ = near.version;
+    }
+    return near_list_.view();
+  }
+
   /// The contacts of spheres whose radii are larger by the margin: those that touch, and those that may come to touch while
   /// positions are changed a little. Measured as they are, so overlaps may be negative.
   ContactsView<V> near_contacts() {
@@ -90,8 +115,11 @@ class StepState {
     return list_.view();
   }
 
-  /// To be called by whoever has changed positions.
-  void moved() { is_detected_ = false; }
+  /// To be called by whoever has changed positions. They may have left a periodic domain.
+  void moved() {
+    if (box_.is_periodic()) exec_->parallel_for("wrap", count(), Wrap<V>{box_, position.span()});
+    is_detected_ = has_near_pairs_ = false;
+  }
 
   /// Sorts the bodies in memory by where they are; `more` rearranges what others keep for each body.
   template <class More>
@@ -104,7 +132,8 @@ class StepState {
     more([&](Buffer<V>& values) { order_.rearrange(*exec_, values, spare_); });
     order_.commit(*exec_);
     detector_.discard();
-    moved();
+    linked_version_ = -1;
+    is_detected_ = has_near_pairs_ = false;
   }
 
   /// The values of all bodies by id; one value where all are equal.
@@ -172,6 +201,7 @@ class StepState {
     if (is_detected_) return;
     detector_.find(*exec_, bodies());
     is_detected_ = true;
+    has_near_pairs_ = false;  // where there is no candidate list, these were its memory
   }
 
   std::unique_ptr<Exec> exec_;
@@ -185,7 +215,10 @@ class StepState {
   ContactList<V, Exec> list_;
   Buffer<Real> radius_, inverse_mass_, scalar_spare_, grown_;
   Buffer<V> spare_;  // for sorting
-  bool is_detected_ = false;
+  ContactList<V, Exec> near_list_;
+  NearPairs near_pairs_;
+  int64_t linked_version_ = -1;
+  bool is_detected_ = false, has_near_pairs_ = false;
 };
 
 }  // namespace ballpit

@@ -150,7 +150,7 @@ struct SweptDrift {
     const Real before = is_free ? Real(1) : first;
     V end = p + way[i] * before + velocity[i] * ((1 - before) * dt) + correction[i];
     if (!box.is_periodic()) keep_inside(p, radius, end);
-    position[i] = box.wrap(end);
+    position[i] = end;
   }
 
  private:

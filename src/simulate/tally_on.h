@@ -7,6 +7,8 @@
 // an order fixed by the indices. Costs nothing where no tally is kept.
 #pragma once
 
+#include <cmath>
+
 #include "exec/reduce.h"
 #include "simulate/state.h"
 #include "simulate/world.h"
@@ -26,18 +28,21 @@ struct Collisions {
 template <class V>
 struct CollisionOf {
   BodiesView<V> bodies;
-  ContactsView<V> contacts;
+  Span<const Pair> pairs;
+  Span<const ContactGeometry<V>> geometry;  ///< empty: distances are those of the present positions
   Box<V> box;
   Span<const V> before;  ///< positions at the substep before
   Span<const Scalar<V>> impulse;
   bool counts;
 
   HOST_DEVICE Collisions operator()(int c) const {
-    const Pair pair = contacts.pairs[c];
+    const Pair pair = pairs[c];
+    if (!(impulse[c] != 0)) return {};
     const Scalar<V> radii = bodies.radius[pair.i] + bodies.radius[pair.j];
-    const bool is_new =
-        counts && impulse[c] > 0 && !in_contact(box.displacement(before[pair.i], before[pair.j]), radii);
-    return {is_new ? 1 : 0, double(impulse[c]) * double(radii - contacts.geometry[c].overlap)};
+    const bool is_new = counts && !in_contact(box.displacement(before[pair.i], before[pair.j]), radii);
+    const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
+    const Scalar<V> distance = geometry.empty() ? std::sqrt(dot(d, d)) : radii - geometry[c].overlap;
+    return {is_new ? 1 : 0, double(impulse[c]) * double(distance)};
   }
 };
 
@@ -67,8 +72,8 @@ class TallyKeeper {
   }
 
   /// Adds them to the tally; `counts` tells whether new contacts are collisions, as at the first of a step's evaluations.
-  void end(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const ContactsView<V>& contacts,
-           bool counts = true) {
+  void end(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs,
+           Span<const ContactGeometry<V>> geometry, bool counts = true) {
     if (!is_kept_) return;
     const int64_t n = bodies.size();
     if (before_.size() != n) {
@@ -76,8 +81,8 @@ class TallyKeeper {
       exec.parallel_for("note positions", n, CopyValues<V>{bodies.position, before_.span()});
     }
     const Collisions sum =
-        reduce(exec, "sum impulses", contacts.pairs.size(), Collisions{},
-               CollisionOf<V>{bodies, contacts, box, before_.span(), contact_.span(), counts}, Sum{});
+        reduce(exec, "sum impulses", pairs.size(), Collisions{},
+               CollisionOf<V>{bodies, pairs, geometry, box, before_.span(), contact_.span(), counts}, Sum{});
     tally_.collisions += sum.count;
     tally_.virial += sum.virial;
     tally_.floor_impulse += reduce(exec, "sum impulses", n, 0.0, DoubleAt<Real>{floor_.span()}, Sum{});

@@ -17,13 +17,12 @@ namespace ballpit {
 /// Kernel: moves body i.
 template <class V>
 struct ExplicitEulerStep {
-  Box<V> box;
   Scalar<V> dt;
   Span<const V> acceleration;
   Span<V> position, velocity;
 
   HOST_DEVICE void operator()(int i) const {
-    position[i] = box.wrap(position[i] + velocity[i] * dt);
+    position[i] = position[i] + velocity[i] * dt;
     velocity[i] += acceleration[i] * dt;
   }
 };
@@ -38,7 +37,7 @@ class ExplicitEuler {
     forces.at(state, dt, true, acceleration_.span());
     state.exec().parallel_for(
         "drift and kick", state.count(),
-        ExplicitEulerStep<V>{state.box(), dt, acceleration_.span(), state.position.span(), state.velocity.span()});
+        ExplicitEulerStep<V>{dt, acceleration_.span(), state.position.span(), state.velocity.span()});
     state.moved();
   }
 

@@ -15,34 +15,22 @@
 
 namespace ballpit {
 
-/// Kernel: y ← start + reach·k, and Σ += weight·k. k is the rate at the present y.
+/// Kernel: Σ += weight·k, then y ← start + reach·k, or after the last stage start + Σ. k is the rate at the present y.
 template <class V>
 struct RungeKuttaStage {
-  Box<V> box;
+  int stage;
   Scalar<V> reach, weight;  ///< [s]
   Span<const V> start_position, start_velocity, acceleration;
   Span<V> position, velocity, moved, kicked;
-  bool is_first;
 
   HOST_DEVICE void operator()(int i) const {
     const V v = velocity[i], a = acceleration[i];
-    moved[i] = is_first ? v * weight : moved[i] + v * weight;
-    kicked[i] = is_first ? a * weight : kicked[i] + a * weight;
-    position[i] = box.wrap(start_position[i] + v * reach);
-    velocity[i] = start_velocity[i] + a * reach;
-  }
-};
-
-/// Kernel: y ← start + Σ.
-template <class V>
-struct RungeKuttaEnd {
-  Box<V> box;
-  Span<const V> start_position, start_velocity, moved, kicked;
-  Span<V> position, velocity;
-
-  HOST_DEVICE void operator()(int i) const {
-    position[i] = box.wrap(start_position[i] + moved[i]);
-    velocity[i] = start_velocity[i] + kicked[i];
+    const V sum = stage == 0 ? v * weight : moved[i] + v * weight;
+    const V change = stage == 0 ? a * weight : kicked[i] + a * weight;
+    moved[i] = sum;
+    kicked[i] = change;
+    position[i] = start_position[i] + (stage < 3 ? v * reach : sum);
+    velocity[i] = start_velocity[i] + (stage < 3 ? a * reach : change);
   }
 };
 
@@ -65,14 +53,11 @@ class RungeKutta4 {
       const Real weight = kWeight[stage] / 6 * dt;
       forces.at(state, weight, stage == 0, acceleration_.span());
       exec.parallel_for("stage", n,
-                        RungeKuttaStage<V>{state.box(), kReach[stage] * dt, weight, start_position_.span(),
+                        RungeKuttaStage<V>{stage, kReach[stage] * dt, weight, start_position_.span(),
                                            start_velocity_.span(), acceleration_.span(), state.position.span(),
-                                           state.velocity.span(), moved_.span(), kicked_.span(), stage == 0});
+                                           state.velocity.span(), moved_.span(), kicked_.span()});
       state.moved();
     }
-    exec.parallel_for("end of stages", n,
-                      RungeKuttaEnd<V>{state.box(), start_position_.span(), start_velocity_.span(), moved_.span(),
-                                       kicked_.span(), state.position.span(), state.velocity.span()});
   }
 
   int64_t bytes() const {

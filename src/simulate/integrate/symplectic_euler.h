@@ -24,10 +24,9 @@ struct Kick {
   HOST_DEVICE void operator()(int i) const { out[i] = velocity[i] + change; }
 };
 
-/// Kernel: position += dt · velocity + correction, wrapped into a periodic domain.
+/// Kernel: position += dt · velocity + correction.
 template <class V>
 struct Drift {
-  Box<V> box;
   Scalar<V> dt;  ///< [s]
   Span<const V> velocity;
   Span<const V> correction;  ///< [m] empty where the response needs none
@@ -36,14 +35,13 @@ struct Drift {
   HOST_DEVICE void operator()(int i) const {
     V moved = position[i] + velocity[i] * dt;
     if (!correction.empty()) moved += correction[i];
-    position[i] = box.wrap(moved);
+    position[i] = moved;
   }
 };
 
 /// Kernel: kick and drift of body i by its own acceleration.
 template <class V>
 struct SymplecticEulerStep {
-  Box<V> box;
   Scalar<V> dt;
   Span<const V> acceleration;
   Span<V> position, velocity;
@@ -51,7 +49,7 @@ struct SymplecticEulerStep {
   HOST_DEVICE void operator()(int i) const {
     const V v = velocity[i] + acceleration[i] * dt;
     velocity[i] = v;
-    position[i] = box.wrap(position[i] + v * dt);
+    position[i] = position[i] + v * dt;
   }
 };
 
@@ -66,7 +64,7 @@ class SymplecticEuler {
     forces.at(state, dt, true, acceleration_.span());
     state.exec().parallel_for(
         "kick and drift", state.count(),
-        SymplecticEulerStep<V>{state.box(), dt, acceleration_.span(), state.position.span(), state.velocity.span()});
+        SymplecticEulerStep<V>{dt, acceleration_.span(), state.position.span(), state.velocity.span()});
     state.moved();
   }
 

@@ -20,7 +20,6 @@ namespace ballpit {
 /// Kernel: the first half kick and the drift of body i.
 template <class V>
 struct HalfKickAndDrift {
-  Box<V> box;
   Scalar<V> dt;
   Span<const V> acceleration;
   Span<V> position, velocity;
@@ -28,7 +27,7 @@ struct HalfKickAndDrift {
   HOST_DEVICE void operator()(int i) const {
     const V v = velocity[i] + acceleration[i] * (dt / 2);
     velocity[i] = v;
-    position[i] = box.wrap(position[i] + v * dt);
+    position[i] = position[i] + v * dt;
   }
 };
 
@@ -57,9 +56,8 @@ class VelocityVerlet {
       acceleration_.resize(n);
       forces.at(state, half, false, acceleration_.span());
     }
-    exec.parallel_for(
-        "half kick and drift", n,
-        HalfKickAndDrift<V>{state.box(), dt, acceleration_.span(), state.position.span(), state.velocity.span()});
+    exec.parallel_for("half kick and drift", n,
+                      HalfKickAndDrift<V>{dt, acceleration_.span(), state.position.span(), state.velocity.span()});
     state.moved();
     forces.at(state, forces.depend_on_velocity() ? half : dt, true, acceleration_.span());
     exec.parallel_for("half kick", n, HalfKick<V>{dt, acceleration_.span(), state.velocity.span()});

@@ -57,12 +57,18 @@ class ContactList {
  public:
   void build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies,
              const Box<V>& box) {
+    link(exec, pairs, first);
+    geometry_.resize(pairs.size());
+    exec.parallel_for("measure contacts", pairs.size(), MeasureContact<V>{bodies, box, pairs, geometry_.span()});
+  }
+
+  /// Without measuring.
+  void link(Exec& exec, Span<const Pair> pairs, Span<const int> first) {
     pairs_ = pairs;
     first_ = first;
-    geometry_.resize(pairs.size());
+    geometry_.resize(0);
     incoming_.resize(pairs.size());
-    incoming_first_.resize(bodies.size() + 1);
-    exec.parallel_for("measure contacts", pairs.size(), MeasureContact<V>{bodies, box, pairs, geometry_.span()});
+    incoming_first_.resize(first.size());
     exec.bin("sort incoming", SecondBody{pairs}, IncomingAt{pairs}, incoming_first_.span(), incoming_.span());
   }
 

@@ -9,7 +9,9 @@
 // For both laws ζ follows from restitution alone: in y = δ^(5/4) and dτ = δ^¼ dt Hertz's contact is a linear oscillator
 // (Antypov and Elliott 2011, doi 10.1209/0295-5075/94/50004). A contact ends where the overlap does, or, if asked for, where
 // the force would begin to pull (Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z). Spheres carry no rotation.
-// Walls follow the same law with m* = m. Cost: O(n + contacts) for each evaluation of the forces.
+// Walls follow the same law with m* = m. Cost: O(n + contacts) for each evaluation of the forces: pairs of the candidate list
+// are taken as they are, and those that do not touch exert nothing. One thread of the CPU adds forces to both bodies as it goes
+// along the pairs (ordered_forces.h); elsewhere bodies gather them, in the same order.
 // Source: Cundall and Strack, "A discrete numerical model for granular assemblies" (1979), doi 10.1680/geot.1979.29.1.47.
 // Its siblings: kinematic.h, impulse.h, position_based.h.
 #pragma once
@@ -18,97 +20,74 @@
 
 #include "exec/reduce.h"
 #include "simulate/response/damping.h"
+#include "simulate/response/ordered_forces.h"
+#include "simulate/response/pair_force.h"
 #include "simulate/state.h"
 
 namespace ballpit {
 
-/// The force of a contact.
-template <class Real>
-struct PenaltyLaw {
-  Real stiffness;     ///< k [N/m], or K [N/m^1.5]
-  Real damping;       ///< ζ between spheres
-  Real wall_damping;  ///< ζ at walls
-  Real shear;         ///< [kg/s]
-  bool is_hertz;
-  bool ends_with_force;
-
-  /// [N] pushing apart. `mass` is the reduced mass.
-  HOST_DEVICE Real force(Real zeta, Real overlap, Real separation, Real mass) const {
-    Real spring = stiffness * overlap, dashpot = 0;
-    if (is_hertz) spring *= std::sqrt(overlap);
-    if (zeta > 0) {
-      dashpot = zeta * std::sqrt(stiffness * mass) * separation;
-      dashpot *= is_hertz ? Real(2.2360679774997896964) * std::sqrt(std::sqrt(overlap)) : Real(2);
-    }
-    const Real force = spring - dashpot;
-    return ends_with_force && force < 0 ? Real(0) : force;
-  }
-
-  /// [J] held by the spring.
-  HOST_DEVICE double energy(Real overlap) const {
-    const double d = double(overlap);
-    return is_hertz ? 0.4 * double(stiffness) * d * d * std::sqrt(d) : 0.5 * double(stiffness) * d * d;
-  }
-};
-
-/// Kernel: the force of contact c on its second body; the first body's is opposite [N].
+/// Kernel: the force of pair c on its second body [N], 0 where they do not touch.
 template <class V>
-struct ContactForce {
+struct StorePairForce {
   using Real = Scalar<V>;
-  PenaltyLaw<Real> law;
-  BodiesView<V> bodies;
-  ContactsView<V> contacts;
+  PairForce<V> force_of;
+  Span<const Pair> pairs;
   Span<V> force;
   Real duration;  ///< [s] that the force acts, for a tally
   ImpulseNotes<V> notes;
 
   HOST_DEVICE void operator()(int c) const {
-    const Pair pair = contacts.pairs[c];
-    const ContactGeometry<V>& contact = contacts.geometry[c];
-    const Real mass = 1 / (bodies.inverse_mass[pair.i] + bodies.inverse_mass[pair.j]);
-    const Real along = law.force(law.damping, contact.overlap, contact.separation, mass);
-    V sum = contact.normal * along;
-    if (law.shear > 0) {
-      const V v = bodies.velocity[pair.j] - bodies.velocity[pair.i];
-      sum -= (v - contact.normal * contact.separation) * law.shear;
-    }
-    force[c] = sum;
+    Real along;
+    force[c] = force_of(pairs[c], along);
     if (notes.are_kept()) notes.contact[c] += along * duration;
   }
 };
 
-/// Kernel: the acceleration of body i by its contacts, its walls and gravity [m/s²].
+/// Kernel: what the pairs of body i exert on it [N].
 template <class V>
 struct GatherForces {
+  ContactsView<V> pairs;
+  Span<const V> force;
+  Span<V> sum;
+
+  HOST_DEVICE void operator()(int i) const {
+    V result{};
+    pairs.for_each_of(i, [&](int c, int, int side) { result -= force[c] * Scalar<V>(side); });
+    sum[i] = result;
+  }
+};
+
+/// Kernel: the acceleration of body i by its contacts, its walls and gravity [m/s²].
+template <class V, class Sum>
+struct Accelerate {
   using Real = Scalar<V>;
   PenaltyLaw<Real> law;
   BodiesView<V> bodies;
   Box<V> box;
-  ContactsView<V> contacts;
-  Span<const V> force;
+  Span<const Sum> sum;  ///< of its contacts' forces [N]
   V gravity;
   Span<V> acceleration;
   Real duration;
   ImpulseNotes<V> notes;
 
   HOST_DEVICE void operator()(int i) const {
-    V sum{};
-    contacts.for_each_of(i, [&](int c, int, int side) { sum -= force[c] * Real(side); });
+    V force{};
+    for (int axis = 0; axis < kDimensions<V>; ++axis) force[axis] = sum[i][axis];
     const Real inverse_mass = bodies.inverse_mass[i];
-    add_walls(i, 1 / inverse_mass, sum);
-    acceleration[i] = gravity + sum * inverse_mass;
+    box.for_each_wall(bodies.position[i], bodies.radius[i],
+                      [&](int axis, int side, Real overlap) { add_wall(i, axis, side, overlap, force); });
+    acceleration[i] = gravity + force * inverse_mass;
   }
 
-  HOST_DEVICE void add_walls(int i, Real mass, V& sum) const {
+  HOST_DEVICE void add_wall(int i, int axis, int side, Real overlap, V& force) const {
     const V v = bodies.velocity[i];
-    box.for_each_wall(bodies.position[i], bodies.radius[i], [&](int axis, int side, Real overlap) {
-      const Real along = law.force(law.wall_damping, overlap, -Real(side) * v[axis], mass);
-      sum[axis] -= Real(side) * along;
-      for (int other = 0; law.shear > 0 && other < kDimensions<V>; ++other) {
-        if (other != axis) sum[other] -= law.shear * v[other];
-      }
-      if (notes.are_kept() && axis == 1 && side < 0) notes.floor[i] += along * duration;
-    });
+    const Real dashpot = law.dashpot(law.wall_damping, 1 / bodies.inverse_mass[i]);
+    const Real along = law.force(dashpot, overlap, -Real(side) * v[axis]);
+    force[axis] -= Real(side) * along;
+    for (int other = 0; law.shear > 0 && other < kDimensions<V>; ++other) {
+      if (other != axis) force[other] -= law.shear * v[other];
+    }
+    if (notes.are_kept() && axis == 1 && side < 0) notes.floor[i] += along * duration;
   }
 };
 
@@ -146,15 +125,26 @@ class PenaltyResponse {
   /// Whether velocities matter to the forces.
   bool depends_on_velocity() const { return law_.damping > 0 || law_.wall_damping > 0 || law_.shear > 0; }
 
-  /// The accelerations of all bodies [m/s²] that act for `duration` [s].
-  void accelerate(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const ContactsView<V>& contacts,
-                  const V& gravity, Real duration, const ImpulseNotes<V>& notes, Span<V> acceleration) {
-    force_.resize(contacts.pairs.size());
-    exec.parallel_for("contact forces", force_.size(),
-                      ContactForce<V>{law_, bodies, contacts, force_.span(), duration, notes});
-    exec.parallel_for(
-        "gather forces", bodies.size(),
-        GatherForces<V>{law_, bodies, box, contacts, force_.span(), gravity, acceleration, duration, notes});
+  /// The accelerations of all bodies of `state` [m/s²] at its present positions and velocities, which act for `duration`
+  /// [s]. Sums run in the order of pairs, whoever makes them.
+  template <class State>
+  void accelerate(State& state, Real duration, const ImpulseNotes<V>& notes, Span<V> acceleration) {
+    if constexpr (kHasOrderedForces<V, Exec>) {
+      if (state.exec().runs_in_order() && !notes.are_kept() && law_.shear == 0) {
+        const Span<const Vec4> sum = ordered_.add_up(state, state.near_pairs().pairs, law_);
+        finish(state, sum, duration, notes, acceleration);
+        return;
+      }
+    }
+    Exec& exec = state.exec();
+    const ContactsView<V> pairs = state.linked_near_pairs();
+    force_.resize(pairs.pairs.size());
+    sum_.resize(state.count());
+    const PairForce<V> force_of{law_, state.bodies(), state.box()};
+    exec.parallel_for("pair forces", force_.size(),
+                      StorePairForce<V>{force_of, pairs.pairs, force_.span(), duration, notes});
+    exec.parallel_for("gather forces", state.count(), GatherForces<V>{pairs, force_.span(), sum_.span()});
+    finish(state, Span<const V>(sum_.span()), duration, notes, acceleration);
   }
 
   /// [J] in all springs.
@@ -164,11 +154,19 @@ class PenaltyResponse {
            reduce(exec, "sum springs", bodies.size(), 0.0, WallEnergy<V>{law_, bodies, box}, Sum{});
   }
 
-  int64_t bytes() const { return force_.bytes(); }
+  int64_t bytes() const { return force_.bytes() + sum_.bytes() + ordered_.bytes(); }
 
  private:
+  template <class State, class Sum>
+  void finish(State& state, Span<const Sum> sum, Real duration, const ImpulseNotes<V>& notes, Span<V> acceleration) {
+    state.exec().parallel_for(
+        "accelerate", state.count(),
+        Accelerate<V, Sum>{law_, state.bodies(), state.box(), sum, state.gravity(), acceleration, duration, notes});
+  }
+
   PenaltyLaw<Real> law_;
-  Buffer<V> force_;
+  Buffer<V> force_, sum_;
+  OrderedForces<V, Exec> ordered_;
 };
 
 }  // namespace ballpit

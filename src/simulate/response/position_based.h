@@ -107,18 +107,14 @@ struct MoveApart {
   }
 };
 
-/// Kernel: v ← v + shift / h, and back into a periodic domain.
+/// Kernel: v ← v + shift / h.
 template <class V>
 struct TakeVelocity {
-  Box<V> box;
   Scalar<V> h;
   Span<const V> shift;
-  Span<V> position, velocity;
+  Span<V> velocity;
 
-  HOST_DEVICE void operator()(int i) const {
-    velocity[i] += shift[i] / h;
-    position[i] = box.wrap(position[i]);
-  }
+  HOST_DEVICE void operator()(int i) const { velocity[i] += shift[i] / h; }
 };
 
 /// Kernel: restitution of body i at walls that pushed it; `before` are the velocities before the kick.
@@ -190,8 +186,7 @@ class PositionBasedResponse {
     clear(exec, n, state.box().is_periodic() ? 0 : n, contacts.pairs.size());
     colours_.build(exec, contacts, n);
     for (int k = 0; k < parameters_.iterations; ++k) move_apart(state, view);
-    exec.parallel_for("take velocities", n,
-                      TakeVelocity<V>{state.box(), h, shift_.span(), state.position.span(), state.velocity.span()});
+    exec.parallel_for("take velocities", n, TakeVelocity<V>{h, shift_.span(), state.velocity.span()});
     state.moved();
     if (!state.box().is_periodic()) {
       exec.parallel_for("rebound from walls", n,
