@@ -145,17 +145,11 @@ Settings bed_settings(double dt) {
   Settings settings;
   settings.broadphase = "auto";
   settings.response = "penalty";
-  settings.integrator = "velocity-verlet";
+  settings.integrator = "symplectic-euler";
   settings.backend = "cpu";
   settings.threads = 1;
   settings.dt = dt;
   return settings;
-}
-
-double damping_ratio(double restitution) {
-  if (restitution <= 0) return 1;
-  const double log = std::log(restitution);
-  return -log / std::sqrt(std::numbers::pi * std::numbers::pi + log * log);
 }
 
 }  // namespace ballpit

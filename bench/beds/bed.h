@@ -36,8 +36,4 @@ Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle
 /// The penalty response's settings for a bed: one thread of the CPU, the broad phase that the program chooses.
 Settings bed_settings(double dt);
 
-/// The share ζ of critical damping with which a linear contact keeps the share `restitution` of its speed:
-/// ζ = −ln e / √(π² + ln² e). Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z, section 2. 1 where e is 0.
-double damping_ratio(double restitution);
-
 }  // namespace ballpit

@@ -17,6 +17,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "simulate/response/damping.h"
 
 namespace ballpit {
 
@@ -60,7 +61,7 @@ std::string data_file(const Scene& scene) {
 /// "hooke kₙ kₜ γₙ γₜ μ dampflag": arguments of pair_style gran/ and fix wall/gran. No tangential force.
 std::string hooke(double stiffness, double restitution, double effective_mass) {
   std::ostringstream out = exact_stream();
-  out << "hooke " << stiffness << " 0 " << 2 * damping_ratio(restitution) * std::sqrt(stiffness / effective_mass)
+  out << "hooke " << stiffness << " 0 " << 2 * damping_of(restitution, false) * std::sqrt(stiffness / effective_mass)
       << " 0 0 0";
   return out.str();
 }

@@ -35,6 +35,7 @@ struct Options {
   std::string lammps = "lmp";
   std::string integrator = "nve/sphere";
   std::string precision = "float";
+  std::string our_integrator = "symplectic-euler";
   std::string broadphase = "auto";
   double skin = 0.1;
   double tolerance = 1e-3;
@@ -68,6 +69,7 @@ void check(const Options& options) {
   for (const int64_t count : options.counts) require_range("--count", count, 1, 10'000'000);
   require_name("--only", options.only, {"both", "ours", "lammps"});
   require_name("--clock", options.clock, {"wall", "cpu"});
+  require_name("--integrator", options.our_integrator, {"symplectic-euler", "velocity-verlet"});
   require_name("--lammps-fix", options.integrator, {"nve/sphere", "nve"});
   require_range("--repeat", options.protocol.repeat, 1, 1000);
   require_range("--warmup", options.protocol.stretch.warmup, 0, 1'000'000);
@@ -95,6 +97,7 @@ void add_options(CLI::App& app, Options& options) {
   add("--clock", options.clock, "NAME", "wall, or cpu: time of the processes, on a busy machine");
   add("--broadphase", options.broadphase, "NAME", "ours");
   add("--skin", options.skin, "NUMBER", "ours, as a fraction of the radius");
+  add("--integrator", options.our_integrator, "NAME", "ours: symplectic-euler, velocity-verlet");
   add("--precision", options.precision, "NAME", "ours: float, double");
   add("--lammps", options.lammps, "PROGRAM", "LAMMPS: a path, or a name on PATH");
   add("--lammps-skin", options.protocol.lammps.skin, "NUMBER", "LAMMPS' skin, as a fraction of the radius");
@@ -148,6 +151,7 @@ BedProtocol protocol_of(const Options& options) {
   protocol.runs_ours = options.only != "lammps";
   protocol.lammps.rotates = options.integrator == "nve/sphere";
   apply_setting(protocol.settings, "broadphase", options.broadphase, "--broadphase");
+  apply_setting(protocol.settings, "integrator", options.our_integrator, "--integrator");
   apply_setting(protocol.settings, "precision", options.precision, "--precision");
   protocol.settings.skin = options.skin;
   return protocol;
@@ -179,6 +183,7 @@ nlohmann::ordered_json describe(const Options& options, const std::optional<Lamm
                               {"broadphase", options.broadphase},
                               {"skin", options.skin},
                               {"precision", options.precision},
+                              {"integrator", options.our_integrator},
                               {"machine", describe_machine()}};
   if (lammps) {
     text["lammps"] = {{"program", lammps->path()},
@@ -195,7 +200,7 @@ void print_foot(const Options& options, const std::optional<Lammps>& lammps) {
   std::cout << "\n"
             << machine["cpu"].get<std::string>() << ", " << machine["compiler"].get<std::string>() << ", "
             << machine["build_type"].get<std::string>() << ", one thread, clock " << options.clock << "; ours in "
-            << options.precision << ", skin " << options.skin << "\n";
+            << options.precision << ", " << options.our_integrator << ", skin " << options.skin << "\n";
   if (!lammps) return;
   std::cout << "LAMMPS " << lammps->version() << ", fix " << options.integrator << ", skin "
             << options.protocol.lammps.skin << "\n";

@@ -37,6 +37,13 @@ class Span {
   int64_t size_ = 0;
 };
 
+/// The components of vectors one after the other: kernels that treat all alike run over them, and compile to vector loops.
+template <class V>
+HOST_DEVICE auto components(Span<V> vectors) {
+  using Real = std::remove_reference_t<decltype(vectors.data()[0][0])>;
+  return Span<Real>(vectors.empty() ? nullptr : &vectors.data()[0][0], vectors.size() * V::length());
+}
+
 /// One value per body; `stride` 0 when all bodies share one value, so that equal radii cost one number.
 template <class T>
 class PerBody {

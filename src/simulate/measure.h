@@ -94,6 +94,18 @@ double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& bo
   return spheres < walls ? walls : spheres;
 }
 
+/// Map: 1 for a body that is outside the domain or not finite.
+template <class V>
+struct IsOutside {
+  BodiesView<V> bodies;
+  Box<V> box;
+
+  HOST_DEVICE int64_t operator()(int i) const {
+    const V v = bodies.velocity[i];
+    return !(box.holds(bodies.position[i]) & (dot(v, v) < Scalar<V>(1e30)));  // false for NaN
+  }
+};
+
 template <class V>
 struct IdIfOutside {
   BodiesView<V> bodies;
@@ -101,17 +113,18 @@ struct IdIfOutside {
   Span<const int> id_at;
 
   HOST_DEVICE int64_t operator()(int i) const {
-    const V v = bodies.velocity[i];
-    const bool is_good = box.holds(bodies.position[i]) && dot(v, v) < Scalar<V>(1e30);  // false for NaN
-    return is_good ? bodies.size() : (id_at.empty() ? i : id_at[i]);
+    if (IsOutside<V>{bodies, box}(i) == 0) return bodies.size();
+    return id_at.empty() ? i : id_at[i];
   }
 };
 
 /// The lowest id of a body that is outside the domain or not finite; −1 if there is none.
 template <class V, class Exec>
 int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const int> id_at) {
+  const int64_t n = bodies.size();
+  if (reduce(exec, "check bodies", n, int64_t{0}, IsOutside<V>{bodies, box}, Sum{}) == 0) return -1;
   const int64_t first =
-      reduce(exec, "check bodies", bodies.size(), bodies.size(), IdIfOutside<V>{bodies, box, id_at}, Smallest{});
+      reduce(exec, "find body", bodies.size(), bodies.size(), IdIfOutside<V>{bodies, box, id_at}, Smallest{});
   return first < bodies.size() ? first : -1;
 }
 

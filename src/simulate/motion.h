@@ -62,7 +62,9 @@ class VelocityMotion {
                                 SweptDrift<V>{state.bodies(), state.box(), contacts, swept_.time(), swept_.way(),
                                               velocity, response_.correction(), dt, position});
     } else {
-      state.exec().parallel_for("drift", state.count(), Drift<V>{dt, velocity, response_.correction(), position});
+      state.exec().parallel_for(
+          "drift", state.count() * kDimensions<V>,
+          Drift<Real>{dt, components(velocity), components(response_.correction()), components(position)});
     }
   }
 
@@ -134,7 +136,9 @@ class PositionMotion {
     if (state.has_gravity()) {
       exec.parallel_for("kick", n, Kick<V>{before_.span(), state.gravity() * h, state.velocity.span()});
     }
-    exec.parallel_for("drift", n, Drift<V>{h, state.velocity.span(), {}, state.position.span()});
+    exec.parallel_for(
+        "drift", n * kDimensions<V>,
+        Drift<Real>{h, components(Span<const V>(state.velocity.span())), {}, components(state.position.span())});
     state.moved();
     const ContactsView<V> contacts = state.near_contacts();
     const ImpulseNotes<V> notes = tally.begin(exec, n, contacts.pairs.size());

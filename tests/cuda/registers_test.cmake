@@ -1,7 +1,7 @@
 # Registers and local memory of every kernel, as ptxas reports them for the oldest architecture and for one that holds 2048
-# threads in a multiprocessor. Compiles backend_cuda.cu alone, without the host's part: half a minute.
+# threads in a multiprocessor. Compiles worlds_cuda_float.cu alone, without the host's part: half a minute.
 #
-#     cmake -DNVCC=… -DSOURCE=…/cuda/backend_cuda.cu "-DFLAGS=-I…|--fmad=false" -DOUT=… -P registers_test.cmake
+#     cmake -DNVCC=… -DSOURCE=…/cuda/worlds_cuda_float.cu "-DFLAGS=-I…|--fmad=false" -DOUT=… -P registers_test.cmake
 #
 # A multiprocessor has 65 536 registers. Where it holds 1024 threads (7.5) each may use 64 of them, where it holds 2048
 # (8.0, 9.0, 10.0) 32, or fewer threads run at once to hide memory's latency: 75 % at 40, 62 % at 48, 50 % at 56.
@@ -27,10 +27,19 @@ set(allowed
   # Two loops over a body's contacts, which the compiler unrolls by four, so that four gathers are under way at once.
   "ResolveVelocity" 40
   "CorrectPosition" 40
-  # Sums in double precision: of three axes for the sweep; for reports, energy, momentum and the largest overlap.
+  # Six walls, of which each may be met, on the way as well.
+  "Accelerate" 48
+  "MirrorVelocity" 40
+  "SolveWalls" 40
+  "SweptDrift" 40
+  # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum, the largest overlap and
+  # who has it; for a tally, collisions.
   "ReduceBlock.*Spread" 48
   "ReduceBlock.*Motion" 48
-  "ReduceBlock.*Overlap" 40)
+  "ReduceBlock.*Offender" 48
+  "ReduceBlock.*Collisions" 48
+  "ReduceBlock.*Overlap" 48
+  "ReduceBlock.*Energy" 40)
 
 string(REPLACE "|" ";" flags "${FLAGS}")
 

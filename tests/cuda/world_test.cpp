@@ -125,6 +125,50 @@ TEST_CASE("bodies sorted in memory on CUDA move as on the CPU") {
   CHECK(cuda.bodies.radius == cpu.bodies.radius);
 }
 
+TEST_CASE("every response moves worlds on CUDA by the bits that it has on the CPU, in single and double precision") {
+  struct Way {
+    const char *response, *integrator, *solver;
+    bool is_swept;
+  };
+  const Way way =
+      GENERATE(Way{"kinematic", "auto", "auto", false}, Way{"kinematic", "auto", "auto", true},
+               Way{"impulse", "auto", "jacobi", true}, Way{"impulse", "auto", "gauss-seidel", false},
+               Way{"penalty", "explicit-euler", "auto", false}, Way{"penalty", "symplectic-euler", "auto", false},
+               Way{"penalty", "velocity-verlet", "auto", false}, Way{"penalty", "rk4", "auto", false},
+               Way{"position-based", "auto", "auto", false});
+  const std::string precision = GENERATE("float", "double");
+  const Cloud cloud = GENERATE(Cloud{.count = 120, .smallest = 0.1, .largest = 0.15},
+                               Cloud{.count = 80, .dimensions = 2, .smallest = 0.05, .largest = 0.05},
+                               Cloud{.count = 120, .smallest = 0.1, .largest = 0.15, .boundary = Boundary::periodic});
+  Settings settings = settings_of("sorted-grid", std::string(way.response) == "penalty" ? 0.3 : 0.0);
+  settings.response = way.response;
+  settings.integrator = way.integrator;
+  settings.solver = way.solver;
+  settings.is_swept = way.is_swept;
+  settings.precision = precision;
+  settings.max_overlap = settings.max_energy = 1e15;
+  settings.keeps_tally = true;
+  CAPTURE(way.response, way.integrator, way.solver, way.is_swept, precision, cloud.dimensions);
+  Scene scene = heap(cloud);
+  scene.physics.stiffness = 1e3;
+  scene.physics.shear = 1;
+  const Twins worlds(scene, settings);
+  worlds.step(4);
+  CHECK(worlds.compare() > 5);
+  const Tally expected = worlds.cpu->report().tally, tally = worlds.cuda->report().tally;
+  CHECK(tally.collisions == expected.collisions);
+  CHECK(tally.virial == expected.virial);
+  CHECK(tally.floor_impulse == expected.floor_impulse);
+  CHECK(worlds.cuda->report().elastic_energy == worlds.cpu->report().elastic_energy);
+  CHECK(worlds.cuda->last_good().position == worlds.cpu->last_good().position);
+}
+
+TEST_CASE("event-driven motion is refused on CUDA, with what is allowed") {
+  Settings settings = settings_of("sorted-grid");
+  settings.response = "event-driven";
+  CHECK_THROWS_WITH(cuda_backend().make_world(heap({.count = 10}), settings), Catch::Contains("allowed auto, cpu"));
+}
+
 TEST_CASE("a sphere that leaves the domain is named on CUDA as on the CPU") {
   Scene scene = make_cloud({.count = 40, .smallest = 0.05, .largest = 0.05}, 7);
   scene.bodies.velocity[23] = {1e6, 0, 0};

@@ -14,16 +14,16 @@
 
 namespace ballpit {
 
-/// Kernel: moves body i.
-template <class V>
+/// Kernel: moves one component of a body.
+template <class Real>
 struct ExplicitEulerStep {
-  Scalar<V> dt;
-  Span<const V> acceleration;
-  Span<V> position, velocity;
+  Real dt;
+  Span<const Real> acceleration;
+  Span<Real> position, velocity;
 
-  HOST_DEVICE void operator()(int i) const {
-    position[i] = position[i] + velocity[i] * dt;
-    velocity[i] += acceleration[i] * dt;
+  HOST_DEVICE void operator()(int k) const {
+    position[k] = position[k] + velocity[k] * dt;
+    velocity[k] += acceleration[k] * dt;
   }
 };
 
@@ -36,8 +36,9 @@ class ExplicitEuler {
     acceleration_.resize(state.count());
     forces.at(state, dt, true, acceleration_.span());
     state.exec().parallel_for(
-        "drift and kick", state.count(),
-        ExplicitEulerStep<V>{dt, acceleration_.span(), state.position.span(), state.velocity.span()});
+        "drift and kick", state.count() * kDimensions<V>,
+        ExplicitEulerStep<Scalar<V>>{dt, components(Span<const V>(acceleration_.span())),
+                                     components(state.position.span()), components(state.velocity.span())});
     state.moved();
   }
 

@@ -16,21 +16,21 @@
 namespace ballpit {
 
 /// Kernel: Σ += weight·k, then y ← start + reach·k, or after the last stage start + Σ. k is the rate at the present y.
-template <class V>
+template <class Real>
 struct RungeKuttaStage {
   int stage;
-  Scalar<V> reach, weight;  ///< [s]
-  Span<const V> start_position, start_velocity, acceleration;
-  Span<V> position, velocity, moved, kicked;
+  Real reach, weight;  ///< [s]
+  Span<const Real> start_position, start_velocity, acceleration;
+  Span<Real> position, velocity, moved, kicked;
 
-  HOST_DEVICE void operator()(int i) const {
-    const V v = velocity[i], a = acceleration[i];
-    const V sum = stage == 0 ? v * weight : moved[i] + v * weight;
-    const V change = stage == 0 ? a * weight : kicked[i] + a * weight;
-    moved[i] = sum;
-    kicked[i] = change;
-    position[i] = start_position[i] + (stage < 3 ? v * reach : sum);
-    velocity[i] = start_velocity[i] + (stage < 3 ? a * reach : change);
+  HOST_DEVICE void operator()(int k) const {
+    const Real v = velocity[k], a = acceleration[k];
+    const Real sum = stage == 0 ? v * weight : moved[k] + v * weight;
+    const Real change = stage == 0 ? a * weight : kicked[k] + a * weight;
+    moved[k] = sum;
+    kicked[k] = change;
+    position[k] = start_position[k] + (stage < 3 ? v * reach : sum);
+    velocity[k] = start_velocity[k] + (stage < 3 ? a * reach : change);
   }
 };
 
@@ -52,10 +52,11 @@ class RungeKutta4 {
     for (int stage = 0; stage < 4; ++stage) {
       const Real weight = kWeight[stage] / 6 * dt;
       forces.at(state, weight, stage == 0, acceleration_.span());
-      exec.parallel_for("stage", n,
-                        RungeKuttaStage<V>{stage, kReach[stage] * dt, weight, start_position_.span(),
-                                           start_velocity_.span(), acceleration_.span(), state.position.span(),
-                                           state.velocity.span(), moved_.span(), kicked_.span()});
+      exec.parallel_for(
+          "stage", n * kDimensions<V>,
+          RungeKuttaStage<Real>{stage, kReach[stage] * dt, weight, of(start_position_), of(start_velocity_),
+                                of(acceleration_), components(state.position.span()), components(state.velocity.span()),
+                                components(moved_.span()), components(kicked_.span())});
       state.moved();
     }
   }
@@ -65,6 +66,8 @@ class RungeKutta4 {
   }
 
  private:
+  static Span<const Real> of(const Buffer& values) { return components(values.span()); }
+
   Buffer acceleration_, start_position_, start_velocity_, moved_, kicked_;
 };
 

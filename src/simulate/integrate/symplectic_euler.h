@@ -24,32 +24,32 @@ struct Kick {
   HOST_DEVICE void operator()(int i) const { out[i] = velocity[i] + change; }
 };
 
-/// Kernel: position += dt · velocity + correction.
-template <class V>
+/// Kernel: one component's position += dt · velocity + correction.
+template <class Real>
 struct Drift {
-  Scalar<V> dt;  ///< [s]
-  Span<const V> velocity;
-  Span<const V> correction;  ///< [m] empty where the response needs none
-  Span<V> position;
+  Real dt;  ///< [s]
+  Span<const Real> velocity;
+  Span<const Real> correction;  ///< [m] empty where the response needs none
+  Span<Real> position;
 
-  HOST_DEVICE void operator()(int i) const {
-    V moved = position[i] + velocity[i] * dt;
-    if (!correction.empty()) moved += correction[i];
-    position[i] = moved;
+  HOST_DEVICE void operator()(int k) const {
+    Real moved = position[k] + velocity[k] * dt;
+    if (!correction.empty()) moved += correction[k];
+    position[k] = moved;
   }
 };
 
-/// Kernel: kick and drift of body i by its own acceleration.
-template <class V>
+/// Kernel: kick and drift of one component by its own acceleration.
+template <class Real>
 struct SymplecticEulerStep {
-  Scalar<V> dt;
-  Span<const V> acceleration;
-  Span<V> position, velocity;
+  Real dt;
+  Span<const Real> acceleration;
+  Span<Real> position, velocity;
 
-  HOST_DEVICE void operator()(int i) const {
-    const V v = velocity[i] + acceleration[i] * dt;
-    velocity[i] = v;
-    position[i] = position[i] + v * dt;
+  HOST_DEVICE void operator()(int k) const {
+    const Real v = velocity[k] + acceleration[k] * dt;
+    velocity[k] = v;
+    position[k] = position[k] + v * dt;
   }
 };
 
@@ -63,8 +63,9 @@ class SymplecticEuler {
     acceleration_.resize(state.count());
     forces.at(state, dt, true, acceleration_.span());
     state.exec().parallel_for(
-        "kick and drift", state.count(),
-        SymplecticEulerStep<V>{dt, acceleration_.span(), state.position.span(), state.velocity.span()});
+        "kick and drift", state.count() * kDimensions<V>,
+        SymplecticEulerStep<Scalar<V>>{dt, components(Span<const V>(acceleration_.span())),
+                                       components(state.position.span()), components(state.velocity.span())});
     state.moved();
   }
 

@@ -17,28 +17,28 @@
 
 namespace ballpit {
 
-/// Kernel: the first half kick and the drift of body i.
-template <class V>
+/// Kernel: the first half kick and the drift of one component.
+template <class Real>
 struct HalfKickAndDrift {
-  Scalar<V> dt;
-  Span<const V> acceleration;
-  Span<V> position, velocity;
+  Real dt;
+  Span<const Real> acceleration;
+  Span<Real> position, velocity;
 
-  HOST_DEVICE void operator()(int i) const {
-    const V v = velocity[i] + acceleration[i] * (dt / 2);
-    velocity[i] = v;
-    position[i] = position[i] + v * dt;
+  HOST_DEVICE void operator()(int k) const {
+    const Real v = velocity[k] + acceleration[k] * (dt / 2);
+    velocity[k] = v;
+    position[k] = position[k] + v * dt;
   }
 };
 
 /// Kernel: the second half kick.
-template <class V>
+template <class Real>
 struct HalfKick {
-  Scalar<V> dt;
-  Span<const V> acceleration;
-  Span<V> velocity;
+  Real dt;
+  Span<const Real> acceleration;
+  Span<Real> velocity;
 
-  HOST_DEVICE void operator()(int i) const { velocity[i] += acceleration[i] * (dt / 2); }
+  HOST_DEVICE void operator()(int k) const { velocity[k] += acceleration[k] * (dt / 2); }
 };
 
 template <class V, class Exec>
@@ -56,11 +56,14 @@ class VelocityVerlet {
       acceleration_.resize(n);
       forces.at(state, half, false, acceleration_.span());
     }
-    exec.parallel_for("half kick and drift", n,
-                      HalfKickAndDrift<V>{dt, acceleration_.span(), state.position.span(), state.velocity.span()});
+    const Span<const V> acceleration = acceleration_.span();
+    exec.parallel_for("half kick and drift", n * kDimensions<V>,
+                      HalfKickAndDrift<Scalar<V>>{dt, components(acceleration), components(state.position.span()),
+                                                  components(state.velocity.span())});
     state.moved();
     forces.at(state, forces.depend_on_velocity() ? half : dt, true, acceleration_.span());
-    exec.parallel_for("half kick", n, HalfKick<V>{dt, acceleration_.span(), state.velocity.span()});
+    exec.parallel_for("half kick", n * kDimensions<V>,
+                      HalfKick<Scalar<V>>{dt, components(acceleration), components(state.velocity.span())});
   }
 
   /// Calls rearrange(values) for what is kept for each body.
