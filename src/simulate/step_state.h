@@ -84,6 +84,8 @@ class StepState {
     exec_->parallel_for("grow radii", grown_.size(), AddMargin<Real>{radius_.span(), margin_, grown_.span()});
     BodiesView<V> grown = bodies();
     grown.radius = per_body(grown_);
+    if (is_list_without_margin_) detector_.discard();
+    is_list_without_margin_ = false;
     detector_.find(*exec_, grown);
     is_detected_ = false;
     list_.build(*exec_, detector_.pairs(), detector_.first(), bodies(), box_);
@@ -170,8 +172,10 @@ class StepState {
 
   void detect() {
     if (is_detected_) return;
+    const int64_t searches = detector_.searches();
     detector_.find(*exec_, bodies());
     is_detected_ = true;
+    is_list_without_margin_ |= detector_.searches() > searches;
   }
 
   std::unique_ptr<Exec> exec_;
@@ -186,6 +190,7 @@ class StepState {
   Buffer<Real> radius_, inverse_mass_, scalar_spare_, grown_;
   Buffer<V> spare_;  // for sorting
   bool is_detected_ = false;
+  bool is_list_without_margin_ = false;  // made by detect(): it lacks what near_contacts() asks for
 };
 
 }  // namespace ballpit
