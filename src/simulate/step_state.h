@@ -109,6 +109,8 @@ class StepState {
     exec_->parallel_for("grow radii", grown_.size(), AddMargin<Real>{radius_.span(), margin_, grown_.span()});
     BodiesView<V> grown = bodies();
     grown.radius = per_body(grown_);
+    if (is_list_without_margin_) detector_.discard();
+    is_list_without_margin_ = false;
     detector_.find(*exec_, grown);
     is_detected_ = false;
     list_.build(*exec_, detector_.pairs(), detector_.first(), bodies(), box_);
@@ -199,9 +201,11 @@ class StepState {
 
   void detect() {
     if (is_detected_) return;
+    const int64_t searches = detector_.searches();
     detector_.find(*exec_, bodies());
     is_detected_ = true;
     has_near_pairs_ = false;  // where there is no candidate list, these were its memory
+    is_list_without_margin_ |= detector_.searches() > searches;
   }
 
   std::unique_ptr<Exec> exec_;
@@ -219,6 +223,7 @@ class StepState {
   NearPairs near_pairs_;
   int64_t linked_version_ = -1;
   bool is_detected_ = false, has_near_pairs_ = false;
+  bool is_list_without_margin_ = false;  // made by detect(): it lacks what near_contacts() asks for
 };
 
 }  // namespace ballpit

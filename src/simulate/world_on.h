@@ -45,7 +45,7 @@ class WorldOn final : public World {
       : dt_(settings.dt),
         substeps_(settings.substeps),
         state_(std::move(exec), scene, settings, margin_of(scene, settings)),
-        motion_(make_motion(scene.physics, settings)),
+        motion_(make_motion(scene, settings)),
         tally_(settings.keeps_tally),
         guard_(settings.max_overlap, settings.max_energy) {}
 
@@ -119,13 +119,14 @@ class WorldOn final : public World {
     return 0.01 * *std::max_element(radius.begin(), radius.end()) + length(scene.physics.gravity) * h * h;
   }
 
-  static Motion make_motion(const Physics& physics, const Settings& settings) {
+  static Motion make_motion(const Scene& scene, const Settings& settings) {
+    const Physics& physics = scene.physics;
     if (settings.response == "kinematic") {
       return VelocityMotion<V, Exec, KinematicResponse<V, Exec>>(
           KinematicResponse<V, Exec>(physics.restitution, physics.wall_restitution), settings.is_swept);
     }
     if (settings.response == "position-based") return PositionMotion<V, Exec>(position_parameters(physics, settings));
-    if (settings.response == "penalty") return make_force_motion(penalty_law(physics, settings), settings);
+    if (settings.response == "penalty") return make_force_motion(penalty_law(scene, settings), settings);
     return VelocityMotion<V, Exec, ImpulseResponse<V, Exec>>(
         ImpulseResponse<V, Exec>(impulse_parameters(physics, settings)), settings.is_swept);
   }
@@ -159,11 +160,13 @@ class WorldOn final : public World {
             settings.iterations.value_or(1)};
   }
 
-  static PenaltyLaw<Real> penalty_law(const Physics& physics, const Settings& settings) {
-    const bool ends_with_force = settings.contact_end == "force";
+  static PenaltyLaw<Real> penalty_law(const Scene& scene, const Settings& settings) {
+    const Physics& physics = scene.physics;
+    const bool ends_with_force = settings.contact_end == "force",
+               has_walls = scene.domain.boundary != Boundary::periodic;
     return {static_cast<Real>(physics.stiffness),
             static_cast<Real>(damping_of(physics.restitution, ends_with_force)),
-            static_cast<Real>(damping_of(physics.wall_restitution, ends_with_force)),
+            has_walls ? static_cast<Real>(damping_of(physics.wall_restitution, ends_with_force)) : Real(0),
             static_cast<Real>(physics.shear),
             physics.law == "hertz",
             ends_with_force};

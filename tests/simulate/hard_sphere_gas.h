@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "core/random.h"
 #include "tests/simulate/scenes.h"
@@ -32,6 +34,36 @@ inline Scene make_lattice_gas(int cells, double rho, uint64_t seed) {
   for (Vec3d& v : scene.bodies.velocity) squared += dot(v -= mean, v);
   for (Vec3d& v : scene.bodies.velocity) v *= std::sqrt(3.0 * double(scene.bodies.size() - 1) / squared);
   return scene;
+}
+
+/// Settings of exact motion.
+inline Settings event_driven_gas(double dt) {
+  Settings settings;
+  settings.response = "event-driven";
+  settings.dt = dt;
+  settings.contact_duration = 0;
+  return settings;
+}
+
+/// The lattice gas after 25 collisions per sphere and more: molten, its speeds those of Maxwell.
+inline Scene melted_gas(int cells, double rho, uint64_t seed) {
+  Scene scene = make_lattice_gas(cells, rho, seed);
+  const auto world = make_cpu_world(scene, event_driven_gas(rho < 0.2 ? 40.0 : 6.0));
+  world->step();
+  scene.bodies = world->bodies();
+  return scene;
+}
+
+struct Mean {
+  double value = 0, error = 0;  ///< error: the standard error of the mean
+};
+
+inline Mean mean_of(const std::vector<double>& blocks) {
+  const double n = double(blocks.size());
+  const double mean = std::accumulate(blocks.begin(), blocks.end(), 0.0) / n;
+  double squared = 0;
+  for (const double b : blocks) squared += (b - mean) * (b - mean);
+  return {mean, std::sqrt(squared / (n * (n - 1)))};
 }
 
 }  // namespace ballpit

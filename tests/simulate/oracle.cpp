@@ -16,31 +16,36 @@ namespace {
 
 bool comes_before(const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
 
-}  // namespace
-
-std::vector<Pair> pairs_by_definition(const Scene& scene) {
+template <class Real>
+std::vector<Pair> pairs_in(const Scene& scene) {
   const bool is_periodic = scene.domain.boundary == Boundary::periodic;
   const size_t n = scene.bodies.position.size();
-  std::vector<Vec3> position;
+  std::vector<glm::vec<3, Real>> position;
   for (const Vec3d& p : scene.bodies.position) position.emplace_back(p);
-  const std::vector<float> radius(scene.bodies.radius.begin(), scene.bodies.radius.end());
-  float period[3];
-  for (int axis = 0; axis < 3; ++axis) period[axis] = float(scene.domain.max[axis]) - float(scene.domain.min[axis]);
+  const std::vector<Real> radius(scene.bodies.radius.begin(), scene.bodies.radius.end());
+  Real period[3];
+  for (int axis = 0; axis < 3; ++axis) period[axis] = Real(scene.domain.max[axis]) - Real(scene.domain.min[axis]);
   std::vector<Pair> pairs;
   for (size_t i = 0; i < n; ++i) {
     for (size_t j = i + 1; j < n; ++j) {
-      float squared = 0.0f;
+      Real squared = 0;
       for (int axis = 0; axis < scene.domain.dimensions; ++axis) {
-        float d = position[j][axis] - position[i][axis];
+        Real d = position[j][axis] - position[i][axis];
         if (is_periodic) d -= period[axis] * std::round(d / period[axis]);
         squared += d * d;
       }
-      const float radii = radius[i] + radius[j];
+      const Real radii = radius[i] + radius[j];
       if (squared <= radii * radii) pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
     }
   }
   return pairs;
 }
+
+}  // namespace
+
+std::vector<Pair> pairs_by_definition(const Scene& scene) { return pairs_in<float>(scene); }
+
+std::vector<Pair> pairs_by_definition_in_double(const Scene& scene) { return pairs_in<double>(scene); }
 
 std::vector<Pair> pairs_by_sweep(const Spheres& spheres) {
   std::vector<Pair> pairs;

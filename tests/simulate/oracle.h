@@ -15,6 +15,9 @@ namespace ballpit {
 /// All pairs of a scene, tested in the simulation's own precision, one by one: O(n²).
 std::vector<Pair> pairs_by_definition(const Scene& scene);
 
+/// The same for a simulation in double precision.
+std::vector<Pair> pairs_by_definition_in_double(const Scene& scene);
+
 /// All pairs of a family's spheres, tested in double precision: by a sort along the longest axis and a sweep. Exact
 /// where no pair is nearer to touching than float can tell, as in the families.
 std::vector<Pair> pairs_by_sweep(const Spheres& spheres);

@@ -4,8 +4,6 @@
 // Means come with a standard error from averages over blocks, each many collisions long, so that blocks are as good as
 // independent; a test allows three of them, and the numbers below are fixed by the seeds.
 #include <cmath>
-#include <functional>
-#include <numeric>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -17,35 +15,6 @@ using namespace ballpit;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-Settings event_driven(double dt) {
-  Settings settings;
-  settings.response = "event-driven";
-  settings.dt = dt;
-  settings.contact_duration = 0;
-  return settings;
-}
-
-struct Mean {
-  double value = 0, error = 0;  ///< error: the standard error of the mean
-};
-
-Mean mean_of(const std::vector<double>& blocks) {
-  const double n = double(blocks.size());
-  const double mean = std::accumulate(blocks.begin(), blocks.end(), 0.0) / n;
-  double squared = 0;
-  for (const double b : blocks) squared += (b - mean) * (b - mean);
-  return {mean, std::sqrt(squared / (n * (n - 1)))};
-}
-
-/// The lattice gas after 25 collisions per sphere and more: molten, its speeds those of Maxwell.
-Scene melted_gas(int cells, double rho, uint64_t seed) {
-  Scene scene = make_lattice_gas(cells, rho, seed);
-  const auto world = make_cpu_world(scene, event_driven(rho < 0.2 ? 40.0 : 6.0));
-  world->step();
-  scene.bodies = world->bodies();
-  return scene;
-}
 
 /// Z of hard spheres at the density rho, to 4e-5 for rho in 0.2 to 1.03: a fit to the data of Kolafa, Labík, Malijevský
 /// (2004), doi 10.1039/b402792b, in x = η/(1 − η).
@@ -82,7 +51,7 @@ TEST_CASE("event-driven: pressure and collision rate of hard spheres are those o
   const double count = double(scene.bodies.size());
   const double z = reference_z(point.rho) + point.size_effect / count, rate = reference_rate(z, count);
   const double block = 40 / rate;  // 40 collisions per sphere
-  const auto world = make_cpu_world(scene, event_driven(block));
+  const auto world = make_cpu_world(scene, event_driven_gas(block));
   std::vector<double> zs, rates;
   Tally last;
   for (int k = 0; k < 100; ++k) {
@@ -104,7 +73,7 @@ TEST_CASE("event-driven: equal speeds become those of Maxwell, with the fourth m
   // ⟨v⁴⟩/⟨v²⟩² = (5/3)·g/(g + 2) for g = 3(N − 1) degrees of freedom that share a constant energy: 1.6316 for N = 32.
   Scene scene = make_lattice_gas(2, 0.5, 4);
   const double g = 3 * (double(scene.bodies.size()) - 1), expected = 5.0 / 3 * g / (g + 2);
-  const auto world = make_cpu_world(scene, event_driven(2.0));  // 15 collisions per sphere
+  const auto world = make_cpu_world(scene, event_driven_gas(2.0));  // 15 collisions per sphere
   std::vector<double> blocks;
   for (int k = 0; k < 40; ++k) {
     double fourth = 0, second = 0;
@@ -135,7 +104,7 @@ TEST_CASE("event-driven: a gas that loses energy cools by Haff's law") {
     const double count = double(scene.bodies.size());
     tau = 6 / ((1 - e * e) * reference_rate(reference_z(rho), count));
     scene.physics.restitution = e;
-    const auto world = make_cpu_world(scene, event_driven(tau));
+    const auto world = make_cpu_world(scene, event_driven_gas(tau));
     const double energy = world->report().kinetic_energy;
     world->step();
     early.push_back(world->report().kinetic_energy / energy);
@@ -162,7 +131,7 @@ TEST_CASE("event-driven: the mean force on the floor is N·m·g") {
                random.uniform(Vec3d(-3.0), Vec3d(3.0)), 0.5, 1.5);
   }
   const double weight = 64 * 1.5 * 2, time = 400;
-  const auto world = make_cpu_world(scene, event_driven(time));
+  const auto world = make_cpu_world(scene, event_driven_gas(time));
   const Report start = world->report();
   world->step();
   const Report end = world->report();
@@ -183,7 +152,7 @@ TEST_CASE("event-driven: in a mixture with total momentum zero, energies are as 
     momentum += scene.bodies.mass[i] * scene.bodies.velocity[i];
   }
   for (Vec3d& v : scene.bodies.velocity) v -= momentum / 62.0;
-  const auto world = make_cpu_world(scene, event_driven(1.0));
+  const auto world = make_cpu_world(scene, event_driven_gas(1.0));
   world->step();
   std::vector<double> blocks;  // the heavy sphere's part of the energy
   for (int k = 0; k < 50; ++k) {
