@@ -89,12 +89,14 @@ Physics read_physics(const toml::table& table, const std::string& file, int dime
 }
 
 Needs read_needs(const toml::table& table, const std::string& file) {
-  constexpr std::string_view kKeys[] = {"duration", "max_overlap", "energy_tolerance", "max_speed"};
+  constexpr std::string_view kKeys[] = {"duration", "max_overlap", "energy_tolerance", "momentum_tolerance",
+                                        "max_speed"};
   const TableReader reader(table, file, "[needs]", kKeys);
   Needs needs;
   set_if(needs.duration, reader.number("duration", kNotNegative));
   needs.max_overlap = reader.number("max_overlap", kNotNegative);
   needs.energy_tolerance = reader.number("energy_tolerance", kNotNegative);
+  needs.momentum_tolerance = reader.number("momentum_tolerance", kNotNegative);
   needs.max_speed = reader.number("max_speed", kNotNegative);
   return needs;
 }
