@@ -52,6 +52,7 @@ Json summarize(Session& session) {
                   {"bytes", report.detection_bytes},
                   {"kinetic_energy", report.kinetic_energy},
                   {"potential_energy", report.potential_energy},
+                  {"elastic_energy", report.elastic_energy},
                   {"momentum", {report.momentum.x, report.momentum.y, report.momentum.z}},
                   {"max_overlap", report.max_overlap},
                   {"state_hash", hexadecimal(report.state_hash)},
@@ -82,7 +83,9 @@ std::string describe(const Json& summary) {
   text << "\n";
   line("contacts") << summary["contacts"] << " among " << summary["candidates"] << " candidates\n";
   line("detection") << summary["searches"] << " searches, " << number("bytes") / 1e6 << " MB\n";
-  line("energy") << number("kinetic_energy") << " J kinetic, " << number("potential_energy") << " J potential\n";
+  line("energy") << number("kinetic_energy") << " J kinetic, " << number("potential_energy") << " J potential";
+  if (number("elastic_energy") > 0) text << ", " << number("elastic_energy") << " J elastic";
+  text << "\n";
   const Json& momentum = summary["momentum"];
   line("momentum") << momentum[0].get<double>() << ", " << momentum[1].get<double>() << ", "
                    << momentum[2].get<double>() << " kg·m/s\n";
