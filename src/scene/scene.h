@@ -71,9 +71,9 @@ struct DefaultOption {
 
 /// What the scene must show; the end check of every built-in scene, run as a test.
 struct Needs {
-  double duration = 10.0;                    ///< [s]
-  std::optional<double> max_overlap;         ///< largest overlap allowed at the end, as a fraction of the smaller radius
-  std::optional<double> energy_tolerance;    ///< largest allowed |E − E₀| / E₀
+  double duration = 10.0;                  ///< [s]
+  std::optional<double> max_overlap;       ///< largest overlap allowed at the end, as a fraction of the smaller radius
+  std::optional<double> energy_tolerance;  ///< largest allowed |E − E₀| / E₀
   std::optional<double> momentum_tolerance;  ///< largest allowed |P − P₀| / Σ m·|v₀|
   std::optional<double> max_speed;           ///< [m/s] largest RMS speed allowed at the end
 };

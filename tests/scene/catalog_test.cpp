@@ -47,7 +47,9 @@ TEST_CASE("every built-in scene loads and says where it starts and what it needs
   }
 }
 
-TEST_CASE("in every built-in scene without swept contacts a free fall through the whole domain moves less than a radius a step") {
+TEST_CASE(
+    "in every built-in scene without swept contacts a free fall through the whole domain moves less than a radius a "
+    "step") {
   for (const SceneInfo& info : built_in_scenes()) {
     CAPTURE(info.name);
     const Scene scene = load_scene(info.name);

@@ -4,7 +4,7 @@
 //     k₁ = f(y)   k₂ = f(y + dt/2·k₁)   k₃ = f(y + dt/2·k₂)   k₄ = f(y + dt·k₃)       y = (x, v), f = (v, a)
 //     y ← y + dt/6 · (k₁ + 2k₂ + 2k₃ + k₄)
 //
-// Fourth order where forces are smooth; contacts are not, so it earns little (docs/model.md). Stable for springs while ω·dt < 2.83; loses
+// Fourth order where forces are smooth; contacts are not, so it earns little (docs/responses.md). Stable for springs while ω·dt < 2.83; loses
 // energy slowly. Contacts are found four times a step. Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations
 // I" (1993), section II.1. Its siblings: explicit_euler.h, symplectic_euler.h, velocity_verlet.h.
 #pragma once
