@@ -233,6 +233,35 @@ TEST_CASE("more steps than can be counted are refused, in place of none being ma
   CHECK(std::filesystem::is_empty(scratch.path()));
 }
 
+TEST_CASE("an option that does not go with the response is refused with those that do, in one line") {
+  const auto refusal = [](const char* response, const char* option, const char* value, const std::string& message) {
+    return Wrong{{"simulate", "two-spheres", "--time", "0", "--response", response, option, value},
+                 option + (": found " + (value + (", allowed " + message))) + "\n"};
+  };
+  check_all({
+      refusal("impulse", "--integrator", "rk4", "symplectic-euler with --response impulse"),
+      refusal("kinematic", "--integrator", "velocity-verlet", "symplectic-euler with --response kinematic"),
+      refusal("position-based", "--integrator", "velocity-verlet", "symplectic-euler with --response position-based"),
+      refusal("penalty", "--integrator", "exact",
+              "velocity-verlet, symplectic-euler, explicit-euler, rk4 with --response penalty"),
+      refusal("event-driven", "--integrator", "velocity-verlet", "exact with --response event-driven"),
+      refusal("event-driven", "--backend", "cuda", "auto, cpu with --response event-driven"),
+      refusal("event-driven", "--precision", "float", "double with --response event-driven"),
+      refusal("penalty", "--iterations", "5", "with --response impulse, position-based, not penalty"),
+      refusal("kinematic", "--iterations", "5", "with --response impulse, position-based, not kinematic"),
+      refusal("penalty", "--solver", "jacobi", "with --response impulse, position-based, not penalty"),
+      refusal("impulse", "--contact-end", "force", "with --response penalty, not impulse"),
+      refusal("impulse", "--compliance", "1e-4", "with --response position-based, not impulse"),
+      refusal("position-based", "--correction", "none", "with --response impulse, not position-based"),
+      refusal("impulse", "--contact-duration", "1e-6", "with --response event-driven, not impulse"),
+      refusal("penalty", "--swept", "on", "with --response kinematic, impulse, not penalty"),
+      refusal("event-driven", "--swept", "on", "with --response kinematic, impulse, not event-driven"),
+  });
+  // Against the response that the scene presets, and by render as well.
+  CHECK_THAT(error_of({"simulate", "two-spheres", "--integrator", "rk4"}), Contains("with --response impulse"));
+  CHECK_THAT(error_of(with(valid("render"), {"--contact-end", "force"})), Contains("--contact-end: found force"));
+}
+
 TEST_CASE("a backend without a device is refused with the reason") {
   const std::string reason = cuda_backend().unavailable_reason;
   if (reason.empty()) {

@@ -75,6 +75,46 @@ TEST_CASE("options that a scene presets are checked as on the command line, with
   });
 }
 
+TEST_CASE("a preset that does not go with the scene's own response is an error that names file and line") {
+  check_all({
+      {"[defaults]\nresponse = 'impulse'\nintegrator = 'rk4'",
+       "3: [defaults] integrator: found rk4, allowed symplectic-euler with --response impulse\n"},
+      {"[defaults]\niterations = 5\n\nresponse = 'penalty'",
+       "2: [defaults] iterations: found 5, allowed with --response impulse, position-based, not penalty\n"},
+      {"[defaults]\ncontact-end = 'force'",
+       "2: [defaults] contact-end: found force, allowed with --response penalty, not impulse\n"},
+      {"[defaults]\nresponse = 'event-driven'\nprecision = 'float'",
+       "3: [defaults] precision: found float, allowed double with --response event-driven\n"},
+      // … and one that goes with no response given, where the same response is given again.
+      {"[defaults]\nswept = 'on'\nresponse = 'penalty'",
+       "2: [defaults] swept: found on, allowed with --response kinematic, impulse, not penalty\n",
+       "",
+       {"--response", "penalty"}},
+  });
+}
+
+TEST_CASE("a preset that does not go with the response given is dropped, and one that does is kept") {
+  const Scratch scratch;
+  const std::string scene = scratch / "a.toml";
+  write_text(scene,
+             "[[spheres]]\nposition = [0.5, 0.5, 0.5]\nradius = 0.1\n[defaults]\nresponse = 'penalty'\n"
+             "integrator = 'rk4'\ncontact-end = 'force'\nprecision = 'float'\ndt = 0.001\n");
+  const auto methods_with = [&](const char* response) {
+    const Outcome outcome = run_program({"simulate", scene, "--time", "0.002", "--response", response, "--json"});
+    INFO(response << ": " << outcome.err);
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    CHECK(outcome.json()["dt"] == 0.001);
+    return outcome.json()["methods"];
+  };
+  CHECK(methods_with("penalty")["integrator"] == "rk4");
+  CHECK(methods_with("impulse")["integrator"] == "symplectic-euler");
+  CHECK(methods_with("impulse")["precision"] == "float");
+  CHECK(methods_with("event-driven")["integrator"] == "exact");
+  CHECK(methods_with("event-driven")["precision"] == "double");
+  CHECK(methods_with("event-driven")["backend"] == "cpu");
+}
+
 TEST_CASE("errors in a CSV file reach the user with its name and line") {
   const std::string scene = "spheres = 's.csv'";
   const std::string header = "x,y,z,radius\n";

@@ -127,8 +127,8 @@ Scene crowd(int dimensions, Boundary boundary, const Kind& kind, int side = 0) {
   return scene;
 }
 
-/// Pairs that meet before the bodies are sorted in memory a second time and are not yet apart then, each alone in its cell
-/// of a lattice; every `stride`-th of them. One pair is like no other, and neighbours in space are far apart in memory.
+/// Pairs that meet in steps 20 to 80, about when the bodies are sorted in memory a second time, each alone in its cell of a
+/// lattice; every `stride`-th of them. One pair is like no other, and neighbours in space are far apart in memory.
 Scene pairs_apart(int side, int stride, const Kind& kind) {
   Scene scene;
   scene.domain = {Vec3d(0.0), Vec3d(side), Boundary::walls, 3};
@@ -140,7 +140,7 @@ Scene pairs_apart(int side, int stride, const Kind& kind) {
     const int c = static_cast<int>(int64_t(k) * 977 % count);
     const Vec3d center = Vec3d(c % side, c / side % side, c / side / side) + 0.5, n = random.direction(3);
     const double speed = random.uniform(0.2, 0.5), radius = random.uniform(0.08, 0.1), mass = random.uniform(0.5, 1.5);
-    const double apart = radius + 0.09 + speed * random.uniform(20.0, 60.0) / 480;
+    const double apart = radius + 0.09 + speed * random.uniform(20.0, 80.0) / 480;
     if (k % stride != 0) continue;
     add_sphere(scene, center + 0.5 * apart * n, -0.5 * speed * n, radius, mass);
     add_sphere(scene, center - 0.5 * apart * n, 0.5 * speed * n, 0.09, 1.0);
@@ -283,7 +283,7 @@ TEST_CASE("a world of so many spheres that they are sorted goes on by the same b
 TEST_CASE("a kinematic world started while nothing touches goes on by the same bits") {
   for (const bool is_swept : {false, true}) {
     const Kind kind{.response = "kinematic", .restitution = 1.0, .is_swept = is_swept};
-    Scene scene = pairs_apart(3, 1, kind);  // they meet from step 20 to 60 on
+    Scene scene = pairs_apart(3, 1, kind);  // they meet from step 20 to 80
     const auto first = world_after(scene, 10, kind.settings());
     scene.bodies = first->bodies();
     const auto second = world_after(scene, 0, kind.settings());

@@ -89,10 +89,11 @@ struct Chain {
 
   explicit Chain(int count) {
     Random random(5);
-    std::vector<Vec2d> places;
-    for (int i = 0; i < count; ++i) places.push_back({i + kDisturbed * random.uniform(-1.0, 1.0), 0});
+    const std::vector<Vec2d> still(static_cast<size_t>(count), Vec2d(0.0));
+    std::vector<Vec2d> places = still;
+    for (int i = 0; i < count; ++i) places[static_cast<size_t>(i)].x = i + kDisturbed * random.uniform(-1.0, 1.0);
     executor.upload(position, places);
-    executor.upload(velocity, std::vector<Vec2d>(places.size(), Vec2d(0.0)));
+    executor.upload(velocity, still);
   }
 
   CpuExecutor& exec() { return executor; }
