@@ -50,6 +50,7 @@ struct NearPairs {
   Span<const Pair> pairs;
   Span<const int> first;  ///< where each body's row begins
   int64_t version;        ///< other pairs have another
+  bool are_contacts;      ///< and nothing else
 };
 
 template <class V, class Exec>
@@ -90,10 +91,16 @@ class Detector {
   /// Pairs among which all contacts are, in canonical order: the candidate list while it is good, else the contacts. Those
   /// who test pairs anyway save a pass by it.
   NearPairs near_pairs(Exec& exec, const BodiesView<V>& bodies) {
-    if (has_list(exec, bodies)) return {list_.candidates().pairs, list_.candidates().first, searches_};
+    if (has_list(exec, bodies)) return {list_.candidates().pairs, list_.candidates().first, searches_, false};
     search(exec, bodies, rows_);
-    return {rows_.pairs(), rows_.first(), searches_};
+    return contacts();
   }
+
+  /// What find() found, as near pairs.
+  NearPairs contacts() const { return {rows_.pairs(), rows_.first(), searches_, true}; }
+
+  /// Whether the last contacts or near pairs came from a candidate list.
+  bool has_used_list() const { return is_list_last_; }
 
   /// Forgets the candidate list: the bodies are others now.
   void discard() {

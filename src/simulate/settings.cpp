@@ -74,7 +74,7 @@ constexpr std::array kTable{
     SettingInfo{"iterations", "N", "of impulse (4 unless told) and position-based (1) in a substep",
                 [] { return std::string("1 to 10000"); },
                 [](Settings& s, std::string_view v) { return set_number(v, 1, 10000, s.iterations); }},
-    SettingInfo{"solver", "NAME", "how impulse and position-based iterate", allowed_methods<Family::solver>,
+    SettingInfo{"solver", "NAME", "how impulse iterates", allowed_methods<Family::solver>,
                 set_method<Family::solver, &Settings::solver>},
     SettingInfo{"correction", "NAME",
                 "of overlap by impulse: split into velocity and position, none, or back to the surface",

@@ -18,7 +18,7 @@ struct Settings {
   std::optional<double> skin;       ///< of the candidate list, as a fraction of a radius; empty: see skin_of()
   std::string response = "impulse";
   std::optional<int> iterations;     ///< of impulse and position-based in a substep; empty: the response's own number
-  std::string solver = "auto";       ///< of impulse and position-based
+  std::string solver = "jacobi";     ///< of impulse
   std::string correction = "split";  ///< what impulse does about overlap
   std::string contact_end = "overlap";  ///< when a contact of the penalty response ends
   double compliance = 0;                ///< [m/N] of position-based contacts; 0: rigid

@@ -87,8 +87,11 @@ class StepState {
 
   /// Pairs among which all contacts are, in canonical order, found once for the same positions.
   const NearPairs& near_pairs() {
-    if (!has_near_pairs_) near_pairs_ = detector_.near_pairs(*exec_, bodies());
+    if (has_near_pairs_) return near_pairs_;
+    const bool are_found = is_detected_ && !detector_.has_used_list();
+    near_pairs_ = are_found ? detector_.contacts() : detector_.near_pairs(*exec_, bodies());
     has_near_pairs_ = true;
+    is_detected_ = is_detected_ || near_pairs_.are_contacts;
     return near_pairs_;
   }
 

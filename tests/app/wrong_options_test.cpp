@@ -249,7 +249,7 @@ TEST_CASE("an option that does not go with the response is refused with those th
       refusal("event-driven", "--precision", "float", "double with --response event-driven"),
       refusal("penalty", "--iterations", "5", "with --response impulse, position-based, not penalty"),
       refusal("kinematic", "--iterations", "5", "with --response impulse, position-based, not kinematic"),
-      refusal("penalty", "--solver", "jacobi", "with --response impulse, position-based, not penalty"),
+      refusal("position-based", "--solver", "jacobi", "with --response impulse, not position-based"),
       refusal("impulse", "--contact-end", "force", "with --response penalty, not impulse"),
       refusal("impulse", "--compliance", "1e-4", "with --response position-based, not impulse"),
       refusal("position-based", "--correction", "none", "with --response impulse, not position-based"),

@@ -67,7 +67,7 @@ void check_hashes(const Scene& scene, int steps) {
 struct Kind {
   std::string response;
   std::string integrator = "auto";
-  std::string solver = "auto";
+  std::string solver = "jacobi";
   double restitution = 0.7;
   bool is_swept = false;
   std::string precision = "float";
