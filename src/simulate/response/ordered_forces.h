@@ -7,7 +7,7 @@
 //     force   f     f     0     f          four forces; 0 where a pair does not touch
 //     sum[i] −= f, sum[j] += f             pair after pair
 //
-// Measured on a dense bed of 10 000 spheres: see docs/benchmarks.md.
+// Measured on a dense bed of 10 000 spheres, velocity Verlet: 71 ns a sphere and step in place of 186 (docs/benchmarks.md).
 #pragma once
 
 #include <type_traits>
