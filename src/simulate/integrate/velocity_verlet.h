@@ -7,7 +7,7 @@
 //
 // Second order, symplectic, stable for springs while ω·dt < 2; where a dashpot makes the force jump at the begin of a contact, of
 // first order alone. The first forces are evaluated with the present velocities, not taken from the step before, so a state is
-// positions and velocities and nothing else: saved, it goes on by the same bits. Where forces do not depend on
+// positions and velocities and nothing else: saved, it goes on by the same bits (docs/model.md tells where bodies are sorted). Where forces do not depend on
 // velocities, both are the same, and evaluated once. Cost: one search for contacts; one evaluation of the forces, or two.
 // Source: Swope, Andersen, Berens, Wilson (1982), doi 10.1063/1.442716. Its siblings: explicit_euler.h,
 // symplectic_euler.h, rk4.h.
