@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ballpit simulate: no pictures; the the final state, observables, a trajectory, and a summary.
+// ballpit simulate: no pictures; the final state, observables, a trajectory, and a summary.
 #include <iostream>
 #include <optional>
 #include <sstream>

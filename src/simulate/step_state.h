@@ -40,7 +40,6 @@ struct AddMargin {
 template <class V, class Exec>
 class StepState {
  public:
-  using Vector = V;
   using Real = Scalar<V>;
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
