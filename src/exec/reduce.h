@@ -5,7 +5,7 @@
 //     values   0 1 2 … 63 | 64 … 127 | …      each block of 64 combined from left to right, by one thread
 //     partial  0            1          …      and again, until one is left
 //
-// Cost: n combinations, log₆₄ n launches.
+// Cost: n combinations, log₆₄ n launches. Whether something holds for any index needs no order, and one launch: any().
 #pragma once
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 
 #include "core/host_device.h"
 #include "core/span.h"
+#include "exec/atomics.h"
 
 namespace ballpit {
 
@@ -68,6 +69,27 @@ T reduce(Exec& exec, const char* name, int64_t n, T identity, Map map, Combine c
     std::swap(current, next);
   }
   return exec.download(current)[0];
+}
+
+/// Kernel: raises the flag if predicate(i).
+template <class Predicate>
+struct RaiseFlag {
+  Predicate predicate;
+  Span<int> flag;
+
+  HOST_DEVICE void operator()(int i) const {
+    if (predicate(i)) atomic_exchange(&flag[0], 1);
+  }
+};
+
+/// Whether predicate(i) for any i in 0 … n−1. Uses scratch memory, as reduce() does.
+template <class Exec, class Predicate>
+bool any(Exec& exec, const char* name, int64_t n, const Predicate& predicate) {
+  if (n == 0) return false;
+  const Span<int> flag = exec.template scratch<int>(0, 1);
+  exec.fill("lower flag", flag, 0);
+  exec.parallel_for(name, n, RaiseFlag<Predicate>{predicate, flag});
+  return exec.download(flag)[0] != 0;
 }
 
 }  // namespace ballpit

@@ -99,6 +99,15 @@ class Detector {
   /// What find() found, as near pairs.
   NearPairs contacts() const { return {rows_.pairs(), rows_.first(), searches_, true}; }
 
+  /// To be called by whoever has moved the bodies, before anything is found among them.
+  void moved() { list_.moved(); }
+
+  /// Whether the candidate list shows that all bodies are inside the domain and finite, so that nobody else need look. The
+  /// next to ask for contacts has the list checked already.
+  bool shows_all_inside(Exec& exec, const BodiesView<V>& bodies) {
+    return list_.is_used() && pause_ == 0 && list_.shows_all_inside() && list_.is_valid(exec, bodies, box_);
+  }
+
   /// Whether the last contacts or near pairs came from a candidate list.
   bool has_used_list() const { return is_list_last_; }
 
@@ -156,7 +165,7 @@ class Detector {
         return false;
       }
       search(exec, list_.grown(exec, bodies), list_.rows());
-      list_.start(exec, bodies);
+      list_.start(exec, bodies, box_);
       list_uses_ = 0;
     }
     ++list_uses_;

@@ -55,7 +55,7 @@ void measure_motion(Exec& exec, const BodiesView<V>& bodies, const V& gravity, R
   report.momentum = {motion.px, motion.py, motion.pz};
 }
 
-/// Map: how much pair k overlaps, as a fraction of the smaller radius.
+/// Map: how much pair k overlaps, as a fraction of the smaller radius; −1 where they do not touch.
 template <class V>
 struct PairOverlap {
   BodiesView<V> bodies;
@@ -65,6 +65,7 @@ struct PairOverlap {
   HOST_DEVICE double operator()(int k) const {
     const Pair pair = pairs[k];
     const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
+    if (!in_contact(d, bodies.radius[pair.i] + bodies.radius[pair.j])) return -1;
     const double ri = double(bodies.radius[pair.i]), rj = double(bodies.radius[pair.j]);
     return (ri + rj - std::sqrt(double(dot(d, d)))) / (ri < rj ? ri : rj);
   }
@@ -94,13 +95,13 @@ double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& bo
   return spheres < walls ? walls : spheres;
 }
 
-/// Map: 1 for a body that is outside the domain or not finite.
+/// Predicate: body i is outside the domain or not finite.
 template <class V>
 struct IsOutside {
   BodiesView<V> bodies;
   Box<V> box;
 
-  HOST_DEVICE int64_t operator()(int i) const {
+  HOST_DEVICE bool operator()(int i) const {
     const V v = bodies.velocity[i];
     return !(box.holds(bodies.position[i]) & (dot(v, v) < Scalar<V>(1e30)));  // false for NaN
   }
@@ -113,7 +114,7 @@ struct IdIfOutside {
   Span<const int> id_at;
 
   HOST_DEVICE int64_t operator()(int i) const {
-    if (IsOutside<V>{bodies, box}(i) == 0) return bodies.size();
+    if (!IsOutside<V>{bodies, box}(i)) return bodies.size();
     return id_at.empty() ? i : id_at[i];
   }
 };
@@ -122,10 +123,8 @@ struct IdIfOutside {
 template <class V, class Exec>
 int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const int> id_at) {
   const int64_t n = bodies.size();
-  if (reduce(exec, "check bodies", n, int64_t{0}, IsOutside<V>{bodies, box}, Sum{}) == 0) return -1;
-  const int64_t first =
-      reduce(exec, "find body", bodies.size(), bodies.size(), IdIfOutside<V>{bodies, box, id_at}, Smallest{});
-  return first < bodies.size() ? first : -1;
+  if (!any(exec, "check bodies", n, IsOutside<V>{bodies, box})) return -1;
+  return reduce(exec, "find body", n, n, IdIfOutside<V>{bodies, box, id_at}, Smallest{});
 }
 
 /// FNV-1a over the 32-bit words of positions and velocities (Fowler, Noll, Vo).

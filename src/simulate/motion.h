@@ -88,7 +88,7 @@ class ForceMotion {
   }
 
   double elastic_energy(StepState<V, Exec>& state) const {
-    return response_.elastic_energy(state.exec(), state.bodies(), state.box(), state.contacts());
+    return response_.elastic_energy(state.exec(), state.bodies(), state.box(), state.pairs());
   }
 
   template <class Rearrange>

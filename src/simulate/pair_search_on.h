@@ -71,6 +71,7 @@ class SearchOn {
 
   void find(Exec& exec, const SphereArrays& spheres) {
     upload_positions(exec, spheres);
+    detector_.moved();
     if (order_.size() == 0) {
       detector_.find(exec, bodies());
       return;

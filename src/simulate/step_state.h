@@ -88,7 +88,9 @@ class StepState {
   const NearPairs& near_pairs() {
     if (has_near_pairs_) return near_pairs_;
     const bool are_found = is_detected_ && !detector_.has_used_list();
+    const int64_t searches = detector_.searches();
     near_pairs_ = are_found ? detector_.contacts() : detector_.near_pairs(*exec_, bodies());
+    is_list_without_margin_ |= detector_.searches() > searches;
     has_near_pairs_ = true;
     is_detected_ = is_detected_ || near_pairs_.are_contacts;
     return near_pairs_;
@@ -122,8 +124,12 @@ class StepState {
   /// To be called by whoever has changed positions. They may have left a periodic domain.
   void moved() {
     if (box_.is_periodic()) exec_->parallel_for("wrap", count(), Wrap<V>{box_, position.span()});
+    detector_.moved();
     is_detected_ = has_near_pairs_ = false;
   }
+
+  /// Whether the candidate list shows that all bodies are inside the domain; no pass over them then, but the list's own.
+  bool shows_all_inside() { return detector_.shows_all_inside(*exec_, bodies()); }
 
   /// Sorts the bodies in memory by where they are; `more` rearranges what others keep for each body.
   template <class More>
@@ -225,7 +231,7 @@ class StepState {
   NearPairs near_pairs_;
   int64_t linked_version_ = -1;
   bool is_detected_ = false, has_near_pairs_ = false;
-  bool is_list_without_margin_ = false;  // made by detect(): it lacks what near_contacts() asks for
+  bool is_list_without_margin_ = false;  // it lacks what near_contacts() asks for
 };
 
 }  // namespace ballpit

@@ -59,7 +59,7 @@ class WorldOn final : public World {
       std::visit([&](auto& motion) { motion.substep(state_, tally_, h); }, motion_);
     }
     guard_.check_inside(state_, steps_, time());
-    if (guard_.is_due(steps_)) guard_.check(state_, elastic_energy(), steps_, time());
+    if (guard_.is_due(steps_)) guard_.check(state_, steps_, time());
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 

@@ -80,3 +80,13 @@ TEST_CASE("reductions of different types and lengths follow each other in the sa
               exec, "sum", n, 0.0, [](int) { return 0.5; }, Plus{}) == n * 0.5);
   }
 }
+
+TEST_CASE("any tells of one index among many, and of none") {
+  const int threads = GENERATE(1, 2, 8);
+  CpuExecutor exec(threads);
+  for (const int only : {0, 511, 512, 99999}) {
+    CHECK(any(exec, "find", 100000, [only](int i) { return i == only; }));
+    CHECK_FALSE(any(exec, "find", only, [only](int i) { return i == only; }));
+  }
+  CHECK(any(exec, "find", 100000, [](int) { return true; }));
+}

@@ -91,3 +91,33 @@ TEST_CASE("the last good state of so many spheres that they are sorted in memory
     largest = std::max(largest, length(good.position[i] - now.position[i]));
   CHECK(largest < 0.01);
 }
+
+TEST_CASE("a sphere that leaves the domain stops the run in the same step with a candidate list and without") {
+  Scene scene = wide_box(10);
+  scene.physics.stiffness = 1;  // far too soft a wall
+  for (int k = 0; k < 10; ++k) add_sphere(scene, {-4.5 + k, 0, 0}, {0, 0, k == 7 ? 2.0 : 0.0}, 0.2);
+  const auto message = [&](double skin) {
+    Settings settings = settings_of("penalty", 0.005);
+    settings.max_overlap = 1e6;
+    settings.skin = skin;
+    return stop_of(*make_cpu_world(scene, settings), 5000);
+  };
+  CHECK_THAT(message(0.1), Catch::Contains("sphere 7 left the domain"));
+  CHECK(message(0.1) == message(0));
+}
+
+TEST_CASE("while the candidate list shows that all spheres are inside, nobody else looks") {
+  Scene scene = on_spring();
+  const auto checks = [&](double skin) {
+    Settings settings = settings_of("penalty", 1e-4);
+    settings.skin = skin;
+    const auto world = make_cpu_world(scene, settings);
+    for (int k = 0; k < 160; ++k) world->step();
+    for (const Stage& stage : world->report().stages) {
+      if (stage.name == "check bodies") return stage.launches;
+    }
+    return int64_t{0};
+  };
+  CHECK(checks(0) == 160);
+  CHECK(checks(0.1) == 10);  // each 16th step, for what is not seen of positions
+}

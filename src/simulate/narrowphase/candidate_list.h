@@ -13,6 +13,7 @@
 // doi 10.1103/PhysRev.159.98.
 #pragma once
 
+#include "exec/reduce.h"
 #include "simulate/narrowphase/contact_rows.h"
 #include "simulate/state.h"
 
@@ -32,6 +33,19 @@ struct ListedCandidates {
   }
 };
 
+/// Predicate: body i could leave the domain without leaving its skin.
+template <class V>
+struct IsNearBorder {
+  BodiesView<V> bodies;
+  Box<V> box;
+  Scalar<V> skin;  ///< of a radius
+
+  HOST_DEVICE bool operator()(int i) const {
+    const V reach(skin * bodies.radius[i]);
+    return !(box.holds(bodies.position[i] - reach) & box.holds(bodies.position[i] + reach));
+  }
+};
+
 /// Kernel: radii with skins.
 template <class Real>
 struct GrowRadius {
@@ -41,7 +55,7 @@ struct GrowRadius {
   HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] * factor; }
 };
 
-/// Map: whether body i has left its skin; 1 or 0.
+/// Predicate: body i has left its skin.
 template <class V>
 struct HasLeftSkin {
   using Real = Scalar<V>;
@@ -51,10 +65,10 @@ struct HasLeftSkin {
   Real skin;   ///< of a radius
   Real guard;  ///< what rounding may hide [m]
 
-  HOST_DEVICE int64_t operator()(int i) const {
+  HOST_DEVICE bool operator()(int i) const {
     const V moved = box.displacement(start[i], bodies.position[i]);
     const Real allowed = skin * bodies.radius[i] - guard;
-    return allowed > 0 && dot(moved, moved) <= allowed * allowed ? 0 : 1;
+    return !((allowed > 0) & (dot(moved, moved) <= allowed * allowed));  // true for NaN
   }
 };
 
@@ -81,10 +95,16 @@ class CandidateList {
   /// Whether the list still holds every pair that may be in contact.
   bool is_valid(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
     if (!is_valid_ || start_.size() != bodies.size()) return false;
-    is_valid_ = reduce(exec, "check skins", bodies.size(), int64_t{0},
-                       HasLeftSkin<V>{bodies, box, start_.span(), skin_, guard_}, Sum{}) == 0;
-    return is_valid_;
+    if (is_checked_) return true;
+    is_valid_ = !any(exec, "check skins", bodies.size(), HasLeftSkin<V>{bodies, box, start_.span(), skin_, guard_});
+    return is_checked_ = is_valid_;
   }
+
+  /// To be called by whoever has moved the bodies.
+  void moved() { is_checked_ = false; }
+
+  /// Whether a list that is valid shows that all bodies are inside the domain and finite.
+  bool shows_all_inside() const { return is_clear_; }
 
   /// The bodies as the search for the list is to see them.
   BodiesView<V> grown(Exec& exec, const BodiesView<V>& bodies) {
@@ -100,10 +120,11 @@ class CandidateList {
 
   /// Where that search is to leave its rows; start() then notes where the bodies are.
   ContactRows<Exec>& rows() { return rows_; }
-  void start(Exec& exec, const BodiesView<V>& bodies) {
+  void start(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
     start_.resize(bodies.size());
     exec.parallel_for("note positions", bodies.size(), CopyValues<V>{bodies.position, start_.span()});
-    is_valid_ = true;
+    is_clear_ = !any(exec, "check border", bodies.size(), IsNearBorder<V>{bodies, box, skin_});
+    is_valid_ = is_checked_ = true;
   }
 
   ListedCandidates candidates() const { return {rows_.first(), rows_.pairs()}; }
@@ -112,6 +133,8 @@ class CandidateList {
  private:
   Real skin_ = 0, guard_ = 0;
   bool is_valid_ = false;
+  bool is_checked_ = false;  // for these positions
+  bool is_clear_ = false;    // no skin reaches out of the domain
   Buffer<V> start_;
   Buffer<Real> grown_;
   ContactRows<Exec> rows_;

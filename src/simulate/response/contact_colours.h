@@ -59,7 +59,7 @@ struct TakeColour {
 /// Map: 1 for a contact without a colour.
 struct HasNoColour {
   Span<const int> colour;
-  HOST_DEVICE int64_t operator()(int c) const { return colour[c] < 0; }
+  HOST_DEVICE bool operator()(int c) const { return colour[c] < 0; }
 };
 
 /// Key: the colour of contact c.
@@ -78,7 +78,7 @@ class ContactColours {
     named_.resize(bodies);
     exec.fill("clear colours", colour_.span(), -1);
     int rounds = 0;
-    while (reduce(exec, "count colourless", m, int64_t{0}, HasNoColour{colour_.span()}, Sum{}) > 0) {
+    while (any(exec, "find colourless", m, HasNoColour{colour_.span()})) {
       exec.parallel_for("name contacts", bodies, NameContact<V>{contacts, colour_.span(), named_.span()});
       exec.parallel_for("take colours", m, TakeColour{contacts.pairs, named_.span(), rounds++, colour_.span()});
     }

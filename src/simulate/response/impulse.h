@@ -5,8 +5,11 @@
 //     for each contact (i, j), normal n from i to j, inverse masses w:
 //         u  = (v_j − v_i) · n                     speed of parting, now
 //         u* = e · max(0, −u₀)                     wanted, from the speed u₀ before this step's kick
-//         λ  = max(0, u* − u) / (c_i·w_i + c_j·w_j)
-//     v_i ← v_i + w_i · Σ ∓ λ · n
+//         λ' = max(0, λ + (u* − u) / (c_i·w_i + c_j·w_j))      the impulse so far: a contact never pulls
+//     v_i ← v_i + w_i · Σ ∓ (λ' − λ) · n
+//
+// An iteration may take back what an earlier one gave too much, since it is the sum that must not pull: without that, spheres
+// that part at e = 1 gain energy by each other's mistakes.
 //
 // By default all contacts are solved at once from the same velocities (Jacobi), which is parallel and has one order. Solved
 // naively, a body with several contacts would answer each of them in full and gain energy. So each body's mass is split
@@ -57,10 +60,17 @@ class ImpulseResponse {
     const ImpulseView<V> view = view_of(bodies, walls, contacts, dt);
     exec.parallel_for("count shares", n, CountShares<V>{view, share_.span()});
     exec.parallel_for("constrain contacts", m, ConstrainContact<V>{view, constraints_.span()});
+    exchanged_.resize(m);
+    for (Buffer<V>* sums : {&low_, &high_}) sums->resize(walls.box.is_periodic() ? 0 : n);
+    const WallSums<V> wall_sums{low_.span(), high_.span()};
     if (parameters_.is_by_colour) {
-      solve_by_colour(exec, view, kicked, velocity, notes);
+      solve_by_colour(exec, view, kicked, velocity, wall_sums);
     } else {
-      solve_at_once(exec, view, kicked, velocity, notes);
+      solve_at_once(exec, view, kicked, velocity, wall_sums);
+    }
+    if (notes.are_kept()) {
+      exec.parallel_for("note impulses", m, NoteSum<Real>{exchanged_.span(), notes.contact});
+      exec.parallel_for("note impulses", low_.size(), NoteFloorSum<V>{view, wall_sums, notes.floor});
     }
     exec.parallel_for("correct positions", n,
                       CorrectPosition<V>{view, constraints_.span(), velocity.span(), other_.span()});
@@ -71,7 +81,7 @@ class ImpulseResponse {
 
   int64_t bytes() const {
     return share_.bytes() + constraints_.bytes() + other_.bytes() + low_.bytes() + high_.bytes() + exchanged_.bytes() +
-           colours_.bytes();
+           next_exchanged_.bytes() + colours_.bytes();
   }
 
  private:
@@ -94,53 +104,45 @@ class ImpulseResponse {
   }
 
   void solve_at_once(Exec& exec, const ImpulseView<V>& view, Span<const V> kicked, Buffer<V>& velocity,
-                     const ImpulseNotes<V>& notes) {
-    const int64_t n = view.bodies.size(), m = view.contacts.pairs.size();
+                     const WallSums<V>& walls) {
+    next_exchanged_.resize(exchanged_.size());
     Span<const V> current = kicked;
     for (int k = 0; k < parameters_.iterations; ++k) {
-      if (notes.are_kept()) {
-        exec.parallel_for("note impulses", m, NoteJacobiImpulse<V>{view, constraints_.span(), current, notes});
-        exec.parallel_for("note impulses", n, NoteJacobiFloor<V>{view, current, notes});
-      }
-      exec.parallel_for("resolve velocities", n, ResolveVelocity<V>{view, constraints_.span(), current, other_.span()});
+      exec.parallel_for("resolve velocities", view.bodies.size(),
+                        ResolveVelocity<V>{view, constraints_.span(), current, exchanged_.span(), other_.span(),
+                                           next_exchanged_.span(), walls, k == 0});
       std::swap(velocity, other_);
+      std::swap(exchanged_, next_exchanged_);
       current = velocity.span();
-      other_.resize(n);
+      other_.resize(view.bodies.size());
     }
   }
 
   void solve_by_colour(Exec& exec, const ImpulseView<V>& view, Span<const V> kicked, Buffer<V>& velocity,
-                       const ImpulseNotes<V>& notes) {
+                       const WallSums<V>& walls) {
     const int64_t n = view.bodies.size();
     if (kicked.data() != velocity.span().data()) {
       exec.parallel_for("copy velocities", n, CopyValues<V>{kicked, velocity.span()});
     }
     colours_.build(exec, view.contacts, n);
-    low_.resize(n);
-    high_.resize(n);
-    exchanged_.resize(view.contacts.pairs.size());
-    exec.fill("clear impulses", low_.span(), V{});
-    exec.fill("clear impulses", high_.span(), V{});
+    exec.fill("clear impulses", walls.low, V{});
+    exec.fill("clear impulses", walls.high, V{});
     exec.fill("clear impulses", exchanged_.span(), Real(0));
     for (int k = 0; k < parameters_.iterations; ++k) {
-      exec.parallel_for("solve walls", n, SolveWalls<V>{view, velocity.span(), low_.span(), high_.span()});
+      exec.parallel_for("solve walls", walls.low.size(), SolveWalls<V>{view, velocity.span(), walls});
       colours_.for_each([&](Span<const int> colour) {
         exec.parallel_for("solve contacts", colour.size(),
                           SolveContact<V>{view, constraints_.span(), colour, velocity.span(), exchanged_.span()});
       });
-    }
-    if (notes.are_kept()) {
-      exec.parallel_for("note impulses", exchanged_.size(), NoteSum<Real>{exchanged_.span(), notes.contact});
-      exec.parallel_for("note impulses", n, NoteFloorSum<V>{low_.span(), notes.floor});
     }
   }
 
   ImpulseParameters parameters_;
   Buffer<Real> share_;
   Buffer<ContactConstraint<V>> constraints_;
-  Buffer<V> other_;         // velocities of the other iteration, then the correction
-  Buffer<V> low_, high_;    // by colour: impulses of walls
-  Buffer<Real> exchanged_;  // … and of contacts
+  Buffer<V> other_;       // velocities of the other iteration, then the correction
+  Buffer<V> low_, high_;  // what walls gave
+  Buffer<Real> exchanged_, next_exchanged_;
   ContactColours<V, Exec> colours_;
 };
 

@@ -76,6 +76,45 @@ struct ImpulseView {
   }
 };
 
+/// What the walls at min (low) and max (high) have given each body so far, along each axis [kg·m/s]; anything where it touches
+/// none, and empty where a domain has none.
+template <class V>
+struct WallSums {
+  Span<V> low, high;
+  HOST_DEVICE Scalar<V>& at(int i, int axis, int side) const { return side < 0 ? low[i][axis] : high[i][axis]; }
+};
+
+/// Adds `more` to what a contact has exchanged so far, as far as the sum does not pull; returns what was added. So an
+/// iteration may take back what an earlier one gave too much.
+template <class Real>
+HOST_DEVICE Real add_unless_pulling(Real& sum, Real more) {
+  const Real before = sum, asked = before + more;
+  sum = asked > 0 ? asked : Real(0);
+  return sum - before;
+}
+
+/// Kernel: adds what contact c has exchanged to the notes of a tally.
+template <class Real>
+struct NoteSum {
+  Span<const Real> exchanged;
+  Span<Real> notes;
+  HOST_DEVICE void operator()(int c) const { notes[c] += exchanged[c]; }
+};
+
+/// Kernel: the same for what body i gave the floor.
+template <class V>
+struct NoteFloorSum {
+  ImpulseView<V> view;
+  WallSums<V> walls;
+  Span<Scalar<V>> notes;
+
+  HOST_DEVICE void operator()(int i) const {
+    view.for_each_wall(i, [&](int axis, int side, Scalar<V>) {
+      if (axis == 1 && side < 0) notes[i] += walls.at(i, axis, side);
+    });
+  }
+};
+
 /// Kernel: how many contacts body i splits its mass among.
 template <class V>
 struct CountShares {

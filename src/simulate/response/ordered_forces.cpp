@@ -17,7 +17,37 @@ HWY_INLINE void AddTo(Vec4& sum, const V& force, float sign) {
   for (int axis = 0; axis < kDimensions<V>; ++axis) sum[axis] += sign * force[axis];
 }
 
+/// The box in registers' form: no wall where there is none.
+template <class V>
+void CornersOf(const Box<V>& box, Vec4& low, Vec4& high) {
+  low = Vec4(-Box<V>::kFar);
+  high = Vec4(Box<V>::kFar);
+  for (int axis = 0; axis < kDimensions<V> && !box.is_periodic(); ++axis) {
+    low[axis] = box.min[axis];
+    high[axis] = box.max[axis];
+  }
+}
+
 #if HWY_TARGET == HWY_SCALAR
+
+template <class V>
+int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
+                     Span<int> at_walls) {
+  Vec4 low, high;
+  CornersOf(box, low, high);
+  int count = 0;
+  for (int i = 0; i < static_cast<int>(acceleration.size()); ++i) {
+    const Vec4& p = packed.position[i];
+    bool is_near = false;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      is_near = is_near | (p[axis] - low[axis] <= p.w) | (high[axis] - p[axis] <= p.w);
+      acceleration[i][axis] = gravity[axis] + packed.sum[i][axis] * packed.velocity[i].w;
+    }
+    at_walls[count] = i;
+    count += is_near;
+  }
+  return count;
+}
 
 template <class V>
 void AddForces(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
@@ -36,6 +66,31 @@ using Lanes = hn::FixedTag<float, 4>;
 using Floats = hn::Vec<Lanes>;
 
 HWY_INLINE Floats Load(const Vec4& v) { return hn::LoadU(Lanes(), &v.x); }
+
+template <class V>
+int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
+                     Span<int> at_walls) {
+  Vec4 low, high, g(0);
+  CornersOf(box, low, high);
+  for (int axis = 0; axis < kDimensions<V>; ++axis) g[axis] = gravity[axis];
+  const Floats lowest = Load(low), highest = Load(high), pull = Load(g);
+  const int n = static_cast<int>(acceleration.size());
+  int count = 0;
+  const auto accelerate = [&](int i) HWY_ATTR {
+    const Floats p = Load(packed.position[i]), radius = hn::Broadcast<3>(p);
+    at_walls[count] = i;
+    count += !hn::AllFalse(Lanes(), hn::Or(hn::Le(hn::Sub(p, lowest), radius), hn::Le(hn::Sub(highest, p), radius)));
+    return hn::Add(pull, hn::Mul(Load(packed.sum[i]), hn::Broadcast<3>(Load(packed.velocity[i]))));
+  };
+  for (int i = 0; i + 2 < n; ++i)
+    hn::StoreU(accelerate(i), Lanes(), &acceleration[i][0]);  // the next ones are overwritten
+  for (int i = n > 2 ? n - 2 : 0; i < n; ++i) {
+    alignas(16) float result[4];
+    hn::Store(accelerate(i), Lanes(), result);
+    for (int axis = 0; axis < kDimensions<V>; ++axis) acceleration[i][axis] = result[axis];
+  }
+  return count;
+}
 
 /// The components of four vectors.
 struct Components {
@@ -183,6 +238,14 @@ void AddForces2(const PairForce<Vec2>& force_of, Span<const Pair> pairs, const P
 void AddForces3(const PairForce<Vec3>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
   AddForces(force_of, pairs, packed);
 }
+int Accelerate2(const Box<Vec2>& box, const Vec2& gravity, const PackedBodies& packed, Span<Vec2> acceleration,
+                Span<int> at_walls) {
+  return AccelerateBySums(box, gravity, packed, acceleration, at_walls);
+}
+int Accelerate3(const Box<Vec3>& box, const Vec3& gravity, const PackedBodies& packed, Span<Vec3> acceleration,
+                Span<int> at_walls) {
+  return AccelerateBySums(box, gravity, packed, acceleration, at_walls);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace ballpit
@@ -193,6 +256,8 @@ namespace ballpit {
 
 HWY_EXPORT(AddForces2);
 HWY_EXPORT(AddForces3);
+HWY_EXPORT(Accelerate2);
+HWY_EXPORT(Accelerate3);
 
 template <>
 void add_ordered_forces(const PairForce<Vec2>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
@@ -201,6 +266,17 @@ void add_ordered_forces(const PairForce<Vec2>& force_of, Span<const Pair> pairs,
 template <>
 void add_ordered_forces(const PairForce<Vec3>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
   HWY_DYNAMIC_DISPATCH(AddForces3)(force_of, pairs, packed);
+}
+
+template <>
+int accelerate_by_sums(const Box<Vec2>& box, const Vec2& gravity, const PackedBodies& packed, Span<Vec2> acceleration,
+                       Span<int> at_walls) {
+  return HWY_DYNAMIC_DISPATCH(Accelerate2)(box, gravity, packed, acceleration, at_walls);
+}
+template <>
+int accelerate_by_sums(const Box<Vec3>& box, const Vec3& gravity, const PackedBodies& packed, Span<Vec3> acceleration,
+                       Span<int> at_walls) {
+  return HWY_DYNAMIC_DISPATCH(Accelerate3)(box, gravity, packed, acceleration, at_walls);
 }
 
 }  // namespace ballpit

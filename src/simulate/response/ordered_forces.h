@@ -30,6 +30,12 @@ struct PackedBodies {
 template <class V>
 void add_ordered_forces(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed);
 
+/// acceleration[i] = gravity + sum[i] · inverse mass of each body [m/s²]; writes those that touch a wall, or nearly do, into
+/// `at_walls`, and returns how many they are.
+template <class V>
+int accelerate_by_sums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
+                       Span<int> at_walls);
+
 /// Kernel: body i in registers' form, its sum cleared.
 template <class V>
 struct PackBody {
@@ -70,16 +76,29 @@ class OrderedForces<V, CpuExecutor> {
     const BodiesView<V> bodies = state.bodies();
     exec.parallel_for("pack bodies", n, PackBody<V>{bodies, position_.span(), velocity_.span(), sum_.span()});
     exec.parallel_for_blocks("pair forces", 1, [&](int64_t) {
-      add_ordered_forces(PairForce<V>{law, bodies, state.box()}, pairs,
-                         {position_.span(), velocity_.span(), sum_.span()});
+      add_ordered_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed());
     });
     return sum_.span();
   }
 
-  int64_t bytes() const { return position_.bytes() + velocity_.bytes() + sum_.bytes(); }
+  /// After add_up(): all accelerations as if there were no walls [m/s²]; returns the bodies that may touch one, ascending.
+  template <class State>
+  Span<const int> accelerate(State& state, Span<V> acceleration) {
+    at_walls_.resize(state.box().is_periodic() ? 1 : state.count());  // the next one's place is always written to
+    int count = 0;
+    state.exec().parallel_for_blocks("accelerate", 1, [&](int64_t) {
+      count = accelerate_by_sums(state.box(), state.gravity(), packed(), acceleration, at_walls_.span());
+    });
+    return {at_walls_.span().data(), count};
+  }
+
+  int64_t bytes() const { return position_.bytes() + velocity_.bytes() + sum_.bytes() + at_walls_.bytes(); }
 
  private:
+  PackedBodies packed() { return {position_.span(), velocity_.span(), sum_.span()}; }
+
   HostBuffer<Vec4> position_, velocity_, sum_;
+  HostBuffer<int> at_walls_;
 };
 
 }  // namespace ballpit

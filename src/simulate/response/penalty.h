@@ -91,12 +91,28 @@ struct Accelerate {
   }
 };
 
+/// Kernel: the same for the k-th of some bodies.
+template <class V, class Sum>
+struct AccelerateSome {
+  Accelerate<V, Sum> accelerate;
+  Span<const int> some;
+  HOST_DEVICE void operator()(int k) const { accelerate(some[k]); }
+};
+
 /// Map: energy in the spring of contact c.
 template <class V>
 struct ContactEnergy {
   PenaltyLaw<Scalar<V>> law;
-  Span<const ContactGeometry<V>> geometry;
-  HOST_DEVICE double operator()(int c) const { return law.energy(geometry[c].overlap); }
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const Pair> pairs;
+
+  HOST_DEVICE double operator()(int c) const {
+    const Pair pair = pairs[c];
+    const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
+    const Scalar<V> overlap = bodies.radius[pair.i] + bodies.radius[pair.j] - std::sqrt(dot(d, d));
+    return overlap > 0 ? law.energy(overlap) : 0;
+  }
 };
 
 /// Map: energy in the springs between body i and walls.
@@ -132,7 +148,11 @@ class PenaltyResponse {
     if constexpr (kHasOrderedForces<V, Exec>) {
       if (state.exec().runs_in_order() && !notes.are_kept() && law_.shear == 0) {
         const Span<const Vec4> sum = ordered_.add_up(state, state.near_pairs().pairs, law_);
-        finish(state, sum, duration, notes, acceleration);
+        const Span<const int> at_walls = ordered_.accelerate(state, acceleration);
+        if (at_walls.empty()) return;
+        state.exec().parallel_for(
+            "accelerate at walls", at_walls.size(),
+            AccelerateSome<V, Vec4>{acceleration_of(state, sum, duration, notes, acceleration), at_walls});
         return;
       }
     }
@@ -144,13 +164,13 @@ class PenaltyResponse {
     exec.parallel_for("pair forces", force_.size(),
                       StorePairForce<V>{force_of, pairs.pairs, force_.span(), duration, notes});
     exec.parallel_for("gather forces", state.count(), GatherForces<V>{pairs, force_.span(), sum_.span()});
-    finish(state, Span<const V>(sum_.span()), duration, notes, acceleration);
+    const Span<const V> sum = sum_.span();
+    exec.parallel_for("accelerate", state.count(), acceleration_of(state, sum, duration, notes, acceleration));
   }
 
-  /// [J] in all springs.
-  double elastic_energy(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box,
-                        const ContactsView<V>& contacts) const {
-    return reduce(exec, "sum springs", contacts.pairs.size(), 0.0, ContactEnergy<V>{law_, contacts.geometry}, Sum{}) +
+  /// [J] in all springs; `pairs` touch.
+  double elastic_energy(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs) const {
+    return reduce(exec, "sum springs", pairs.size(), 0.0, ContactEnergy<V>{law_, bodies, box, pairs}, Sum{}) +
            reduce(exec, "sum springs", bodies.size(), 0.0, WallEnergy<V>{law_, bodies, box}, Sum{});
   }
 
@@ -158,10 +178,9 @@ class PenaltyResponse {
 
  private:
   template <class State, class Sum>
-  void finish(State& state, Span<const Sum> sum, Real duration, const ImpulseNotes<V>& notes, Span<V> acceleration) {
-    state.exec().parallel_for(
-        "accelerate", state.count(),
-        Accelerate<V, Sum>{law_, state.bodies(), state.box(), sum, state.gravity(), acceleration, duration, notes});
+  Accelerate<V, Sum> acceleration_of(State& state, Span<const Sum> sum, Real duration, const ImpulseNotes<V>& notes,
+                                     Span<V> acceleration) const {
+    return {law_, state.bodies(), state.box(), sum, state.gravity(), acceleration, duration, notes};
   }
 
   PenaltyLaw<Real> law_;

@@ -20,9 +20,12 @@ struct Started {
   CandidateList<V, CpuExecutor> list;
 
   explicit Started(const Scene& scene, double skin = 0.1) : bodies(scene), list(skin, 2 * rounding_guard(bodies.box)) {
-    list.start(exec, bodies.view());
+    list.start(exec, bodies.view(), bodies.box);
   }
-  bool is_valid() { return list.is_valid(exec, bodies.view(), bodies.box); }
+  bool is_valid() {
+    list.moved();
+    return list.is_valid(exec, bodies.view(), bodies.box);
+  }
 };
 
 Scene cloud(double low = -1.0, double largest = 0.05) {
@@ -44,7 +47,7 @@ TEST_CASE("a list is valid as long as every sphere is within its skin, and no lo
     CHECK_FALSE(started.is_valid());
     started.bodies.position[body] = start;
     CHECK_FALSE(started.is_valid());  // what was missed then stays missed
-    started.list.start(started.exec, started.bodies.view());
+    started.list.start(started.exec, started.bodies.view(), started.bodies.box);
     CHECK(started.is_valid());
   }
 }
@@ -63,7 +66,7 @@ TEST_CASE("a list is not valid before it is started, after it is discarded, or f
   Started<Vec3> started(cloud());
   started.list.discard();
   CHECK_FALSE(started.is_valid());
-  started.list.start(started.exec, started.bodies.view());
+  started.list.start(started.exec, started.bodies.view(), started.bodies.box);
   CHECK(started.is_valid());
   started.bodies.position.pop_back();
   CHECK_FALSE(started.is_valid());
@@ -90,6 +93,26 @@ TEST_CASE("where floats are as coarse as the skin, no list is valid") {
 TEST_CASE("spheres that are not a number have left their skins") {
   Started<Vec2> started(make_cloud({.count = 10, .dimensions = 2}, 1));
   started.bodies.position[4].x = std::nanf("");
+  CHECK_FALSE(started.is_valid());
+}
+
+TEST_CASE("a list shows that all spheres are inside where no skin reaches out of the domain") {
+  Scene scene = cloud();
+  scene.domain.min = {-2, -2, -2};
+  scene.domain.max = {2, 2, 2};
+  CHECK(Started<Vec3>(scene).list.shows_all_inside());
+  scene.bodies.position[5].y = 1.996;  // the skin is 0.005
+  CHECK_FALSE(Started<Vec3>(scene).list.shows_all_inside());
+  scene.domain.boundary = Boundary::open_top;
+  CHECK(Started<Vec3>(scene).list.shows_all_inside());
+  scene.bodies.position[6].x = -1.996;
+  CHECK_FALSE(Started<Vec3>(scene).list.shows_all_inside());
+}
+
+TEST_CASE("a list is checked once for the same positions") {
+  Started<Vec3> started(cloud());
+  started.bodies.position[3].x += 0.1f;
+  CHECK(started.list.is_valid(started.exec, started.bodies.view(), started.bodies.box));  // nobody told it
   CHECK_FALSE(started.is_valid());
 }
 
