@@ -38,7 +38,7 @@ struct Options {
   std::string our_integrator = "symplectic-euler";
   std::string broadphase = "auto";
   double skin = 0.1;
-  double tolerance = 1e-3;
+  std::optional<double> tolerance;
   BedProtocol protocol;
   bool json = false;
   std::string csv;
@@ -103,7 +103,10 @@ void add_options(CLI::App& app, Options& options) {
   add("--lammps-skin", options.protocol.lammps.skin, "NUMBER", "LAMMPS' skin, as a fraction of the radius");
   add("--lammps-fix", options.integrator, "NAME", "nve/sphere, or nve: without rotation");
   app.add_flag("--lammps-newton", options.protocol.lammps.newton, "newton on in place of off");
-  add("--tolerance", options.tolerance, "NUMBER", "by which kinetic energies may differ at the end, as a fraction");
+  app.add_option(
+         "--tolerance", options.tolerance,
+         "by which kinetic energies may differ at the end, as a fraction; unless told 0.005 in float, 0.001 in double")
+      ->type_name("NUMBER");
   add("--keep", options.keep, "FOLDER", "keep LAMMPS' input, data and log there");
   add("--csv", options.csv, "FILE", "write the rows to a file as well");
   app.add_flag("--json", options.json, "print one JSON object in place of the table");
@@ -218,8 +221,10 @@ int run(const Options& options) {
     print_foot(options, lammps);
   }
   if (!options.csv.empty()) write_file(options.csv, csv_of(rows, options.protocol.stretch));
+  // A dense bed that is nearly at rest amplifies rounding: our own two precisions differ by 0.001 there.
+  const double tolerance = options.tolerance.value_or(options.precision == "float" ? 5e-3 : 1e-3);
   for (const BedRow& row : rows) {
-    if (!row.has_both() || row.energy_difference() <= options.tolerance) continue;
+    if (!row.has_both() || row.energy_difference() <= tolerance) continue;
     throw RunError("kinetic energies differ in bed " + row.bed + " of " + std::to_string(row.count) + " spheres");
   }
   return 0;

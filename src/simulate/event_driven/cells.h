@@ -105,6 +105,25 @@ class Cells {
     neighbors.resize(count);
   }
 
+  /// Fetches the heads that gather() will read.
+  void prefetch_heads(const IVec3& cell, BlockPart part) const {
+    const Steps ys = steps(cell, 1, part), zs = kAxes == 3 ? steps(cell, 2, part) : Steps{};
+    for (int z = 0; z < zs.count; ++z) {
+      for (int y = 0; y < ys.count; ++y) __builtin_prefetch(&head_[index({cell.x, ys.cell[y], zs.cell[z]})]);
+    }
+  }
+
+  /// Fetches what is linked to them, and calls visit(body) for the first of each cell.
+  template <class Visit>
+  void prefetch_firsts(const IVec3& cell, BlockPart part, Visit&& visit) const {
+    Neighbor firsts[27];
+    const size_t count = gather_first(cell, part, firsts);
+    for (size_t k = 0; k < count; ++k) {
+      __builtin_prefetch(&next_[static_cast<size_t>(firsts[k].body)]);
+      visit(firsts[k].body);
+    }
+  }
+
   /// What takes a neighbour from where it is stored to its image [m].
   const V& shift(const Neighbor& neighbor) const { return shifts_[static_cast<size_t>(neighbor.image)]; }
 

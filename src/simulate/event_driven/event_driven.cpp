@@ -16,6 +16,7 @@ constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 // contact if that is shorter: more than the cascades in any packing have.
 constexpr int64_t kStandstill = 1000;
 constexpr double kMoment = 0x1p-16;
+constexpr int kFewestToFetch = 5000;  // spheres; fewer lie in a cache
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 1.0 : *std::max_element(values.begin(), values.end());
@@ -117,7 +118,35 @@ void EventDriven<V>::forecast(int i) {
   forecasts_[size_t(i)].contact_time = kNever;
   forecast_faces(i);
   forecast_contacts(i, {});
+  schedule(i);
+}
+
+/// The block that an event's forecast will look at.
+template <class V>
+BlockPart EventDriven<V>::part_of(const Forecast& f) const {
+  if (f.contact_time <= f.face_time || f.is_wall) return {};
+  return {f.axis, f.side};
+}
+
+/// Puts the next event of sphere i into the queue, and fetches what the events to come will read, the more the sooner they
+/// come: whoever wins among a 64th of all spheres is soon to come, among a quarter sooner.
+template <class V>
+void EventDriven<V>::schedule(int i) {
   queue_.set(i, forecasts_[size_t(i)].time());
+  if (size() < kFewestToFetch || events_ == 0) return;
+  const int soon = queue_.first_near(i, 6), sooner = queue_.first_near(i, 4), next = queue_.first_near(i, 2);
+  __builtin_prefetch(&flights_[size_t(soon)]);
+  __builtin_prefetch(&forecasts_[size_t(soon)]);
+  queue_.prefetch(soon);
+  const Forecast& f = forecasts_[size_t(sooner)];
+  cells_.prefetch_heads(f.cell, part_of(f));
+  if (f.partner >= 0) {
+    __builtin_prefetch(&flights_[size_t(f.partner)]);
+    __builtin_prefetch(&forecasts_[size_t(f.partner)]);
+    queue_.prefetch(f.partner);
+  }
+  const Forecast& g = forecasts_[size_t(next)];
+  cells_.prefetch_firsts(g.cell, part_of(g), [&](int body) { __builtin_prefetch(&flights_[size_t(body)]); });
 }
 
 /// When does sphere i leave its cell, or meet the wall that ends it?
@@ -236,7 +265,7 @@ void EventDriven<V>::cross_face(int i) {
   const BlockPart ahead{f.axis, f.side};
   forecast_faces(i);
   forecast_contacts(i, ahead);
-  queue_.set(i, f.time());
+  schedule(i);
 }
 
 template <class V>

@@ -23,12 +23,25 @@ namespace ballpit {
 class Tournament {
  public:
   explicit Tournament(int64_t players) {
-    while (leaves_ < players) leaves_ *= 2;
+    for (; leaves_ < players; leaves_ *= 2) ++depth_;
     nodes_.resize(static_cast<size_t>(2 * leaves_));
   }
 
   double first_time() const { return nodes_[1].time; }
   int first() const { return nodes_[1].player; }
+
+  int depth() const { return depth_; }
+
+  /// The first among the 2⁻ᵈᵉᵖᵗʰ of all players that `player` belongs to; `depth` is at most depth().
+  int first_near(int player, int depth) const {
+    return nodes_[static_cast<size_t>((leaves_ + player) >> (depth_ - depth))].player;
+  }
+
+  /// Fetches the lower matches of a player, which set() will read.
+  void prefetch(int player) const {
+    auto k = static_cast<size_t>(leaves_ + player);
+    for (int level = 0; level < 6 && k > 1; ++level, k /= 2) __builtin_prefetch(&nodes_[k]);
+  }
 
   void set(int player, double time) {
     size_t k = static_cast<size_t>(leaves_ + player);
@@ -53,6 +66,7 @@ class Tournament {
     int32_t player = -1;
   };
   int64_t leaves_ = 1;
+  int depth_ = 0;
   std::vector<Node> nodes_;  // [2 · leaves_], the root at 1
 };
 
