@@ -15,3 +15,17 @@ function(ballpit_embed target name)
   target_sources(${target} PRIVATE ${header} ${source})
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded)
 endfunction()
+
+# ballpit_embed_bytes(TARGET NAME FILE): compiles any file into TARGET; NAME.h declares its bytes, NAME() and NAME_size().
+function(ballpit_embed_bytes target name file)
+  set(header ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.h)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.cpp)
+  add_custom_command(
+    OUTPUT ${header} ${source}
+    COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DHEADER=${header} -DSOURCE=${source} -DFILE=${file}
+            -P ${PROJECT_SOURCE_DIR}/cmake/embed_bytes.cmake
+    DEPENDS ${file} ${PROJECT_SOURCE_DIR}/cmake/embed_bytes.cmake
+    VERBATIM)
+  target_sources(${target} PRIVATE ${header} ${source})
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+endfunction()

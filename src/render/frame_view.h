@@ -27,6 +27,7 @@ struct FrameView {
   DomainBox domain;
   Camera camera;
   std::vector<std::string> overlays;  ///< names from overlay_table(), drawn in the table's order
+  int64_t selected = -1;              ///< the body that the audience looks at, or −1
 };
 
 }  // namespace ballpit

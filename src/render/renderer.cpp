@@ -79,11 +79,14 @@ class Renderer::Impl {
   void draw(const FrameView& view) {
     bodies_.upload(view.inspection.bodies);
     bodies_.set_marks(contact_marks(bodies_.count(), view.inspection.contacts));
+    sheet_.begin(picture_.width(), picture_.height());
     canvas().bind();
     uniforms_.set(frame_uniforms(view, options_.theme, canvas().width(), canvas().height()));
     set_state();
     draw_scene(view);
     if (large_) averager_.draw(*large_, picture_, options_.supersample);
+    picture_.bind();
+    sheet_.draw();
     check_gl("drawing a frame");
   }
 
@@ -118,7 +121,7 @@ class Renderer::Impl {
 
   void draw_scene(const FrameView& view) {
     const int height = canvas().height();
-    Painter painter{lines_, faces_, options_.theme, static_cast<float>(height) / 1080.0f};
+    Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f};
     draw_floor(view.domain, painter);
     draw_overlays(view, painter, Layer::under);
     if (view.domain.is_planar()) {
@@ -138,6 +141,7 @@ class Renderer::Impl {
   DiscRenderer discs_;
   LineRenderer lines_;
   FaceRenderer faces_;
+  Sheet sheet_;
   Averager averager_;
   std::vector<std::unique_ptr<Overlay>> overlays_;  ///< in the table's order
 };

@@ -32,6 +32,7 @@ struct OverlayEntry {
   std::string_view name;                 ///< "grid", as typed
   std::string_view label;                ///< "Grid cells", as the panel shows it
   std::unique_ptr<Overlay> (*create)();  ///< needs a current GL context
+  Wanted wanted = {};                    ///< of the inspection, to be drawn
 };
 
 const std::vector<OverlayEntry>& overlay_table();

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "render/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include <backends/imgui_impl_opengl3.h>
+
+#include "core/error.h"
+#include "roboto.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr std::array<float, 3> kSizes{22, 26, 38};  // [pixel] at 1080 lines
+constexpr float kSmallest = 9;                      // [pixel] below it letters are not read
+constexpr float kHead = 4.5f;                       // of an arrow, in widths of its line
+constexpr float kDots = 2.5f;                       // from one dot to the next, in widths
+
+ImVec2 im(Vec2 v) { return {v.x, v.y}; }
+
+/// What is written: Western European languages, and the signs of formulas.
+const ImVector<ImWchar>& glyph_ranges() {
+  static const ImVector<ImWchar> ranges = [] {
+    ImFontGlyphRangesBuilder builder;
+    builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
+    builder.AddText("–—…·×√≤≥≈→∞∂Δ°²³⁻⁴µ‘’“”„ αβγδεζλμπρστω");
+    ImVector<ImWchar> result;
+    builder.BuildRanges(&result);
+    return result;
+  }();
+  return ranges;
+}
+
+}  // namespace
+
+Sheet::Sheet() : context_(ImGui::CreateContext()) {
+  ImGui::SetCurrentContext(context_);
+  ImGui::GetIO().IniFilename = nullptr;  // a panel's state survives only if asked
+  if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
+    ImGui::DestroyContext(context_);
+    throw RunError("Dear ImGui cannot draw in this OpenGL context");
+  }
+  list_ = std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData());
+}
+
+Sheet::~Sheet() {
+  ImGui::SetCurrentContext(context_);
+  list_.reset();
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+float Sheet::unit() const { return static_cast<float>(height_) / 1080.0f; }
+
+void Sheet::load_fonts() {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  config.OversampleH = 2;
+  for (size_t k = 0; k < fonts_.size(); ++k) {
+    const float size = std::max(kSmallest, std::round(kSizes[k] * unit()));
+    fonts_[k] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(roboto()), static_cast<int>(roboto_size()), size,
+                                           &config, glyph_ranges().Data);
+  }
+  ImGui::GetIO().FontDefault = fonts_[0];
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  if (!ImGui_ImplOpenGL3_CreateFontsTexture()) throw RunError("OpenGL has no memory for the letters");
+  font_height_ = height_;
+}
+
+void Sheet::begin(int width, int height) {
+  ImGui::SetCurrentContext(context_);
+  width_ = width;
+  height_ = height;
+  if (!ImGui::GetIO().BackendRendererUserData) throw RunError("Dear ImGui's OpenGL backend is gone");
+  if (font_height_ == 0) ImGui_ImplOpenGL3_NewFrame();  // makes the backend's objects
+  if (font_height_ != height) load_fonts();
+  list_->_ResetForNewFrame();
+  list_->Flags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill;
+  list_->PushClipRect({0, 0}, {static_cast<float>(width), static_cast<float>(height)});
+  list_->PushTextureID(ImGui::GetIO().Fonts->TexID);
+}
+
+void Sheet::draw() {
+  ImGui::SetCurrentContext(context_);
+  ImDrawList* lists[] = {list_.get()};
+  ImDrawData data;
+  data.Valid = true;
+  data.CmdLists = lists;
+  data.CmdListsCount = 1;
+  data.TotalIdxCount = list_->IdxBuffer.Size;
+  data.TotalVtxCount = list_->VtxBuffer.Size;
+  data.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
+  data.FramebufferScale = {1, 1};
+  ImGui_ImplOpenGL3_RenderDrawData(&data);
+}
+
+Vec2 Sheet::size_of(std::string_view text, TextSize size) const {
+  const ImFont* font = this->font(size);
+  const ImVec2 extent =
+      font->CalcTextSizeA(font->FontSize, INFINITY, 0, text.data(), text.data() + text.size());
+  return {extent.x, extent.y};
+}
+
+void Sheet::text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size) {
+  const Vec2 corner = at - Vec2(anchor.x, anchor.y) * size_of(text, size);
+  const ImFont* font = this->font(size);
+  list_->AddText(font, font->FontSize, {std::round(corner.x), std::round(corner.y)}, color, text.data(),
+                 text.data() + text.size());
+}
+
+void Sheet::line(Vec2 a, Vec2 b, Rgba color, float width) { list_->AddLine(im(a), im(b), color, std::max(width, 1.0f)); }
+
+void Sheet::dotted(Vec2 a, Vec2 b, Rgba color, float width) {
+  const float w = std::max(width, 1.0f), way = length(b - a);
+  const int dots = static_cast<int>(way / (kDots * w));
+  for (int k = 0; k <= dots; ++k) disc(a + (b - a) * (dots > 0 ? float(k) / float(dots) : 0.0f), 0.5f * w, color);
+}
+
+void Sheet::arrow(Vec2 from, Vec2 to, Rgba color, float width) {
+  const float way = length(to - from), w = std::max(width, 1.0f);
+  if (!(way > 0)) return;
+  const Vec2 along = (to - from) / way, across(-along.y, along.x);
+  const float head = std::min(kHead * w, way);
+  line(from, to - 0.9f * head * along, color, w);
+  list_->AddTriangleFilled(im(to), im(to - head * along + 0.5f * head * across),
+                           im(to - head * along - 0.5f * head * across), color);
+}
+
+void Sheet::box(Vec2 low, Vec2 high, Rgba fill, float rounding) {
+  list_->AddRectFilled(im(low), im(high), fill, rounding);
+}
+void Sheet::frame(Vec2 low, Vec2 high, Rgba color, float width, float rounding) {
+  list_->AddRect(im(low), im(high), color, rounding, 0, std::max(width, 1.0f));
+}
+void Sheet::disc(Vec2 centre, float radius, Rgba fill) { list_->AddCircleFilled(im(centre), radius, fill, 24); }
+void Sheet::ring(Vec2 centre, float radius, Rgba color, float width) {
+  list_->AddCircle(im(centre), radius, color, 48, std::max(width, 1.0f));
+}
+
+}  // namespace ballpit
