@@ -4,50 +4,25 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/demo.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "app/panel.h"
 #include "app/progress.h"
-#include "app/session.h"
 #include "app/summary.h"
 #include "core/error.h"
 #include "export/frame_sequence.h"
 #include "render/gl_context.h"
-#include "render/overlays/overlay.h"
 #include "render/renderer.h"
 
 namespace ballpit {
 
 namespace {
-
-std::vector<std::string> theme_names() {
-  std::vector<std::string> names;
-  for (const Theme& theme : themes()) names.emplace_back(theme.name);
-  return names;
-}
-
-std::vector<std::string> overlay_names() {
-  std::vector<std::string> names;
-  for (const OverlayEntry& overlay : overlay_table()) names.emplace_back(overlay.name);
-  return names;
-}
-
-std::vector<std::string> parse_overlay_names(const std::string& text) {
-  std::vector<std::string> result;
-  if (text == "none") return result;
-  const std::vector<std::string> known = overlay_names();
-  for (const std::string& name : split_list(text)) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw UserError("--overlay: found " + (name.empty() ? "nothing" : name) + ", allowed none alone, or some of " +
-                      join(known) + ", with commas between");
-    }
-    result.push_back(name);
-  }
-  return result;
-}
 
 class RenderCommand final : public Command {
  public:
@@ -60,14 +35,15 @@ class RenderCommand final : public Command {
     command.add_option("--from", from_, "simulated time of the first frame")
         ->type_name("SECONDS")
         ->capture_default_str();
-    command
-        .add_option("--overlay", overlays_, "what to draw over the spheres: none, or some of " + join(overlay_names()))
-        ->type_name("A,B,…")
-        ->capture_default_str();
+    command.add_option("--overlay", overlays_, overlay_help())->type_name("A,B,…")->capture_default_str();
     command.add_option("--theme", theme_, join(theme_names()))->type_name("NAME")->capture_default_str();
     command.add_option("--supersample", supersample_, "draw N × N times larger and average, for stills: 1 to 4")
         ->type_name("N")
         ->capture_default_str();
+    command.add_flag("--panel", has_panel_, "draw the panel beside the scene")->disable_flag_override();
+    click_option_ =
+        command.add_option("--click", clicks_, "items of the panel to click on before the first frame, by name")
+            ->type_name("A,B,…");
     command.add_flag("--resume", resume_, "go on after the last whole frame in the folder")->disable_flag_override();
     command.add_flag("--json", json_, "print a summary as one JSON object")->disable_flag_override();
     arguments_.add_to(command);
@@ -80,13 +56,30 @@ class RenderCommand final : public Command {
     const double interval =
         double(parse_integer("--every", every_, 1, 1000000)) / parse_number("--fps", fps_, 1e-3, 1e6);
     const double from = parse_number("--from", from_, 0, 1e9);
-    const std::vector<std::string> overlays = parse_overlay_names(overlays_);
-    const RenderOptions options{theme_named(parse_choice("--theme", theme_, theme_names())),
-                                static_cast<int>(parse_integer("--supersample", supersample_, 1, 4))};
+    View look;
+    look.overlays = parse_overlay_names(overlays_);
+    look.theme = parse_choice("--theme", theme_, theme_names());
+    const int supersample = static_cast<int>(parse_integer("--supersample", supersample_, 1, 4));
+    if (click_option_->count() > 0 && !has_panel_) {
+      throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
+    }
 
-    Session session(arguments_.scene(), arguments_.given());
+    Demo demo(arguments_.scene(), arguments_.given());
+    demo.view = look;
+    demo.touch();
+    Session& session = demo.session;
     GlContext context;
+    RenderOptions options{theme_named(look.theme), supersample, has_panel_ ? Panel::width_in(width, height) : 0};
     Renderer renderer(width, height, options);
+    std::optional<Panel> panel;
+    if (has_panel_) panel.emplace(renderer.sheet());
+    const auto draw = [&](const PanelInput& input) {
+      options.theme = theme_named(demo.view.theme);
+      renderer.set_options(options);
+      renderer.draw(session.view_of(demo.inspection(), demo.view, float(width - options.left) / float(height)));
+      if (panel) panel->draw(demo, input);
+    };
+    if (click_option_->count() > 0) click(*panel, draw);
     first_ = resume_ ? next_frame_index(out_) : 0;
     remove_frames(out_, first_, frames);
     catch_interrupts();
@@ -96,8 +89,8 @@ class RenderCommand final : public Command {
     for (int k = first_; k < frames && !was_interrupted(); ++k) {
       session.advance_to(from + k * interval, was_interrupted);
       if (was_interrupted()) break;
-      const Inspection inspection = session.world().inspect();
-      renderer.draw(session.view_of(inspection, float(width) / float(height), overlays));
+      draw({});
+      if (panel && k == first_) draw({});  // the panel knows its height from its first frame
       sequence.push(renderer.read_pixels());
       progress.show(k + 1);
     }
@@ -111,6 +104,24 @@ class RenderCommand final : public Command {
   }
 
  private:
+  /// As a hand would: over the item, down, up; a frame for each.
+  template <class Draw>
+  void click(Panel& panel, const Draw& draw) const {
+    draw({});
+    draw({});
+    for (const std::string& name : split_list(clicks_)) {
+      const auto item = panel.items().find(name);
+      if (item == panel.items().end()) {
+        std::vector<std::string> names;
+        for (const auto& known : panel.items()) names.push_back(known.first);
+        throw UserError("--click: found " + (name.empty() ? "nothing" : name) +
+                        ", allowed what the panel shows then: " + join(names));
+      }
+      const Vec2 at = item->second.middle();
+      for (const bool is_down : {false, true, false, false}) draw({at, is_down});
+    }
+  }
+
   void tell(Session& session, const GlContext& context, int frames) {
     const int made = std::max(frames - first_, 0);
     warn_of_other_frames(frames);
@@ -150,7 +161,9 @@ class RenderCommand final : public Command {
   SceneArguments arguments_;
   std::string out_, frames_ = "300", size_ = "1280x720", fps_ = "60", every_ = "1", from_ = "0", overlays_ = "grid";
   std::string theme_{themes().front().name}, supersample_ = "1";
-  bool resume_ = false, json_ = false;
+  std::string clicks_;
+  CLI::Option* click_option_ = nullptr;
+  bool resume_ = false, json_ = false, has_panel_ = false;
   int first_ = 0;
   double seconds_ = 0;
 };

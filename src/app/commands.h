@@ -29,6 +29,7 @@ struct CommandEntry {
   std::unique_ptr<Command> (*create)();
 };
 
+std::unique_ptr<Command> make_show_command();
 std::unique_ptr<Command> make_render_command();
 std::unique_ptr<Command> make_simulate_command();
 std::unique_ptr<Command> make_pairs_command();

@@ -21,6 +21,7 @@ using namespace ballpit;
 namespace {
 
 constexpr std::array kCommands{
+    CommandEntry{"show", "a window with the panel", make_show_command},
     CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
     CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
     CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file", make_pairs_command},

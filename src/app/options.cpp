@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "render/overlays/overlay.h"
+#include "render/theme.h"
 #include "scene/catalog.h"
 
 namespace ballpit {
@@ -80,6 +82,34 @@ std::vector<std::string> split_list(const std::string& text) {
 const std::string& parse_path(std::string_view option, const std::string& text) {
   if (!text.empty()) return text;
   throw UserError(std::string(option) + ": found nothing, allowed a path");
+}
+
+std::vector<std::string> theme_names() {
+  std::vector<std::string> names;
+  for (const Theme& theme : themes()) names.emplace_back(theme.name);
+  return names;
+}
+
+static std::vector<std::string> overlay_names() {
+  std::vector<std::string> names;
+  for (const OverlayEntry& overlay : overlay_table()) names.emplace_back(overlay.name);
+  return names;
+}
+
+std::string overlay_help() { return "what to draw over the spheres: none, or some of " + join(overlay_names()); }
+
+std::vector<std::string> parse_overlay_names(const std::string& text) {
+  std::vector<std::string> result;
+  if (text == "none") return result;
+  const std::vector<std::string> known = overlay_names();
+  for (const std::string& name : split_list(text)) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw UserError("--overlay: found " + (name.empty() ? "nothing" : name) + ", allowed none alone, or some of " +
+                      join(known) + ", with commas between");
+    }
+    result.push_back(name);
+  }
+  return result;
 }
 
 PictureSize parse_size(const std::string& text) {

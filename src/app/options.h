@@ -59,6 +59,11 @@ std::vector<std::string> split_list(const std::string& text);
 /// A path that is not empty. Throws UserError naming the option.
 const std::string& parse_path(std::string_view option, const std::string& text);
 
+/// Of pictures: the names of all themes and overlays, and what --overlay asks for. Throws UserError.
+std::vector<std::string> theme_names();
+std::string overlay_help();
+std::vector<std::string> parse_overlay_names(const std::string& text);
+
 struct PictureSize {
   int width;
   int height;

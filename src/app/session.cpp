@@ -7,20 +7,73 @@
 #include "app/backends.h"
 #include "core/error.h"
 #include "scene/catalog.h"
+#include "simulate/methods.h"
 
 namespace ballpit {
 
-Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally) {
+Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally)
+    : keeps_tally_(keeps_tally) {
+  start(std::string(scene), given);
+  warn_of_small_cells(settings_);
+}
+
+void Session::start(std::string name, std::vector<GivenOption> given) {
   Settings overrides;
   apply_given(overrides, given);
-  scene_ = load_scene(scene, {overrides.count, overrides.seed});
-  settings_ = combine(scene_.defaults, given);
-  settings_.keeps_tally = keeps_tally;
-  warn_of_small_cells(settings_);
-  const Backend backend = select_backend(settings_.backend, settings_.response);
+  Scene scene = load_scene(name, {overrides.count, overrides.seed});
+  const Settings settings = combine(scene.defaults, given);
+  use(std::move(scene), settings);
+  scene_name_ = std::move(name);
+  given_ = std::move(given);
+  time_before_ = 0;
+}
+
+void Session::go_on(std::vector<GivenOption> given, const Physics& physics) {
+  const Settings settings = combine(scene_.defaults, given);
+  Scene scene = scene_;
+  scene.physics = physics;
+  scene.bodies = world_->bodies();
+  const double now = time();
+  use(std::move(scene), settings);
+  given_ = std::move(given);
+  time_before_ = now;
+}
+
+void Session::use(Scene scene, const Settings& settings) {
+  const Backend backend = select_backend(settings.backend, settings.response);
+  Settings own = settings;
+  own.keeps_tally = keeps_tally_;
+  world_ = backend.make_world(scene, own);
+  settings_ = own;
   backend_ = backend.name;
-  world_ = backend.make_world(scene_, settings_);
+  scene_ = std::move(scene);
   scene_.bodies = {};  // the world has them now
+}
+
+void Session::set(const std::string& name, const std::string& value) {
+  std::vector<GivenOption> given;
+  for (const GivenOption& option : given_) {
+    const bool fits = name != "response" || value.empty() || goes_with(value, option.name, option.value);
+    if (option.name != name && fits) given.push_back(option);
+  }
+  if (!value.empty()) given.push_back({name, value});
+  if (name == "count" || name == "seed") {
+    start(scene_name_, given);
+  } else {
+    go_on(given, scene_.physics);
+  }
+}
+
+void Session::set_physics(const Physics& physics) { go_on(given_, physics); }
+
+void Session::load(const std::string& scene) {
+  std::vector<GivenOption> given = given_;
+  if (scene != scene_name_) {
+    // What was chosen for one scene is not asked of another: it would seldom go with it.
+    std::erase_if(given,
+                  [](const GivenOption& option) { return option.name != "backend" && option.name != "threads"; });
+  }
+  start(scene, given);
 }
 
 int64_t Session::steps_until(double time) const {
@@ -35,13 +88,10 @@ int64_t Session::steps_until(double time) const {
   return static_cast<int64_t>(std::llround(steps)) - world_->steps();
 }
 
-FrameView Session::view_of(const Inspection& inspection, float aspect, const std::vector<std::string>& overlays) const {
+FrameView Session::view_of(const Inspection& inspection, const View& view, float aspect) const {
   const Domain& domain = scene_.domain;
-  const Vec3 low(domain.min), high(domain.max);
-  return {inspection,
-          {low, high, domain.dimensions, domain.boundary == Boundary::open_top},
-          frame_box(low, high, domain.dimensions, aspect),
-          overlays};
+  const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top};
+  return {inspection, box, camera_of(view, box, aspect), view.overlays, view.selected};
 }
 
 }  // namespace ballpit

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/given_options.h"
+#include "app/view.h"
 #include "render/frame_view.h"
 #include "scene/scene.h"
 #include "simulate/settings.h"
@@ -23,6 +24,20 @@ class Session {
   /// allowed.
   Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally = false);
 
+  /// Takes a shared option anew, or gives it back to the program where `value` is empty: a world with it goes on from the present
+  /// state; count and seed fill the scene again. Options that do not go with another response are dropped.
+  /// Throws UserError where it is not allowed; then nothing has changed.
+  void set(const std::string& name, const std::string& value);
+
+  /// The same for what the scene file says.
+  void set_physics(const Physics& physics);
+
+  /// From the scene's start, or another scene's; options given stay, where they go with it.
+  void restart() { load(scene_name_); }
+  void load(const std::string& scene);
+
+  double time() const { return time_before_ + world_->time(); }  ///< [s] since the scene's start
+
   /// Steps until the state nearest to `time` [s], or until stop() is true. Throws RunError as World::step()
   /// does.
   template <class Stop>
@@ -35,14 +50,23 @@ class Session {
   int64_t steps_until(double time) const;
 
   /// The present state for the renderer; `inspection` must outlive what is returned.
-  FrameView view_of(const Inspection& inspection, float aspect, const std::vector<std::string>& overlays) const;
+  FrameView view_of(const Inspection& inspection, const View& view, float aspect) const;
 
   const Scene& scene() const { return scene_; }
   const Settings& settings() const { return settings_; }
   const std::string& backend() const { return backend_; }  ///< "cpu", also where settings ask for auto
   World& world() { return *world_; }
+  const World& world() const { return *world_; }
 
  private:
+  void start(std::string scene, std::vector<GivenOption> given);
+  void go_on(std::vector<GivenOption> given, const Physics& physics);
+  void use(Scene scene, const Settings& settings);
+
+  std::string scene_name_;  // or a file
+  std::vector<GivenOption> given_;
+  bool keeps_tally_;
+  double time_before_ = 0;  // [s] that earlier worlds covered
   Scene scene_;
   Settings settings_;
   std::string backend_;

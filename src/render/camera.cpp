@@ -9,9 +9,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kMargin = 0.06f;                       // of the picture, on each side at least
-constexpr float kAzimuth = 30.0f * 3.14159265f / 180;  // three-quarter: two walls and the floor are seen
-constexpr float kElevation = 20.0f * 3.14159265f / 180;
+constexpr float kMargin = 0.06f;  // of the picture, on each side at least
 
 std::array<Vec3, 8> corners(Vec3 min, Vec3 max) {
   std::array<Vec3, 8> result;
@@ -87,7 +85,7 @@ float Camera::pixel_size(float distance, int height) const {
 
 Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect) {
   if (dimensions == 2) return frame_plane(min, max, aspect);
-  return frame_box_from(min, max, kAzimuth, kElevation, aspect);
+  return frame_box_from(min, max, kThreeQuarterAzimuth, kThreeQuarterElevation, aspect);
 }
 
 Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect) {

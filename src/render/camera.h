@@ -25,6 +25,10 @@ struct Camera {
   float pixel_size(float distance, int height) const;
 };
 
+/// Three-quarter: two walls and the floor are seen.
+inline constexpr float kThreeQuarterAzimuth = 30.0f * 3.14159265f / 180,
+                       kThreeQuarterElevation = 20.0f * 3.14159265f / 180;
+
 /// A camera that shows the whole box with a margin: three-quarter in perspective for 3 dimensions, straight
 /// on along −z without perspective for 2. Exact for any box and aspect: the closest eye that has all eight
 /// corners in view.

@@ -59,6 +59,7 @@ class Averager {
 class Renderer::Impl {
  public:
   Impl(int width, int height, const RenderOptions& options) : options_(options), picture_(width, height) {
+    sheet_.begin(width, height, options.left);
     for (const OverlayEntry& entry : overlay_table()) overlays_.push_back(entry.create());
     set_options(options);
     check_gl("preparing to draw");
@@ -66,7 +67,7 @@ class Renderer::Impl {
 
   void set_options(const RenderOptions& options) {
     check_supersample(options.supersample);
-    large_ = large_target(picture_, options.supersample);
+    if (options.supersample != options_.supersample || !large_) large_ = large_target(picture_, options.supersample);
     options_ = options;
   }
 
@@ -79,10 +80,12 @@ class Renderer::Impl {
   void draw(const FrameView& view) {
     bodies_.upload(view.inspection.bodies);
     bodies_.set_marks(contact_marks(bodies_.count(), view.inspection.contacts));
-    sheet_.begin(picture_.width(), picture_.height());
+    sheet_.begin(picture_.width(), picture_.height(), options_.left);
     canvas().bind();
-    uniforms_.set(frame_uniforms(view, options_.theme, canvas().width(), canvas().height()));
     set_state();
+    const int left = options_.left * options_.supersample;
+    glViewport(left, 0, canvas().width() - left, canvas().height());
+    uniforms_.set(frame_uniforms(view, options_.theme, canvas().width() - left, canvas().height()));
     draw_scene(view);
     if (large_) averager_.draw(*large_, picture_, options_.supersample);
     picture_.bind();
@@ -95,6 +98,7 @@ class Renderer::Impl {
 
   RenderOptions options_;
   RenderTarget picture_;
+  Sheet sheet_;
 
  private:
   const RenderTarget& canvas() const { return large_ ? *large_ : picture_; }
@@ -141,7 +145,6 @@ class Renderer::Impl {
   DiscRenderer discs_;
   LineRenderer lines_;
   FaceRenderer faces_;
-  Sheet sheet_;
   Averager averager_;
   std::vector<std::unique_ptr<Overlay>> overlays_;  ///< in the table's order
 };
@@ -179,6 +182,7 @@ Image Renderer::read_pixels() { return impl_->read_pixels(); }
 void Renderer::copy_to_window() { impl_->copy_to_window(); }
 int Renderer::width() const { return impl_->picture_.width(); }
 int Renderer::height() const { return impl_->picture_.height(); }
+Sheet& Renderer::sheet() { return impl_->sheet_; }
 
 void Renderer::set_options(const RenderOptions& options) { impl_->set_options(options); }
 void Renderer::resize(int width, int height) { impl_->resize(width, height); }

@@ -7,6 +7,7 @@
 
 #include "render/frame_view.h"
 #include "render/image.h"
+#include "render/sheet.h"
 #include "render/theme.h"
 
 namespace ballpit {
@@ -14,6 +15,7 @@ namespace ballpit {
 struct RenderOptions {
   Theme theme = themes().front();
   int supersample = 1;  ///< 1 to 4: draws that many times larger each way and averages, for stills
+  int left = 0;         ///< [pixel] of the picture's width that are left to a panel
 };
 
 class Renderer {
@@ -34,6 +36,9 @@ class Renderer {
 
   int width() const;
   int height() const;
+
+  /// What text is drawn on; a panel shares it.
+  Sheet& sheet();
 
   /// Restyles or resizes; everything that is shown stays as it is.
   void set_options(const RenderOptions& options);

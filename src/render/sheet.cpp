@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <imgui.h>
-
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
 
 #include "core/error.h"
 #include "roboto.h"
@@ -73,16 +72,17 @@ void Sheet::load_fonts() {
   font_height_ = height_;
 }
 
-void Sheet::begin(int width, int height) {
+void Sheet::begin(int width, int height, int left) {
   ImGui::SetCurrentContext(context_);
   width_ = width;
   height_ = height;
+  left_ = left;
   if (!ImGui::GetIO().BackendRendererUserData) throw RunError("Dear ImGui's OpenGL backend is gone");
   if (font_height_ == 0) ImGui_ImplOpenGL3_NewFrame();  // makes the backend's objects
   if (font_height_ != height) load_fonts();
   list_->_ResetForNewFrame();
   list_->Flags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill;
-  list_->PushClipRect({0, 0}, {static_cast<float>(width), static_cast<float>(height)});
+  list_->PushClipRect({0, 0}, {static_cast<float>(width - left), static_cast<float>(height)});
   list_->PushTextureID(ImGui::GetIO().Fonts->TexID);
 }
 
@@ -95,6 +95,7 @@ void Sheet::draw() {
   data.CmdListsCount = 1;
   data.TotalIdxCount = list_->IdxBuffer.Size;
   data.TotalVtxCount = list_->VtxBuffer.Size;
+  data.DisplayPos = {-static_cast<float>(left_), 0};
   data.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
   data.FramebufferScale = {1, 1};
   ImGui_ImplOpenGL3_RenderDrawData(&data);
@@ -102,8 +103,7 @@ void Sheet::draw() {
 
 Vec2 Sheet::size_of(std::string_view text, TextSize size) const {
   const ImFont* font = this->font(size);
-  const ImVec2 extent =
-      font->CalcTextSizeA(font->FontSize, INFINITY, 0, text.data(), text.data() + text.size());
+  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, INFINITY, 0, text.data(), text.data() + text.size());
   return {extent.x, extent.y};
 }
 
@@ -114,7 +114,9 @@ void Sheet::text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, Text
                  text.data() + text.size());
 }
 
-void Sheet::line(Vec2 a, Vec2 b, Rgba color, float width) { list_->AddLine(im(a), im(b), color, std::max(width, 1.0f)); }
+void Sheet::line(Vec2 a, Vec2 b, Rgba color, float width) {
+  list_->AddLine(im(a), im(b), color, std::max(width, 1.0f));
+}
 
 void Sheet::dotted(Vec2 a, Vec2 b, Rgba color, float width) {
   const float w = std::max(width, 1.0f), way = length(b - a);

@@ -2,7 +2,7 @@
 // A sheet of glass before the picture: text, lines, boxes and arrows in pixels, sharp at any size of picture.
 // Drawn by Dear ImGui's draw lists; whoever draws a panel over the picture shares the sheet's ImGui context and its fonts.
 //
-//     begin(width, height)   fonts for this height of picture; what was drawn is forgotten
+//     begin(width, height, …) fonts for this height of picture; what was drawn is forgotten
 //     text, line, arrow, …   collected; (0, 0) is the upper left corner, y goes down
 //     draw()                 onto the framebuffer that is bound, where the picture is drawn already
 #pragma once
@@ -39,12 +39,14 @@ class Sheet {
   Sheet(const Sheet&) = delete;
   Sheet& operator=(const Sheet&) = delete;
 
-  void begin(int width, int height);
+  /// For a picture of this size, whose first `left` pixels of width are a panel's: x counts from there.
+  void begin(int width, int height, int left = 0);
   void draw();
 
-  int width() const { return width_; }
-  int height() const { return height_; }
-  float unit() const;  ///< [pixel] 1/1080 of the height
+  int width() const { return width_; }    ///< [pixel] of the picture, with what is a panel's
+  int height() const { return height_; }  ///< [pixel]
+  int left() const { return left_; }      ///< [pixel] of the width that is a panel's
+  float unit() const;                     ///< [pixel] 1/1080 of the height
 
   Vec2 size_of(std::string_view text, TextSize size = TextSize::normal) const;  ///< [pixel]
   void text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size = TextSize::normal);
@@ -67,7 +69,7 @@ class Sheet {
   ImGuiContext* context_;
   std::unique_ptr<ImDrawList> list_;
   std::array<ImFont*, 3> fonts_{};
-  int width_ = 0, height_ = 0, font_height_ = 0;
+  int width_ = 0, height_ = 0, left_ = 0, font_height_ = 0;
 };
 
 }  // namespace ballpit

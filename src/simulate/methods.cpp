@@ -12,15 +12,18 @@ namespace {
 
 constexpr std::array kMethods{
     Method{Family::broadphase, "auto", "Best predicted", "cpu, cuda",
-           "chosen by predicted time, with a candidate list (skin 0.1)", ""},
+           "chosen by predicted time, with a candidate list (skin 0.1)", "", "", "cell-size, table, axis"},
     Method{Family::broadphase, "brute-force", "Brute force", "cpu, cuda", "O(n²) tests, no structure",
            "slides 5 and 6"},
     Method{Family::broadphase, "sort-and-sweep", "Sort and sweep", "cpu, cuda",
-           "O(n) sort by radix, O(n^(5/3)) tests in a cube; 24 bytes a sphere", "slides 2 to 4; Baraff 1992"},
+           "O(n) sort by radix, O(n^(5/3)) tests in a cube; 24 bytes a sphere", "slides 2 to 4; Baraff 1992", "",
+           "axis"},
     Method{Family::broadphase, "linked-cell", "Linked cell", "cpu, cuda",
-           "O(n) while cells hold O(1) spheres; 4 bytes a cell and 4 a sphere", "slides 8 to 17"},
+           "O(n) while cells hold O(1) spheres; 4 bytes a cell and 4 a sphere", "slides 8 to 17", "",
+           "cell-size, table"},
     Method{Family::broadphase, "sorted-grid", "Sorted grid", "cpu, cuda",
-           "O(n), a grid for each size class; 4 bytes a cell and 20 a sphere", "Green 2010; Ericson 2005, section 7.2"},
+           "O(n), a grid for each size class; 4 bytes a cell and 20 a sphere", "Green 2010; Ericson 2005, section 7.2",
+           "", "cell-size, table"},
     Method{Family::response, "kinematic", "Kinematic", "cpu, cuda", "O(n + contacts)",
            "exercise sheet 2; plausible, not physical", "symplectic-euler", "swept"},
     Method{Family::response, "impulse", "Impulse", "cpu, cuda", "O(n + contacts) an iteration",
@@ -105,6 +108,12 @@ std::string misfit(std::string_view response, std::string_view option, std::stri
   }
   if (users.empty() || lists(method.options, option)) return "";
   return found + with.substr(1) + join(users) + ", not " + std::string(response);
+}
+
+bool uses(const Method& method, std::string_view option) { return lists(method.options, option); }
+
+bool goes_with(std::string_view response, std::string_view option, std::string_view value) {
+  return misfit(response, option, value).empty();
 }
 
 std::string_view family_name(Family family) {

@@ -18,8 +18,8 @@ struct Method {
   std::string_view backends;  ///< where it runs
   std::string_view cost;
   std::string_view source;
-  std::string_view integrators = "";              ///< of a response: those it goes with, its own choice first
-  std::string_view options = "";                  ///< of a response: those options of its kind that it uses
+  std::string_view integrators = "";  ///< of a response: those it goes with, its own choice first
+  std::string_view options = "";      ///< of a broad phase or a response: those options of its kind that it uses
   std::string_view precisions = "float, double";  ///< of a response: those it computes in
 };
 
@@ -34,6 +34,12 @@ const Method& find_method(Family family, std::string_view name);
 /// What is wrong with `--option value` for a response: "found rk4, allowed symplectic-euler with --response impulse"; empty if
 /// nothing.
 std::string misfit(std::string_view response, std::string_view option, std::string_view value);
+
+/// Whether a broad phase or a response uses an option of its kind.
+bool uses(const Method& method, std::string_view option);
+
+/// Whether `--option value` can be asked for with a response.
+bool goes_with(std::string_view response, std::string_view option, std::string_view value);
 
 /// "broadphase", …
 std::string_view family_name(Family family);

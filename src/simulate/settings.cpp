@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
+#include <cstring>
 
 #include "core/error.h"
 #include "simulate/methods.h"
@@ -13,6 +13,8 @@ namespace ballpit {
 
 namespace {
 
+constexpr double kSmallestStep = 1e-12;
+
 template <class T>
 bool parse(std::string_view text, T& value) {
   const char* end = text.data() + text.size();
@@ -20,109 +22,125 @@ bool parse(std::string_view text, T& value) {
   return result.ec == std::errc() && result.ptr == end;
 }
 
-/// Parses a number and stores it where it lies in [low, high].
-template <class T, class Member>
-bool set_number(std::string_view text, T low, T high, Member& member) {
-  T value{};
-  if (!parse(text, value) || !(value >= low && value <= high)) return false;
-  member = value;
-  return true;
+/// As short as it can be typed: 0.004166666666666667, 1e6.
+template <class T>
+std::string typed(T value) {
+  std::array<char, 32> text;
+  std::string result(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+  for (const char* const padding : {"e+0", "e+"}) {
+    if (const size_t at = result.find(padding); at != result.npos) result.replace(at, std::strlen(padding), "e");
+  }
+  return result;
+}
+template <class T>
+std::string typed(const std::optional<T>& value) {
+  return value ? typed(*value) : "";
 }
 
-bool set_one_of(std::string_view text, std::initializer_list<std::string_view> names, std::string& member) {
-  if (std::find(names.begin(), names.end(), text) == names.end()) return false;
-  member = text;
-  return true;
+/// A number in [low, high], stored in `member`.
+template <auto member, auto low, auto high>
+constexpr SettingInfo number(std::string_view name, std::string_view value_name, std::string_view help,
+                             SettingGroup group) {
+  return {name,
+          value_name,
+          help,
+          group,
+          [] { return typed(low) + " to " + typed(high); },
+          nullptr,
+          [](Settings& settings, std::string_view text) {
+            decltype(low) value{};
+            if (!parse(text, value) || !(value >= low && value <= high)) return false;
+            settings.*member = value;
+            return true;
+          },
+          [](const Settings& settings) { return typed(settings.*member); }};
+}
+
+/// One of the names that `names` lists, stored in `member`.
+template <std::string Settings::*member, auto names>
+constexpr SettingInfo name_of(std::string_view name, std::string_view help, SettingGroup group) {
+  return {name,
+          "NAME",
+          help,
+          group,
+          [] { return join(names()); },
+          +names,
+          [](Settings& settings, std::string_view text) {
+            const std::vector<std::string_view> allowed = names();
+            if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) return false;
+            settings.*member = text;
+            return true;
+          },
+          [](const Settings& settings) { return settings.*member; }};
 }
 
 template <Family family>
-std::string allowed_methods() {
-  return join(method_names(family));
+std::vector<std::string_view> names_in() {
+  return method_names(family);
 }
+std::vector<std::string_view> table_names() { return {"auto", "dense", "hashed"}; }
+std::vector<std::string_view> axis_names() { return {"auto", "x", "y", "z"}; }
+std::vector<std::string_view> correction_names() { return {"split", "none", "surface"}; }
+std::vector<std::string_view> contact_end_names() { return {"overlap", "force"}; }
+std::vector<std::string_view> on_off() { return {"on", "off"}; }
 
-template <Family family, std::string Settings::*member>
-bool set_method(Settings& settings, std::string_view text) {
-  const auto names = method_names(family);
-  if (std::find(names.begin(), names.end(), text) == names.end()) return false;
-  settings.*member = text;
-  return true;
-}
+constexpr SettingInfo kSwept{"swept",
+                             "on|off",
+                             "contacts are found along the step, so that fast spheres meet what they would pass",
+                             SettingGroup::response,
+                             [] { return join(on_off()); },
+                             on_off,
+                             [](Settings& settings, std::string_view text) {
+                               if (text != "on" && text != "off") return false;
+                               settings.is_swept = text == "on";
+                               return true;
+                             },
+                             [](const Settings& settings) { return std::string(settings.is_swept ? "on" : "off"); }};
 
-constexpr double kSmallest = 1e-12;
+constexpr auto kDetection = SettingGroup::detection, kResponse = SettingGroup::response, kTime = SettingGroup::time,
+               kRun = SettingGroup::run;
 
 constexpr std::array kTable{
-    SettingInfo{"broadphase", "NAME", "how candidate pairs are found", allowed_methods<Family::broadphase>,
-                set_method<Family::broadphase, &Settings::broadphase>},
-    SettingInfo{"cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed",
-                [] { return std::string("0.05 to 1000"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 0.05, 1000.0, s.cell_size); }},
-    SettingInfo{"table", "NAME", "cells in an array with a place for each, or hashed into a bounded number of places",
-                [] { return std::string("auto, dense, hashed"); },
-                [](Settings& s, std::string_view v) {
-                  return set_one_of(v, {"auto", "dense", "hashed"}, s.table);
-                }},
-    SettingInfo{"axis", "NAME", "axis of sort-and-sweep; auto: the one along which positions vary most",
-                [] { return std::string("auto, x, y, z"); },
-                [](Settings& s, std::string_view v) {
-                  return set_one_of(v, {"auto", "x", "y", "z"}, s.axis);
-                }},
-    SettingInfo{"skin", "FRACTION", "skin of the candidate list, of a radius; 0: search in every step",
-                [] { return std::string("0 to 10"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 0.0, 10.0, s.skin); }},
-    SettingInfo{"response", "NAME", "what spheres in contact do", allowed_methods<Family::response>,
-                set_method<Family::response, &Settings::response>},
-    SettingInfo{"iterations", "N", "of impulse (4 unless told) and position-based (1) in a substep",
-                [] { return std::string("1 to 10000"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 1, 10000, s.iterations); }},
-    SettingInfo{"solver", "NAME", "how impulse iterates", allowed_methods<Family::solver>,
-                set_method<Family::solver, &Settings::solver>},
-    SettingInfo{"correction", "NAME",
-                "of overlap by impulse: split into velocity and position, none, or back to the surface",
-                [] { return std::string("split, none, surface"); },
-                [](Settings& s, std::string_view v) {
-                  return set_one_of(v, {"split", "none", "surface"}, s.correction);
-                }},
-    SettingInfo{"contact-end", "NAME", "of penalty: where overlap ends, or where the force would begin to pull",
-                [] { return std::string("overlap, force"); },
-                [](Settings& s, std::string_view v) {
-                  return set_one_of(v, {"overlap", "force"}, s.contact_end);
-                }},
-    SettingInfo{"compliance", "M/N", "of position-based contacts; 0: rigid", [] { return std::string("0 to 1000"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 0.0, 1000.0, s.compliance); }},
-    SettingInfo{"contact-duration", "SECONDS", "of event-driven collisions: those that follow sooner lose no energy",
-                [] { return std::string("0 to 1"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 0.0, 1.0, s.contact_duration); }},
-    SettingInfo{"swept", "on|off", "contacts are found along the step, so that fast spheres meet what they would pass",
-                [] { return std::string("on, off"); },
-                [](Settings& s, std::string_view v) {
-                  if (v != "on" && v != "off") return false;
-                  s.is_swept = v == "on";
-                  return true;
-                }},
-    SettingInfo{"integrator", "NAME", "how velocities and positions advance", allowed_methods<Family::integrator>,
-                set_method<Family::integrator, &Settings::integrator>},
-    SettingInfo{"precision", "NAME", "floating-point type of the simulation", allowed_methods<Family::precision>,
-                set_method<Family::precision, &Settings::precision>},
-    SettingInfo{"dt", "SECONDS", "time step", [] { return std::string("1e-12 to 10"); },
-                [](Settings& s, std::string_view v) { return set_number(v, kSmallest, 10.0, s.dt); }},
-    SettingInfo{"substeps", "N", "parts of a time step, each detected and resolved by itself",
-                [] { return std::string("1 to 1000"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 1, 1000, s.substeps); }},
-    SettingInfo{"max-overlap", "FRACTION", "of the smaller radius; more overlap stops the run",
-                [] { return std::string("0 to 1e6"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 0.0, 1e6, s.max_overlap); }},
-    SettingInfo{"max-energy", "FACTOR", "of the energy at the start; more energy stops the run",
-                [] { return std::string("1 to 1e15"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 1.0, 1e15, s.max_energy); }},
-    SettingInfo{"backend", "NAME", "processor that simulates", allowed_methods<Family::backend>,
-                set_method<Family::backend, &Settings::backend>},
-    SettingInfo{"threads", "N", "CPU threads; 0 for all cores", [] { return std::string("0 to 256"); },
-                [](Settings& s, std::string_view v) { return set_number(v, 0, 256, s.threads); }},
-    SettingInfo{"count", "N", "spheres to generate, in place of the scene's own number",
-                [] { return std::string("1 to 100000000"); },
-                [](Settings& s, std::string_view v) { return set_number(v, int64_t{1}, int64_t{100000000}, s.count); }},
-    SettingInfo{"seed", "N", "start of the random numbers", [] { return std::string("0 to 18446744073709551615"); },
-                [](Settings& s, std::string_view v) { return set_number(v, uint64_t{0}, UINT64_MAX, s.seed); }},
+    name_of<&Settings::broadphase, names_in<Family::broadphase>>("broadphase", "how candidate pairs are found",
+                                                                 kDetection),
+    number<&Settings::cell_size, 0.05, 1000.0>(
+        "cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed", kDetection),
+    name_of<&Settings::table, table_names>(
+        "table", "cells in an array with a place for each, or hashed into a bounded number of places", kDetection),
+    name_of<&Settings::axis, axis_names>(
+        "axis", "axis of sort-and-sweep; auto: the one along which positions vary most", kDetection),
+    number<&Settings::skin, 0.0, 10.0>("skin", "FRACTION",
+                                       "skin of the candidate list, of a radius; 0: search in every step", kDetection),
+    name_of<&Settings::response, names_in<Family::response>>("response", "what spheres in contact do", kResponse),
+    number<&Settings::iterations, 1, 10000>(
+        "iterations", "N", "of impulse (4 unless told) and position-based (1) in a substep", kResponse),
+    name_of<&Settings::solver, names_in<Family::solver>>("solver", "how impulse iterates", kResponse),
+    name_of<&Settings::correction, correction_names>(
+        "correction", "of overlap by impulse: split into velocity and position, none, or back to the surface",
+        kResponse),
+    name_of<&Settings::contact_end, contact_end_names>(
+        "contact-end", "of penalty: where overlap ends, or where the force would begin to pull", kResponse),
+    number<&Settings::compliance, 0.0, 1000.0>("compliance", "M/N", "of position-based contacts; 0: rigid", kResponse),
+    number<&Settings::contact_duration, 0.0, 1.0>("contact-duration", "SECONDS",
+                                                  "of event-driven collisions: those that follow sooner lose no energy",
+                                                  kResponse),
+    kSwept,
+    name_of<&Settings::integrator, names_in<Family::integrator>>("integrator", "how velocities and positions advance",
+                                                                 kTime),
+    name_of<&Settings::precision, names_in<Family::precision>>("precision", "floating-point type of the simulation",
+                                                               kTime),
+    number<&Settings::dt, kSmallestStep, 10.0>("dt", "SECONDS", "time step", kTime),
+    number<&Settings::substeps, 1, 1000>("substeps", "N", "parts of a time step, each detected and resolved by itself",
+                                         kTime),
+    number<&Settings::max_overlap, 0.0, 1e6>("max-overlap", "FRACTION",
+                                             "of the smaller radius; more overlap stops the run", kRun),
+    number<&Settings::max_energy, 1.0, 1e15>("max-energy", "FACTOR",
+                                             "of the energy at the start; more energy stops the run", kRun),
+    name_of<&Settings::backend, names_in<Family::backend>>("backend", "processor that simulates", kDetection),
+    number<&Settings::threads, 0, 256>("threads", "N", "CPU threads; 0 for all cores", kDetection),
+    number<&Settings::count, int64_t{1}, int64_t{100000000}>(
+        "count", "N", "spheres to generate, in place of the scene's own number", kRun),
+    number<&Settings::seed, uint64_t{0}, UINT64_MAX>("seed", "N", "start of the random numbers", kRun),
 };
 
 }  // namespace

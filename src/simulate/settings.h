@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ballpit {
 
@@ -47,14 +48,19 @@ std::string integrator_of(const Settings& settings);
 /// "double" where the response computes in nothing else, whatever the settings say.
 std::string precision_of(const Settings& settings);
 
+/// Where the panel shows an option; `run` options are the command line's alone.
+enum class SettingGroup { detection, response, time, run };
+
 /// One shared option: "--name VALUE" on the command line, "name = value" in [defaults].
 struct SettingInfo {
   std::string_view name;
   std::string_view value_name;  ///< for help: NAME, SECONDS, …
   std::string_view help;
-  std::string (*allowed)();  ///< for help and errors: "brute-force, linked-cell", "above 0"
-  /// Stores a value; false where it is not allowed.
-  bool (*set)(Settings&, std::string_view);
+  SettingGroup group;
+  std::string (*allowed)();                    ///< for help and errors: "brute-force, linked-cell", "0 to 10"
+  std::vector<std::string_view> (*choices)();  ///< of an option with names; nullptr for numbers
+  bool (*set)(Settings&, std::string_view);    ///< stores a value; false where it is not allowed
+  std::string (*get)(const Settings&);         ///< as it would be typed; empty where it is left to the program
 };
 
 std::span<const SettingInfo> setting_table();

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "app/demo.h"
+
+#include <cmath>
+
+#include "core/error.h"
+#include "render/overlays/overlay.h"
+#include "simulate/methods.h"
+
+namespace ballpit {
+
+Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : session(scene, given) { begin_anew(); }
+
+void Demo::begin_anew() {
+  touch();
+  player.forgive();
+  const Report& now = report();
+  energy_at_start_ = now.kinetic_energy + now.potential_energy + now.elastic_energy;
+  if (view.selected >= now.count) view.selected = -1;
+}
+
+void Demo::attempt(const std::function<void()>& action) {
+  message_.clear();
+  touch();
+  try {
+    action();
+  } catch (const UserError& error) {
+    message_ = error.what();
+  } catch (const RunError& error) {
+    message_ = error.what();
+  } catch (const std::bad_alloc&) {
+    message_ = "out of memory; fewer spheres need less";
+  }
+}
+
+void Demo::set(const std::string& option, const std::string& value) {
+  attempt([&] {
+    session.set(option, value);
+    begin_anew();
+  });
+}
+
+void Demo::set_physics(const Physics& physics) {
+  attempt([&] {
+    session.set_physics(physics);
+    begin_anew();
+  });
+}
+
+void Demo::load(const std::string& scene) {
+  attempt([&] {
+    session.load(scene);
+    view.selected = -1;
+    begin_anew();
+  });
+}
+
+void Demo::step() {
+  attempt([&] { player.step(session); });
+}
+
+void Demo::step_back() {
+  attempt([&] {
+    player.is_running = false;
+    message_ = "the timeline is not built yet";
+  });
+}
+
+void Demo::perform(const Key& key) {
+  touch();
+  switch (key.action) {
+    case Action::pause:
+      player.is_running = !player.is_running;
+      break;
+    case Action::step:
+      step();
+      break;
+    case Action::step_back:
+      step_back();
+      break;
+    case Action::restart:
+      restart();
+      break;
+    case Action::use_method:
+      set("broadphase", std::string(key.argument));
+      break;
+    case Action::toggle_overlay:
+      view.toggle(key.argument);
+      break;
+    case Action::change_theme:
+      view.theme = themes()[view.theme == themes()[0].name ? 1 : 0].name;
+      break;
+    case Action::reset_view:
+      view.azimuth = kThreeQuarterAzimuth;
+      view.elevation = kThreeQuarterElevation;
+      view.zoom = 1;
+      break;
+    case Action::show_keys:
+      shows_keys = !shows_keys;
+      break;
+    case Action::save_picture:
+      break;
+  }
+}
+
+Wanted Demo::wanted() const {
+  Wanted result;
+  for (const OverlayEntry& overlay : overlay_table()) {
+    if (view.shows(overlay.name)) result = result | overlay.wanted;
+  }
+  return result;
+}
+
+const Inspection& Demo::inspection() {
+  if (looked_at_ != version()) {
+    inspection_ = session.world().inspect();
+    looked_at_ = version();
+  }
+  return inspection_;
+}
+
+const Report& Demo::report() {
+  if (reported_ != version()) {
+    report_ = session.world().report();
+    reported_ = version();
+  }
+  return report_;
+}
+
+}  // namespace ballpit

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// A demonstration as it is operated: a session, how it is played and looked at, and what panel, keys and mouse do to them.
+// A user's mistake becomes a message; the demonstration goes on as it was.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/keys.h"
+#include "app/player.h"
+#include "app/session.h"
+#include "app/view.h"
+
+namespace ballpit {
+
+class Demo {
+ public:
+  /// Throws UserError as Session does.
+  Demo(std::string_view scene, const std::vector<GivenOption>& given);
+
+  Session session;
+  Player player;
+  View view;
+
+  /// What a key does, but for saving a picture, which whoever draws it does.
+  void perform(const Key& key);
+
+  void set(const std::string& option, const std::string& value);
+  void set_physics(const Physics& physics);
+  void load(const std::string& scene);
+  void restart() { load(session.scene().name); }
+  void step();
+  void step_back();
+
+  /// A line for the audience; the latest.
+  const std::string& message() const { return message_; }
+  void say(const std::string& message) { message_ = message; }
+
+  bool shows_keys = false;
+
+  /// The present state, looked at once for the same state and wishes.
+  const Inspection& inspection();
+  const Report& report();
+
+  /// [J] kinetic, potential and elastic, when this world began.
+  double energy_at_start() const { return energy_at_start_; }
+
+  /// Changes whenever anything that is shown may have: a window that has drawn this need not draw again.
+  int64_t version() const { return (version_ << 36) + session.world().steps(); }
+  void touch() { ++version_; }
+
+ private:
+  /// Does what may be a user's mistake.
+  void attempt(const std::function<void()>& action);
+  void begin_anew();
+  Wanted wanted() const;
+
+  std::string message_;
+  double energy_at_start_ = 0;
+  int64_t version_ = 0;
+  int64_t looked_at_ = -1, reported_ = -1;
+  Inspection inspection_;
+  Report report_;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "app/numbers.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace ballpit {
+
+std::string with_thin_spaces(int64_t value) {
+  const std::string digits = std::to_string(value);
+  std::string result;
+  for (size_t k = 0; k < digits.size(); ++k) {
+    const size_t left = digits.size() - k;
+    if (k > 0 && left % 3 == 0 && digits[k - 1] != '-') result += "\u2009";
+    result += digits[k];
+  }
+  return result;
+}
+
+std::string three_digits(double value) {
+  std::array<char, 32> text;
+  const double size = std::fabs(value);
+  if (size > 0 && (size < 0.01 || size >= 1e6)) {
+    std::snprintf(text.data(), text.size(), "%.2e", value);
+  } else {
+    const int decimals = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  }
+  return text.data();
+}
+
+}  // namespace ballpit

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The panel beside the picture, by Dear ImGui: scene and time, detection, response, overlays, cost, accuracy. What there is to
+// choose from comes from the tables that the command line has; what a method does not use is not shown.
+// It draws over whatever framebuffer is bound, in a window or headless. Each item's rectangle is noted by its name, so that tests
+// click as people do.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "app/demo.h"
+#include "render/sheet.h"
+
+namespace ballpit {
+
+struct ItemRect {
+  Vec2 low, high;  ///< [pixel] from the upper left corner
+  Vec2 middle() const { return (low + high) / 2.0f; }
+};
+
+/// What hands do, as ImGui is told; between two frames of the panel.
+struct PanelInput {
+  Vec2 mouse{-1e6f};  ///< [pixel] from the upper left corner
+  bool is_down = false;
+  float wheel = 0;
+  std::string typed;          ///< UTF-8
+  float elapsed = 1 / 60.0f;  ///< [s] since the frame before
+  std::map<int, bool> keys;   ///< by GLFW's code: those that changed, and whether they are down now
+};
+
+class Panel {
+ public:
+  /// `sheet` must live as long as the panel, and be begun for the picture that the panel is drawn over.
+  explicit Panel(Sheet& sheet);
+
+  /// The width that it takes of a picture [pixel]: at most a third.
+  static int width_in(int picture_width, int picture_height);
+
+  void draw(Demo& demo, const PanelInput& input);
+
+  /// Whether the mouse or the keyboard are the panel's.
+  bool has_mouse() const;
+  bool has_keyboard() const;
+
+  bool wants_picture = false;  ///< the button that saves one was pressed; for the caller to clear
+
+  /// All items of the last frame by name: "pause", "broadphase linked-cell", "overlay grid", …
+  const std::map<std::string, ItemRect>& items() const { return items_; }
+
+ private:
+  void note(const std::string& name);
+  bool button(const std::string& name, const std::string& label);
+  template <class Visit>
+  void combo(const std::string& name, const std::string& label, const std::string& current, Visit&& entries);
+  bool entry(const std::string& name, const std::string& label, bool is_current);
+  void setting(Demo& demo, const SettingInfo& info);
+  void number_setting(Demo& demo, const SettingInfo& info);
+  bool slider(const std::string& name, const std::string& label, float& value, float low, float high, bool is_log,
+              const char* format);
+
+  void draw_time(Demo& demo);
+  void draw_detection(Demo& demo);
+  void draw_response(Demo& demo);
+  void draw_view(Demo& demo);
+  void draw_selected(Demo& demo);
+  void draw_cost(Demo& demo);
+  void draw_accuracy(Demo& demo);
+  void draw_keys(Demo& demo);
+
+  Sheet& sheet_;
+  std::map<std::string, ItemRect> items_;
+  std::map<std::string, float> edited_;  // sliders that are being dragged
+  std::map<std::string, std::string> typed_;
+};
+
+}  // namespace ballpit

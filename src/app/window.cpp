@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "app/window.h"
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "core/error.h"
+
+namespace ballpit {
+
+namespace {
+
+std::string glfw_reason() {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  return reason ? reason : "unknown";
+}
+
+void append_utf8(std::string& text, unsigned code) {
+  const auto put = [&](unsigned byte) { text += static_cast<char>(byte); };
+  if (code < 0x80) {
+    put(code);
+  } else if (code < 0x800) {
+    put(0xC0 | code >> 6);
+    put(0x80 | (code & 0x3F));
+  } else {
+    put(0xE0 | (code >> 12 & 0x0F));
+    put(0x80 | (code >> 6 & 0x3F));
+    put(0x80 | (code & 0x3F));
+  }
+}
+
+}  // namespace
+
+Window::Window(int width, int height, const std::string& title) {
+  if (!glfwInit()) throw RunError("no window: " + glfw_reason() + "; ballpit render draws without a display");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (!window_) {
+    const std::string reason = glfw_reason();
+    glfwTerminate();
+    throw RunError("no window with OpenGL 4.5: " + reason + "; ballpit render draws without one");
+  }
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+  debug_ = std::make_unique<GlDebug>();
+  listen();
+}
+
+Window::~Window() {
+  debug_.reset();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+Window& Window::of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+void Window::listen() {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    of(w).events_.mouse = of(w).to_pixels(x, y);
+    of(w).events_.any = true;
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    WindowEvents& events = of(w).events_;
+    events.is_mouse_down = action == GLFW_PRESS;
+    (events.is_mouse_down ? events.was_pressed : events.was_released) = true;
+    events.any = true;
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
+    of(w).events_.wheel += static_cast<float>(y);
+    of(w).events_.any = true;
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+    WindowEvents& events = of(w).events_;
+    if (action != GLFW_REPEAT) events.keys[key] = action == GLFW_PRESS;
+    if (action != GLFW_RELEASE) events.pressed.push_back(key);
+    events.any = true;
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
+    append_utf8(of(w).events_.typed, code);
+    of(w).events_.any = true;
+  });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).events_.any = true; });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).events_.any = true; });
+}
+
+/// GLFW tells the mouse in the window's units, which a HiDPI display has fewer of than pixels.
+Vec2 Window::to_pixels(double x, double y) const {
+  int w = 1, h = 1;
+  glfwGetWindowSize(window_, &w, &h);
+  return {static_cast<float>(x * width() / std::max(w, 1)), static_cast<float>(y * height() / std::max(h, 1))};
+}
+
+bool Window::is_to_close() const { return glfwWindowShouldClose(window_) != 0; }
+void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+
+const WindowEvents& Window::poll(double seconds) {
+  const Vec2 mouse = events_.mouse;
+  const bool is_down = events_.is_mouse_down;
+  events_ = {};
+  events_.mouse = mouse;
+  events_.is_mouse_down = is_down;
+  if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwPollEvents();
+  }
+  return events_;
+}
+
+int Window::width() const {
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(window_, &w, &h);
+  return w;
+}
+int Window::height() const {
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(window_, &w, &h);
+  return h;
+}
+void Window::show() { glfwSwapBuffers(window_); }
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+}  // namespace ballpit

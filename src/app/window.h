@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// A window with an OpenGL 4.5 context, by GLFW, and what hands do in it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/math.h"
+#include "render/gl_debug.h"
+
+struct GLFWwindow;
+
+namespace ballpit {
+
+/// What happened since the last look, in pixels of the framebuffer from its upper left corner.
+struct WindowEvents {
+  Vec2 mouse{0.0f};
+  bool is_mouse_down = false;  ///< the left button, now
+  bool was_pressed = false;    ///< it went down
+  bool was_released = false;   ///< it went up
+  float wheel = 0;
+  std::vector<int> pressed;  ///< keys that went down, by GLFW's code
+  std::map<int, bool> keys;  ///< keys that changed, and whether they are down now
+  std::string typed;         ///< UTF-8
+  bool any = false;          ///< anything at all, a new size or an uncovered window included
+};
+
+class Window {
+ public:
+  /// Throws RunError with GLFW's reason where there is no display or no OpenGL 4.5.
+  Window(int width, int height, const std::string& title);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  bool is_to_close() const;
+  void close();
+
+  /// Events since the last call; waits for one for `seconds` at most.
+  const WindowEvents& poll(double seconds);
+
+  int width() const;  ///< [pixel] of the framebuffer; 0 while the window is minimised
+  int height() const;
+  void show();  ///< what was drawn
+  void set_title(const std::string& title);
+
+ private:
+  static Window& of(GLFWwindow* window);
+  void listen();
+  Vec2 to_pixels(double x, double y) const;
+
+  GLFWwindow* window_ = nullptr;
+  WindowEvents events_;
+  std::unique_ptr<GlDebug> debug_;
+};
+
+}  // namespace ballpit
