@@ -18,18 +18,13 @@
 #include "simulate/broadphase/linked_cell.h"
 #include "simulate/broadphase/sort_and_sweep.h"
 #include "simulate/broadphase/sorted_grid.h"
+#include "simulate/narrowphase/candidate_pairs.h"
 #include "simulate/narrowphase/filter_list.h"
 #include "simulate/narrowphase/list_search.h"
 #include "simulate/narrowphase/range_search.h"
 #include "simulate/settings.h"
 
 namespace ballpit {
-
-/// Whether a broad phase gives its candidates as ranges of slots.
-template <class Candidates>
-concept GivesRanges = requires(const Candidates& candidates) {
-  candidates.slots();
-};
 
 /// Kernel: how many slots thread t looks at.
 template <class Candidates>
@@ -136,6 +131,20 @@ class Detector {
           return method.inspect(exec);
         },
         broad_phase_);
+  }
+
+  /// The pairs that the last search of these bodies gave to the narrow phase, in contact or not, in canonical order.
+  std::vector<Pair> candidate_pairs(Exec& exec, const BodiesView<V>& bodies) const {
+    return std::visit([&](auto& method) { return ballpit::candidate_pairs(exec, method.candidates(), bodies.size()); },
+                      broad_phase_);
+  }
+
+  /// The axis and the sorted list of the last search of these bodies, where it was by sort-and-sweep.
+  void inspect_sweep(Exec& exec, const BodiesView<V>& bodies, Inspection& seen) const {
+    if (const auto* const sweep = std::get_if<SortAndSweep<V, Exec>>(&broad_phase_)) {
+      seen.axis = sweep->axis();
+      seen.endpoints = sweep->endpoints(exec, bodies);
+    }
   }
 
   /// What each thread of the last search walked.

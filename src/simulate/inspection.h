@@ -41,7 +41,8 @@ struct GridInspection {
   std::vector<int32_t> next;  ///< one entry per body: the one linked before it, or −1
 };
 
-/// An entry of the list that sort-and-sweep sorts: where a sphere begins or ends along the axis.
+/// An entry of the list that sort-and-sweep sorts: where a sphere begins or ends along the axis, but for a guard against
+/// rounding of about a millionth.
 struct Endpoint {
   float at = 0;  ///< [m]
   int32_t body = 0;
@@ -51,9 +52,11 @@ struct Endpoint {
 /// What an inspection is to hold beside what is always there; each costs what it costs.
 struct Wanted {
   bool candidates = false;
-  bool missed = false;  ///< brute force is the oracle: O(n²) tests
-  bool endpoints = false;
+  bool missed = false;     ///< brute force is the oracle: O(n²) tests
+  bool endpoints = false;  ///< and the axis
   bool work = false;
+
+  bool anything() const { return candidates || missed || endpoints || work; }
 
   Wanted operator|(const Wanted& other) const {
     return {candidates || other.candidates, missed || other.missed, endpoints || other.endpoints, work || other.work};
@@ -65,11 +68,12 @@ struct Inspection {
   std::vector<Pair> contacts;         ///< overlapping pairs that the method found, sorted by i, then j
   std::vector<GridInspection> grids;  ///< of the broad phase: one for each size class, or none
 
-  std::vector<Pair> candidates;     ///< pairs that the broad phase gives to the narrow phase, sorted; if wanted
-  std::vector<Pair> missed;         ///< overlapping pairs that the method did not find, sorted; if wanted
+  // If wanted; as the method searches the present positions where there is no candidate list.
+  std::vector<Pair> candidates;     ///< pairs that the broad phase gives to the narrow phase, sorted
+  std::vector<Pair> missed;         ///< overlapping pairs that the method did not find, sorted
   int axis = -1;                    ///< along which sort-and-sweep sorts: 0, 1, 2; −1 for other methods
-  std::vector<Endpoint> endpoints;  ///< its sorted list, by `at`; if wanted
-  std::vector<int> work;            ///< candidates that each thread walks over; if wanted
+  std::vector<Endpoint> endpoints;  ///< its sorted list, by `at`
+  std::vector<int> work;            ///< candidates that each thread walks over
 };
 
 }  // namespace ballpit

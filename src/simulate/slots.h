@@ -51,6 +51,12 @@ struct SlotsView {
   }
 };
 
+/// Whether a broad phase gives its candidates as ranges of slots.
+template <class Candidates>
+concept GivesRanges = requires(const Candidates& candidates) {
+  candidates.slots();
+};
+
 /// Kernel: copies body body[slot] into its slot.
 template <class V>
 struct GatherSlot {

@@ -114,15 +114,21 @@ class SpatialOrder {
   Span<const int> id_at_;
 };
 
-/// Puts ids where an inspection names bodies by their places: contacts and lists; bodies are in the order of ids already.
-inline void name_by_id(Inspection& inspection, const std::vector<int>& id_at) {
-  const auto id = [&](int place) { return place < 0 ? place : id_at[static_cast<size_t>(place)]; };
-  for (Pair& pair : inspection.contacts) {
-    const int a = id(pair.i), b = id(pair.j);
+/// Puts ids into pairs of places.
+inline void name_by_id(std::vector<Pair>& pairs, const std::vector<int>& id_at) {
+  for (Pair& pair : pairs) {
+    const int a = id_at[static_cast<size_t>(pair.i)], b = id_at[static_cast<size_t>(pair.j)];
     pair = {std::min(a, b), std::max(a, b)};
   }
-  std::sort(inspection.contacts.begin(), inspection.contacts.end(),
-            [](const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+  std::sort(pairs.begin(), pairs.end());
+}
+
+/// Puts ids where an inspection names bodies by their places: pairs and lists; bodies are in the order of ids already.
+inline void name_by_id(Inspection& inspection, const std::vector<int>& id_at) {
+  const auto id = [&](int place) { return place < 0 ? place : id_at[static_cast<size_t>(place)]; };
+  for (auto* const pairs : {&inspection.contacts, &inspection.candidates, &inspection.missed})
+    name_by_id(*pairs, id_at);
+  for (Endpoint& endpoint : inspection.endpoints) endpoint.body = id(endpoint.body);
   for (GridInspection& grid : inspection.grids) {
     for (int32_t& head : grid.head) head = id(head);
     std::vector<int32_t> next(grid.next.size());

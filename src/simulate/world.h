@@ -55,8 +55,9 @@ class World {
   /// Advances by dt. Throws RunError where a sphere is no longer inside the domain, naming it and the step.
   virtual void step() = 0;
 
-  /// Copies of what the detection sees in the present state.
-  virtual Inspection inspect() = 0;
+  /// Copies of what the detection sees in the present state, with what is wanted beside. What has no meaning for a method
+  /// stays empty. Throws RunError where there are too many candidates to list.
+  virtual Inspection inspect(const Wanted& wanted = {}) = 0;
 
   virtual Report report() = 0;
 

@@ -15,6 +15,7 @@
 #include <variant>
 
 #include "simulate/guard.h"
+#include "simulate/inspect_more.h"
 #include "simulate/integrate/explicit_euler.h"
 #include "simulate/integrate/rk4.h"
 #include "simulate/integrate/symplectic_euler.h"
@@ -63,7 +64,7 @@ class WorldOn final : public World {
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  Inspection inspect() override {
+  Inspection inspect(const Wanted& wanted) override {
     Exec& exec = state_.exec();
     Inspection result;
     result.bodies.count = state_.count();
@@ -74,6 +75,7 @@ class WorldOn final : public World {
     result.bodies.radius.assign(radius.begin(), radius.end());
     result.contacts = exec.download(state_.pairs());
     result.grids = state_.detector().inspect(exec, state_.bodies());
+    if (wanted.anything()) inspect_more(state_, wanted, result);
     const std::vector<int> id_at = exec.download(state_.order().id_at());
     if (!id_at.empty()) name_by_id(result, id_at);
     return result;

@@ -89,6 +89,31 @@ TEST_CASE("CUDA finds the contacts that the CPU finds, by every broad phase") {
   }
 }
 
+TEST_CASE("CUDA shows the candidates, missed pairs, endpoints and work that the CPU shows") {
+  const std::string broadphase = GENERATE("brute-force", "sort-and-sweep", "linked-cell", "sorted-grid");
+  const std::string table = GENERATE("dense", "hashed");
+  const Cloud cloud = GENERATE(
+      Cloud{.count = 200, .smallest = 0.1, .largest = 0.1}, Cloud{.count = 200, .smallest = 0.02, .largest = 0.2},
+      Cloud{.count = 200, .dimensions = 2, .smallest = 0.05, .largest = 0.05, .boundary = Boundary::periodic});
+  Settings settings = settings_of(broadphase);
+  settings.table = table;
+  settings.cell_size = 0.5;
+  const Twins worlds(make_cloud(cloud, 3), settings);
+  const Wanted all{true, true, true, true};
+  const Inspection cpu = worlds.cpu->inspect(all), cuda = worlds.cuda->inspect(all);
+  CAPTURE(broadphase, table, cloud.dimensions, cloud.largest);
+  CHECK(cuda.candidates == cpu.candidates);
+  CHECK(cuda.missed == cpu.missed);
+  CHECK(cuda.axis == cpu.axis);
+  REQUIRE(cuda.endpoints.size() == cpu.endpoints.size());
+  for (size_t p = 0; p < cpu.endpoints.size(); ++p) {
+    CHECK(cuda.endpoints[p].at == cpu.endpoints[p].at);
+    CHECK(cuda.endpoints[p].body == cpu.endpoints[p].body);
+    CHECK(cuda.endpoints[p].is_end == cpu.endpoints[p].is_end);
+  }
+  CHECK(cuda.work == cpu.work);
+}
+
 TEST_CASE("the state on CUDA has the bits that it has on the CPU, by every broad phase, with a skin and without") {
   const std::string broadphase = GENERATE("brute-force", "sort-and-sweep", "linked-cell", "sorted-grid", "auto");
   const double skin = GENERATE(0.0, 0.3);

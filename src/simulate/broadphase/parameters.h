@@ -10,6 +10,8 @@
 //                              on the CPU for_each_range_of(from, to, visit) calls visit(slot, range) for slots
 //                              from … to − 1, in an order that suits its caches
 //     inspect(exec)            its grids for the audience, where it has some
+//     axis(), endpoints(exec, bodies)
+//                              what sort-and-sweep sorts, for the audience
 //     walks(exec)              what each thread walks, where that is not its candidates
 //     bytes()                  memory held
 //

@@ -80,6 +80,24 @@ struct NumberBegins {
   }
 };
 
+/// Kernel: where entry p of the sorted list lies, as its key told.
+template <class V>
+struct PlaceEndpoint {
+  int axis;
+  Scalar<V> guard;  ///< [m]
+  BodiesView<V> bodies;
+  Span<const int> endpoints;
+  Span<float> at;  ///< [m]
+
+  HOST_DEVICE void operator()(int p) const {
+    const int n = static_cast<int>(bodies.size()), endpoint = endpoints[p];
+    const bool is_end = endpoint >= n;
+    const int i = is_end ? endpoint - n : endpoint;
+    const Scalar<V> x = bodies.position[i][axis], reach = bodies.radius[i] + guard;
+    at[p] = static_cast<float>(is_end ? x + reach : x - reach);
+  }
+};
+
 template <class V>
 struct SortAndSweepCandidates {
   using Real = Scalar<V>;
@@ -219,6 +237,25 @@ class SortAndSweep {
   }
 
   std::vector<GridInspection> inspect(Exec&) const { return {}; }
+
+  int axis() const { return axis_; }
+
+  /// The sorted list of these bodies, for which it was prepared. Intervals are larger by the guard, as they were sorted.
+  std::vector<Endpoint> endpoints(Exec& exec, const BodiesView<V>& bodies) const {
+    Buffer<float> places;
+    places.resize(endpoints_.size());
+    exec.parallel_for("place endpoints", places.size(),
+                      PlaceEndpoint<V>{axis_, guard_, bodies, endpoints_.span(), places.span()});
+    const std::vector<int> endpoints = exec.download(endpoints_.span());
+    const std::vector<float> at = exec.download(places.span());
+    const auto n = static_cast<int>(bodies.size());
+    std::vector<Endpoint> result;
+    for (size_t p = 0; p < at.size(); ++p) {
+      const bool is_end = endpoints[p] >= n;
+      result.push_back({at[p], is_end ? endpoints[p] - n : endpoints[p], is_end});
+    }
+    return result;
+  }
 
   /// List entries between each begin and its end, in the order of the list; 0 for the ends, which return at once.
   std::vector<int> walks(Exec& exec) const {

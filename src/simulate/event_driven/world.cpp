@@ -25,7 +25,7 @@ class EventDrivenWorld final : public World {
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  Inspection inspect() override {
+  Inspection inspect(const Wanted& wanted) override {
     Inspection result;
     result.bodies.count = motion_.size();
     result.bodies.dimensions = kDimensions<V>;
@@ -39,6 +39,7 @@ class EventDrivenWorld final : public World {
     }
     for_each_contact([&](Pair pair, double) { result.contacts.push_back(pair); });
     result.grids.push_back(grid());
+    if (wanted.candidates) result.candidates = pairs_in_reach();
     return result;
   }
 
@@ -111,6 +112,21 @@ class EventDrivenWorld final : public World {
       std::sort(partners.begin(), partners.end());
       for (const auto& [j, gap] : partners) visit(Pair{i, j}, gap);
     }
+  }
+
+  /// All pairs of spheres in neighbouring cells, by i, then j; each once, also where they meet by several images.
+  std::vector<Pair> pairs_in_reach() const {
+    std::vector<Neighbor> neighbors;
+    std::vector<Pair> pairs;
+    for (int i = 0; i < motion_.size(); ++i) {
+      motion_.cells().gather(motion_.cell(i), {}, neighbors);
+      for (const Neighbor& neighbor : neighbors) {
+        if (neighbor.body > i) pairs.push_back({i, neighbor.body});
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
   }
 
   /// Energy, momentum, overlap with walls and the hash of the present state.
