@@ -62,7 +62,7 @@ class Show {
       const double elapsed = std::min(seconds_between(last, now), 0.25);
       last = now;
       take(events);
-      demo_.player.advance(demo_.session, elapsed, kFrame / 2);
+      demo_.advance(elapsed, kFrame / 2);
       if (window_.width() < 16 || window_.height() < 16) continue;  // minimised
       if (events.any || drawn_ != demo_.version() || is_settling_) draw(events, static_cast<float>(elapsed));
       tell_title(now);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/demo.h"
 
-#include <cmath>
+#include <chrono>
 
 #include "core/error.h"
 #include "render/overlays/overlay.h"
@@ -9,11 +9,18 @@
 
 namespace ballpit {
 
+namespace {
+
+constexpr std::chrono::milliseconds kLongestReplay{500};
+
+}  // namespace
+
 Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : session(scene, given) { begin_anew(); }
 
 void Demo::begin_anew() {
   touch();
   player.forgive();
+  timeline = std::make_unique<Timeline>(session.world(), session.settings().dt);
   const Report& now = report();
   energy_at_start_ = now.kinetic_energy + now.potential_energy + now.elastic_energy;
   if (view.selected >= now.count) view.selected = -1;
@@ -59,10 +66,13 @@ void Demo::step() {
   attempt([&] { player.step(session); });
 }
 
-void Demo::step_back() {
+void Demo::go_to(int64_t step) {
   attempt([&] {
     player.is_running = false;
-    message_ = "the timeline is not built yet";
+    player.forgive();
+    const auto start = std::chrono::steady_clock::now();
+    const auto takes_too_long = [&] { return std::chrono::steady_clock::now() - start > kLongestReplay; };
+    if (!timeline->go_to(step, takes_too_long)) message_ = "on the way there; the next call goes on";
   });
 }
 
@@ -113,7 +123,7 @@ Wanted Demo::wanted() const {
 
 const Inspection& Demo::inspection() {
   if (looked_at_ != version()) {
-    inspection_ = session.world().inspect();
+    inspection_ = session.world().inspect(wanted());
     looked_at_ = version();
   }
   return inspection_;

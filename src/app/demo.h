@@ -4,12 +4,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/keys.h"
 #include "app/player.h"
 #include "app/session.h"
+#include "app/timeline.h"
 #include "app/view.h"
 
 namespace ballpit {
@@ -21,6 +23,7 @@ class Demo {
 
   Session session;
   Player player;
+  std::unique_ptr<Timeline> timeline;  ///< of the session's world
   View view;
 
   /// What a key does, but for saving a picture, which whoever draws it does.
@@ -31,7 +34,13 @@ class Demo {
   void load(const std::string& scene);
   void restart() { load(session.scene().name); }
   void step();
-  void step_back();
+  void step_back() { go_to(timeline->step_now() - 1); }
+
+  /// To an earlier moment of this world, or forward again, by the same bits; pauses.
+  void go_to(int64_t step);
+
+  /// As the clock goes on by `elapsed` [s]; see Player::advance().
+  void advance(double elapsed, double share) { player.advance(*timeline, elapsed, share); }
 
   /// A line for the audience; the latest.
   const std::string& message() const { return message_; }

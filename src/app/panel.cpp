@@ -228,6 +228,12 @@ void Panel::draw_time(Demo& demo) {
   if (button("step", ">")) demo.step();
   ImGui::SameLine();
   ImGui::Text("t = %.3f s", demo.session.time());
+  auto moment = static_cast<int>(demo.timeline->step_now());
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderInt("##timeline", &moment, int(demo.timeline->first()), int(demo.timeline->furthest()), "step %d")) {
+    demo.go_to(moment);
+  }
+  note("timeline");
   auto speed = static_cast<float>(demo.player.speed);
   if (slider("speed", "times real time", speed, 0.01f, 10, true, "%.2f")) demo.player.speed = speed;
 }

@@ -16,9 +16,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-int Player::advance(Session& session, double elapsed, double share) {
+int Player::advance(Timeline& timeline, double elapsed, double share) {
   if (!is_running) return 0;
-  const double dt = session.settings().dt;
+  const double dt = timeline.time_of(1);
   owed_ += elapsed * speed;
   const auto start = std::chrono::steady_clock::now();
   int steps = 0;
@@ -27,24 +27,24 @@ int Player::advance(Session& session, double elapsed, double share) {
       owed_ = 0;  // behind the clock: what is owed is given up
       break;
     }
-    if (!try_step(session)) return steps;
+    if (!try_step(timeline)) return steps;
     owed_ -= dt;
     ++steps;
   }
   return steps;
 }
 
-void Player::step(Session& session) {
+void Player::step(Timeline& timeline) {
   is_running = false;
   owed_ = 0;
-  try_step(session);
+  try_step(timeline);
 }
 
-bool Player::try_step(Session& session) {
+bool Player::try_step(Timeline& timeline) {
   if (!failure_.empty()) return is_running = false;
   const auto start = std::chrono::steady_clock::now();
   try {
-    session.world().step();
+    timeline.step();
   } catch (const RunError& error) {
     failure_ = error.what();
     return is_running = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plays a session in time: fixed steps, as many as the clock asks for, whatever the rate of frames.
+// Plays a world in time: fixed steps, as many as the clock asks for, whatever the rate of frames.
 //
 //     elapsed × speed ──▶ owed ──▶ one step for each dt, until the frame's share of time is used up; the rest is dropped
 //
@@ -9,7 +9,7 @@
 #include <deque>
 #include <string>
 
-#include "app/session.h"
+#include "app/timeline.h"
 
 namespace ballpit {
 
@@ -20,10 +20,10 @@ class Player {
 
   /// Steps as time goes on by `elapsed` [s], for `share` [s] at most; at least once where a step is owed. Returns the steps
   /// made. A run that cannot go on is paused, and says why in failure().
-  int advance(Session& session, double elapsed, double share);
+  int advance(Timeline& timeline, double elapsed, double share);
 
   /// One step; pauses.
-  void step(Session& session);
+  void step(Timeline& timeline);
 
   const std::string& failure() const { return failure_; }  ///< why the world cannot go on; empty where it can
   void forgive() { failure_.clear(); }                     ///< the world is another one now
@@ -33,7 +33,7 @@ class Player {
   double mean_step_time() const;  ///< [ms] of the latest steps
 
  private:
-  bool try_step(Session& session);
+  bool try_step(Timeline& timeline);
 
   static constexpr size_t kKept = 240;
   double owed_ = 0;  // [s]

@@ -110,9 +110,24 @@ class Guard {
   /// Calls rearrange(values) for what is kept for each body.
   template <class Rearrange>
   void for_each_kept(const Rearrange& rearrange) {
-    if (!is_started()) return;
     rearrange(good_position_);
     rearrange(good_velocity_);
+  }
+
+  /// Calls visit(value) for all that a snapshot of `state` at `time` holds. Where the last good state is this one, it is
+  /// held once: each 16th step's snapshot is half as large.
+  template <class Visit>
+  void for_each_saved(StepState<V, Exec>& state, double time, const Visit& visit) {
+    bool is_now = is_started() && good_time_ == time;
+    visit(is_now);
+    visit(max_overlap_);
+    visit(energy_at_start_);
+    visit(good_time_);
+    if (is_now) {
+      keep(state, good_time_);  // where it is put back; else it is kept already
+    } else {
+      for_each_kept(visit);
+    }
   }
 
   int64_t bytes() const { return good_position_.bytes() + good_velocity_.bytes(); }

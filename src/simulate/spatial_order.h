@@ -85,7 +85,7 @@ class SpatialOrder {
 
   template <class Buffer>
   void rearrange(Exec& exec, Buffer& values, Buffer& scratch) {
-    if (values.size() != count_) return;  // one value for all
+    if (values.size() != count_) return;  // one value for all, or none yet
     scratch.resize(count_);
     using T = std::remove_reference_t<decltype(values.span()[0])>;
     exec.parallel_for("rearrange bodies", count_,
@@ -96,6 +96,17 @@ class SpatialOrder {
   void commit(Exec& exec) {
     exec.parallel_for("note places", count_, NotePlaces{order_.span(), place_.span()});
     id_at_ = order_.span();
+  }
+
+  /// Calls visit(values) for what a snapshot holds; restored() is to follow where it was put back.
+  template <class Visit>
+  void for_each_saved(const Visit& visit) {
+    visit(order_);
+  }
+  void restored(Exec& exec) {
+    place_.resize(order_.size());  // 0 before the first sorting
+    id_at_ = {};
+    if (order_.size() > 0) commit(exec);
   }
 
   /// Ids by place; empty where each body is kept at its id.

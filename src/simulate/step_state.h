@@ -141,9 +141,22 @@ class StepState {
     order_.rearrange(*exec_, inverse_mass_, scalar_spare_);
     more([&](Buffer<V>& values) { order_.rearrange(*exec_, values, spare_); });
     order_.commit(*exec_);
-    detector_.discard();
-    linked_version_ = -1;
-    is_detected_ = has_near_pairs_ = false;
+    forget_contacts();
+  }
+
+  /// Calls visit(values) for what a snapshot holds; restored() is to follow where it was put back. Contacts and candidate
+  /// lists are not in it: they are found again, and the same.
+  template <class Visit>
+  void for_each_saved(const Visit& visit) {
+    visit(position);
+    visit(velocity);
+    visit(radius_);
+    visit(inverse_mass_);
+    order_.for_each_saved(visit);
+  }
+  void restored() {
+    order_.restored(*exec_);
+    forget_contacts();
   }
 
   /// The values of all bodies by id; one value where all are equal.
@@ -205,6 +218,13 @@ class StepState {
     const auto last = is_uniform && !values.empty() ? values.begin() + 1 : values.end();
     const std::vector<Real> rounded(values.begin(), last);
     exec_->upload(buffer, rounded);
+  }
+
+  /// The bodies, or their places, are others now.
+  void forget_contacts() {
+    detector_.discard();
+    linked_version_ = -1;
+    is_detected_ = has_near_pairs_ = false;
   }
 
   void detect() {

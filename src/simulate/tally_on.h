@@ -92,7 +92,14 @@ class TallyKeeper {
   /// Calls rearrange(values) for what is kept for each body.
   template <class Rearrange>
   void for_each_kept(const Rearrange& rearrange) {
-    if (before_.size() > 0) rearrange(before_);
+    rearrange(before_);
+  }
+
+  /// Calls visit(value) for all that a snapshot holds.
+  template <class Visit>
+  void for_each_saved(const Visit& visit) {
+    visit(tally_);
+    for_each_kept(visit);
   }
 
   const Tally& tally() const { return tally_; }

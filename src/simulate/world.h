@@ -48,6 +48,13 @@ struct Report {
   Tally tally;
 };
 
+/// What a world needs to be as it was: made by World::snapshot(), and of use to that world alone.
+class Snapshot {
+ public:
+  virtual ~Snapshot() = default;
+  virtual int64_t bytes() const = 0;
+};
+
 class World {
  public:
   virtual ~World() = default;
@@ -67,6 +74,12 @@ class World {
   /// The last state that passed the guard, and its time [s]: what is left where step() throws.
   virtual Bodies last_good() { return bodies(); }
   virtual double last_good_time() { return time(); }
+
+  /// A copy of all that later bits follow from; bodies() alone is not enough for some (docs/model.md).
+  virtual std::unique_ptr<Snapshot> snapshot() = 0;
+
+  /// Puts the world back: it goes on by the bits of the first time. Also after step() threw.
+  virtual void restore(const Snapshot& snapshot) = 0;
 
   virtual int64_t steps() const = 0;
   virtual double time() const = 0;  ///< [s]

@@ -26,6 +26,7 @@
 #include "simulate/motion.h"
 #include "simulate/response/impulse.h"
 #include "simulate/response/kinematic.h"
+#include "simulate/snapshot.h"
 #include "simulate/world.h"
 
 namespace ballpit {
@@ -109,6 +110,19 @@ class WorldOn final : public World {
   Bodies bodies() override { return state_.download(state_.position, state_.velocity); }
   Bodies last_good() override { return guard_.is_started() ? guard_.last_good(state_) : bodies(); }
   double last_good_time() override { return guard_.last_good_time(); }
+
+  std::unique_ptr<Snapshot> snapshot() override {
+    auto result = std::make_unique<PartsSnapshot>();
+    for_each_saved(SavePart<Exec>{state_.exec(), *result});
+    return result;
+  }
+
+  void restore(const Snapshot& snapshot) override {
+    size_t next = 0;
+    for_each_saved(RestorePart<Exec>{state_.exec(), dynamic_cast<const PartsSnapshot&>(snapshot), next});
+    state_.restored();
+  }
+
   int64_t steps() const override { return steps_; }
   double time() const override { return static_cast<double>(steps_) * dt_; }
 
@@ -180,6 +194,16 @@ class WorldOn final : public World {
       tally_.for_each_kept(rearrange);
       guard_.for_each_kept(rearrange);
     });
+  }
+
+  /// Calls visit(part) for each part of a snapshot.
+  template <class Visit>
+  void for_each_saved(const Visit& visit) {
+    visit(steps_);
+    state_.for_each_saved(visit);
+    std::visit([&](auto& motion) { motion.for_each_kept(visit); }, motion_);
+    tally_.for_each_saved(visit);
+    guard_.for_each_saved(state_, time(), visit);
   }
 
   /// [J] in springs; 0 for responses without.

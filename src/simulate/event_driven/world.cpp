@@ -76,10 +76,26 @@ class EventDrivenWorld final : public World {
     return result;
   }
 
+  std::unique_ptr<Snapshot> snapshot() override { return std::make_unique<EventSnapshot>(motion_, steps_); }
+  void restore(const Snapshot& snapshot) override {
+    const auto& then = dynamic_cast<const EventSnapshot&>(snapshot);
+    motion_ = then.motion;
+    steps_ = then.steps;
+  }
+
   int64_t steps() const override { return steps_; }
   double time() const override { return static_cast<double>(steps_) * dt_; }
 
  private:
+  /// All of the motion: forecasts and queue as well, since the latest event of each sphere decides about the bits.
+  struct EventSnapshot final : Snapshot {
+    EventSnapshot(const EventDriven<V>& motion_then, int64_t steps_then) : motion(motion_then), steps(steps_then) {}
+    int64_t bytes() const override { return motion.bytes() + int64_t(sizeof(*this)); }
+
+    EventDriven<V> motion;
+    int64_t steps;
+  };
+
   static EventRules<V> rules(const Scene& scene, const Settings& settings) {
     EventRules<V> rules;
     rules.box = {narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary};

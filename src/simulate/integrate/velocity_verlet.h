@@ -69,7 +69,7 @@ class VelocityVerlet {
   /// Calls rearrange(values) for what is kept for each body.
   template <class Rearrange>
   void for_each_kept(const Rearrange& rearrange) {
-    if (acceleration_.size() > 0) rearrange(acceleration_);
+    rearrange(acceleration_);
   }
 
   int64_t bytes() const { return acceleration_.bytes(); }

@@ -108,7 +108,7 @@ class KinematicResponse {
   /// Calls rearrange(values) for what is kept for each body.
   template <class Rearrange>
   void for_each_kept(const Rearrange& rearrange) {
-    if (valid_.size() > 0) rearrange(valid_);
+    rearrange(valid_);
   }
 
   int64_t bytes() const { return valid_.bytes() + back_.bytes(); }
