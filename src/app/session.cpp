@@ -6,6 +6,7 @@
 
 #include "app/backends.h"
 #include "core/error.h"
+#include "render/overlays/overlay.h"
 #include "scene/catalog.h"
 
 namespace ballpit {
@@ -40,7 +41,7 @@ FrameView Session::view_of(const Inspection& inspection, float aspect, const std
   const Vec3 low(domain.min), high(domain.max);
   return {inspection,
           {low, high, domain.dimensions, domain.boundary == Boundary::open_top},
-          frame_box(low, high, domain.dimensions, aspect),
+          leave_room_below(frame_box(low, high, domain.dimensions, aspect), room_below(overlays, inspection)),
           overlays};
 }
 
