@@ -21,7 +21,8 @@ void draw_swatch(Sheet& sheet, const NotePart& part, Vec2 at) {
       sheet.line(at, end, color, 3 * u);
       break;
     case Swatch::bold:
-      sheet.line(at, end, color, 8 * u);
+      sheet.line(at, end, color, 15 * u);
+      sheet.line(at, end, to_rgba(0.45f * part.color), 7 * u);
       break;
     case Swatch::arrow:
       sheet.arrow(at, end, color, 4 * u);

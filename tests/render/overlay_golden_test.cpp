@@ -54,8 +54,10 @@ TEST_CASE("golden: pairs of a cloud, on dark") {
   CHECK(compare("pairs_cloud_dark", stored("cloud", kBox, 0.125f), kBox, {"pairs"}, "dark") == "");
 }
 
-TEST_CASE("golden: the pairs of many spheres") {
+TEST_CASE("golden: few pairs of a cloud, and those that cells too small miss, on both grounds") {
   CHECK(compare("pairs_cloud", stored("cloud", kBox, 0.07f), kBox, {"pairs"}, "projector") == "");
+  CHECK(compare("pairs_cloud_missed", stored("cloud", kBox, 0.03f), kBox, {"pairs"}, "projector") == "");
+  CHECK(compare("pairs_cloud_missed_dark", stored("cloud", kBox, 0.03f), kBox, {"pairs"}, "dark") == "");
 }
 
 TEST_CASE("golden: intervals of three spheres as on slide 4") {
@@ -106,7 +108,7 @@ TEST_CASE("golden: a selected sphere and its block") {
 }
 
 TEST_CASE("golden: velocities, on both grounds") {
-  CHECK(compare("velocity_plane", stored("plane", kPlane, 0), kPlane, {"velocity", "pairs"}, "projector") == "");
+  CHECK(compare("velocity_plane", stored("plane", kPlane, 0.7f), kPlane, {"velocity", "pairs"}, "projector") == "");
   CHECK(compare("velocity_cloud_dark", stored("cloud", kBox, 0), kBox, {"velocity"}, "dark") == "");
 }
 

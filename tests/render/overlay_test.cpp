@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "render/overlays/intervals.h"
+#include "render/overlays/interval_list.h"
 #include "render/overlays/lists.h"
 #include "render/overlays/pairs.h"
 #include "render/overlays/selection.h"
@@ -57,12 +57,12 @@ TEST_CASE("a missed pair is a double vermillion line, with rings around both sph
   CHECK(nearest_difference(image, place(view, {2.5f, 4.8f, 0}), kTheme.missed, 4) > 60);
 }
 
-TEST_CASE("a contact is a bold orange line, a candidate apart a thin sky one") {
+TEST_CASE("a contact is a bold orange line with a dark core, a candidate apart a thin sky one") {
   Inspection inspection = three();
   add_candidates(inspection);
   const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
   const Image image = draw(view, kSize, kSize);
-  CHECK(difference(image.pixel(kSize / 2, kSize / 2), kTheme.contact) < 16);
+  CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), 0.45f * kTheme.contact, 0) < 24);
   CHECK(nearest_difference(image, place(view, {2.25f, 3.4f, 0}), kTheme.candidate, 1) < 50);
   CHECK(nearest_difference(image, place(view, {3.4f, 3.4f, 0}), kTheme.candidate, 4) > 60);
 }
@@ -201,5 +201,5 @@ TEST_CASE("thirty thousand lines of pairs: only counted, and those of contacts d
   for (int k = 0; k < 30000; ++k) inspection.candidates.push_back({k, k + 1});
   const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
   const Image image = draw(view, kSize, kSize);
-  CHECK(difference(image.pixel(kSize / 2, kSize / 2), kTheme.contact) < 16);
+  CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), 0.45f * kTheme.contact, 0) < 24);
 }

@@ -187,7 +187,6 @@ void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
   // A planar grid lies under the discs; a spatial one between the spheres, told apart by depth.
   if ((layer == Layer::under) != view.domain.is_planar()) return;
   const float width = kEdgeWidth * painter.line_unit;
-  draw_selection(view, painter);
   for (const GridInspection& grid : view.inspection.grids) {
     const std::vector<int> counts = count_per_cell(grid);
     if (view.domain.is_planar()) {
@@ -198,6 +197,7 @@ void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
       painter.lines.draw(occupied_edges(grid, view.domain, counts, view.camera, painter.theme), width);
     }
   }
+  draw_selection(view, painter);
 }
 
 }  // namespace ballpit

@@ -13,21 +13,9 @@
 // With many spheres there is room for the brackets only. Cost: proportional to the number of spheres.
 #pragma once
 
-#include <vector>
-
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
-
-/// A thread's way along the sorted list: from a begin to the end of the same body.
-struct Walk {
-  int body = -1;
-  size_t first = 0, last = 0;  ///< entries of the list
-  std::vector<size_t> met;     ///< begins between them: what the thread tests
-};
-
-/// The walk of the selected body; if there is none, the one that tests most. Its body is −1 without endpoints.
-Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected);
 
 float intervals_room(const Inspection& inspection);
 

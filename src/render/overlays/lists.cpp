@@ -13,7 +13,7 @@ namespace {
 constexpr size_t kMostBoxes = 32;
 constexpr size_t kMostLength = 10;
 // In 1/1080 of the picture's height.
-constexpr float kMargin = 16, kBoxHeight = 40, kGap = 64, kArcs = 58, kWidest = 72;
+constexpr float kMargin = 16, kBoxHeight = 40, kGap = 84, kArcs = 58, kWidest = 72;
 
 /// One array: numbered boxes beside its name.
 struct Boxes {
@@ -90,7 +90,8 @@ bool draw_arrays(const GridInspection& grid, int64_t selected, Painter& painter)
   draw_array("next", grid.next, next, painter.theme.body, painter);
   for (size_t cell = 0; cell < grid.head.size(); ++cell) {
     const bool is_selected = selected >= 0 && holds(grid, cell, selected);
-    draw_list(grid, cell, head, next, is_selected ? to_rgba(painter.theme.selected) : painter.ink(0.75f), painter);
+    draw_list(grid, cell, head, next,
+              is_selected ? to_rgba(painter.theme.selected) : painter.ink(selected < 0 ? 0.75f : 0.4f), painter);
   }
   return true;
 }
@@ -111,7 +112,7 @@ void draw_histogram(const GridInspection& grid, Painter& painter) {
   const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(title, TextSize::small).x);
   const Vec2 high(static_cast<float>(sheet.width()) - kMargin * u,
                   static_cast<float>(sheet.height()) - painter.taken - kMargin * u);
-  const Vec2 low = high - Vec2(width, kHigh * u + 3 * line);
+  const Vec2 low = high - Vec2(width, kHigh * u + 4 * line);
   const float ground = high.y - line;
   sheet.box(low - Vec2(kMargin * u), high + Vec2(kMargin * u), painter.ground());
   sheet.text({high.x, low.y}, kUpperRight, painter.ink(), title, TextSize::small);
@@ -136,7 +137,7 @@ std::vector<int> count_lengths(const GridInspection& grid, size_t most) {
 }
 
 float lists_room(const Inspection& inspection) {
-  return !inspection.grids.empty() && fits(inspection.grids[0]) ? 0.27f : 0.0f;
+  return !inspection.grids.empty() && fits(inspection.grids[0]) ? 0.29f : 0.0f;
 }
 
 void ListsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {

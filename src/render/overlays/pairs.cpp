@@ -14,7 +14,7 @@ namespace ballpit {
 namespace {
 
 // In 1/1080 of the picture's height.
-constexpr float kThin = 3, kBold = 10, kEdge = 2.5f, kGap = 5, kDouble = 4, kRing = 5;
+constexpr float kThin = 3, kBold = 7, kEdge = 4, kThinEdge = 1, kGap = 5, kDouble = 4, kRing = 5;
 constexpr size_t kMostRings = 2000;
 
 bool before(const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); }
@@ -32,27 +32,45 @@ Vec3 touching_image(const BodySnapshot& bodies, const Pair& pair, const DomainBo
 
 /// From the centre of i to `end`, before both spheres; longer by `beyond` [pixel] at both ends.
 Line lifted(const BodySnapshot& bodies, const Pair& pair, Vec3 end, const Projection& projection, Rgba color,
-            float beyond = 0) {
+            float beyond, bool touches) {
   const float way = 1.02f * std::max(bodies.radius_of(pair.i), bodies.radius_of(pair.j));
   Vec3 start = bodies.position_of(pair.i);
+  // What touches is seen whole, also where one sphere stands behind the other.
+  const auto behind = [&](const Vec3& a, const Vec3& b) {
+    return touches ? std::max(0.0f, projection.depth(a) - projection.depth(b)) : 0.0f;
+  };
   const float distance = length(end - start);
   if (beyond > 0 && distance > 0) {
     const Vec3 more = beyond / projection.length_at(start, distance) * (end - start);
     start -= more;
     end += more;
   }
-  return {projection.lift(start, way), color, projection.lift(end, way), color};
+  return {projection.lift(start, way + behind(start, end)), color, projection.lift(end, way + behind(end, start)),
+          color};
+}
+
+void draw_apart(const BodySnapshot& bodies, const std::vector<Pair>& apart, Painter& painter,
+                const Projection& projection) {
+  const Rgba color = to_rgba(painter.theme.candidate), edge = to_rgba(0.4f * painter.theme.candidate, 0.5f);
+  std::vector<Line> lines, edges;
+  for (const Pair& pair : apart) {
+    const Vec3 end = bodies.position_of(pair.j);
+    lines.push_back(lifted(bodies, pair, end, projection, color, 0, false));
+    edges.push_back(lifted(bodies, pair, end, projection, edge, 0, false));
+  }
+  painter.lines.draw(edges, (kThin + 2 * kThinEdge) * painter.line_unit);
+  painter.lines.draw(lines, kThin * painter.line_unit);
 }
 
 void draw_contacts(const FrameView& view, Painter& painter, const Projection& projection) {
   const BodySnapshot& bodies = view.inspection.bodies;
-  // Their spheres are orange, too: a dark edge tells the line from them.
-  const Rgba color = to_rgba(painter.theme.contact), edge = to_rgba(0.45f * painter.theme.contact);
+  // Their spheres are orange, too: a dark core tells the line from them.
+  const Rgba color = to_rgba(0.45f * painter.theme.contact), edge = to_rgba(painter.theme.contact);
   std::vector<Line> lines, edges;
   for (const Pair& pair : view.inspection.contacts) {
     const Vec3 end = touching_image(bodies, pair, view.domain);
-    lines.push_back(lifted(bodies, pair, end, projection, color));
-    edges.push_back(lifted(bodies, pair, end, projection, edge, kEdge * painter.sheet.unit()));
+    lines.push_back(lifted(bodies, pair, end, projection, color, 0, true));
+    edges.push_back(lifted(bodies, pair, end, projection, edge, kEdge * painter.sheet.unit(), true));
   }
   painter.lines.draw(edges, (kBold + 2 * kEdge) * painter.line_unit);
   painter.lines.draw(lines, kBold * painter.line_unit);
@@ -109,14 +127,7 @@ void PairsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
   const Inspection& inspection = view.inspection;
   const Projection projection(view.camera, painter.sheet);
   const std::vector<Pair> apart = candidates_apart(inspection);
-  if (apart.size() <= kMostCandidates) {
-    const Rgba color = to_rgba(painter.theme.candidate);
-    std::vector<Line> lines;
-    for (const Pair& pair : apart) {
-      lines.push_back(lifted(inspection.bodies, pair, inspection.bodies.position_of(pair.j), projection, color));
-    }
-    painter.lines.draw(lines, kThin * painter.line_unit);
-  }
+  if (apart.size() <= kMostCandidates) draw_apart(inspection.bodies, apart, painter, projection);
   draw_contacts(view, painter, projection);
   draw_missed(view, painter, projection);
   draw_notes(inspection, apart.size(), painter);

@@ -2,7 +2,7 @@
 // What the broad phase proposes and what comes of it, as lines between centres.
 //
 //     o───────o   candidate that does not touch: thin, sky
-//     o━━━━━━━o   contact: bold, orange
+//     o━━━━━━━o   contact: bold, orange with a dark core
 //     ◎═══════◎   contact that the method missed: double, vermillion, a ring around both
 //
 // Lines of candidates and contacts run before their own two spheres, and behind others; what is missed, over all.

@@ -55,7 +55,7 @@ void Staff::draw(Painter& painter) const {
   const char* name = axis_ == 0 ? "x" : axis_ == 1 ? "y" : "z";
   const Vec2 end = at(high_) + kBeyond * u * along_;
   sheet.arrow(at(low_) - kBeyond * u * along_, end, painter.ink(0.8f), 3 * u);
-  sheet.text(end + 16 * u * along_, kCentre, painter.ink(), name);
+  sheet.text(end + 16 * u * (is_upright() ? -outward_ : along_), kCentre, painter.ink(), name);
 }
 
 }  // namespace ballpit

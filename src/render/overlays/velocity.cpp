@@ -13,7 +13,7 @@ namespace ballpit {
 namespace {
 
 constexpr float kLongest = 1.0f / 12;    // of the picture's height, at the middle of the domain
-constexpr float kWidth = 3, kBarb = 14;  // [1/1080 of the picture's height]
+constexpr float kWidth = 4, kBarb = 18;  // [1/1080 of the picture's height]
 constexpr float kOpacity = 0.6f;
 
 float fastest(const BodySnapshot& bodies) {
