@@ -94,7 +94,7 @@ void map_keys(ImGuiIO& io) {
 }
 
 void feed(ImGuiIO& io, const PanelInput& input, const Sheet& sheet) {
-  io.DisplaySize = {static_cast<float>(sheet.width()), static_cast<float>(sheet.height())};
+  io.DisplaySize = {static_cast<float>(sheet.picture_width()), static_cast<float>(sheet.height())};
   io.DeltaTime = std::max(input.elapsed, 1e-4f);
   io.MousePos = input.mouse.x > -1e5f ? ImVec2{input.mouse.x, input.mouse.y} : ImVec2{-FLT_MAX, -FLT_MAX};
   io.MouseDown[0] = input.is_down;
@@ -364,7 +364,7 @@ void Panel::draw_accuracy(Demo& demo) {
 
 void Panel::draw_keys(Demo& demo) {
   if (!demo.shows_keys) return;
-  ImGui::SetNextWindowPos({0.5f * static_cast<float>(sheet_.width()), 0.5f * static_cast<float>(sheet_.height())},
+  ImGui::SetNextWindowPos({0.5f * static_cast<float>(sheet_.picture_width()), 0.5f * static_cast<float>(sheet_.height())},
                           ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::Begin("Keys", &demo.shows_keys,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
@@ -385,7 +385,7 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   ImGui::SetNextWindowPos({0, 0});
-  const auto width = static_cast<float>(width_in(sheet_.width(), sheet_.height()));
+  const auto width = static_cast<float>(width_in(sheet_.picture_width(), sheet_.height()));
   ImGui::SetNextWindowSize({width, static_cast<float>(sheet_.height())});
   ImGui::Begin("Ballpit", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

@@ -6,6 +6,7 @@
 
 #include "app/backends.h"
 #include "core/error.h"
+#include "render/overlays/overlay.h"
 #include "scene/catalog.h"
 #include "simulate/methods.h"
 
@@ -91,7 +92,8 @@ int64_t Session::steps_until(double time) const {
 FrameView Session::view_of(const Inspection& inspection, const View& view, float aspect) const {
   const Domain& domain = scene_.domain;
   const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top};
-  return {inspection, box, camera_of(view, box, aspect), view.overlays, view.selected};
+  const Camera camera = leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, inspection));
+  return {inspection, box, camera, view.overlays, view.selected};
 }
 
 }  // namespace ballpit

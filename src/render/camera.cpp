@@ -73,14 +73,22 @@ Camera frame_plane(Vec3 min, Vec3 max, float aspect) {
 Mat4 Camera::view() const { return glm::lookAt(eye, target, up); }
 
 Mat4 Camera::projection() const {
-  if (!is_orthographic()) return glm::perspective(fov, aspect, near, far);
   const float y = orthographic_height / 2;
-  return glm::ortho(-y * aspect, y * aspect, -y, y, near, far);
+  const Mat4 centred = is_orthographic() ? glm::ortho(-y * aspect, y * aspect, -y, y, near, far)
+                                         : glm::perspective(fov, aspect, near, far);
+  return shift == Vec2(0) ? centred : glm::translate(Mat4(1), Vec3(shift, 0)) * centred;
 }
 
 float Camera::pixel_size(float distance, int height) const {
   const float visible = is_orthographic() ? orthographic_height : 2 * distance * std::tan(fov / 2);
   return visible / static_cast<float>(height);
+}
+
+Camera leave_room_below(Camera camera, float fraction) {
+  camera.fov = 2 * std::atan(std::tan(camera.fov / 2) / (1 - fraction));
+  camera.orthographic_height /= 1 - fraction;
+  camera.shift = (1 - fraction) * camera.shift + Vec2(0, fraction);
+  return camera;
 }
 
 Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect) {

@@ -16,6 +16,7 @@ struct Camera {
   float far = 10.0f;                 ///< [m]
   float aspect = 16.0f / 9.0f;       ///< width / height
   float orthographic_height = 0.0f;  ///< [m] height of the visible area; 0: perspective
+  Vec2 shift{0.0f};                  ///< of what is seen, in halves of the picture: right and up
 
   bool is_orthographic() const { return orthographic_height > 0.0f; }
   Mat4 view() const;
@@ -37,5 +38,8 @@ Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect);
 /// The same fit seen along another direction; the panel's orbit uses it. Angles in radians; azimuth 0 looks
 /// along −z.
 Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect);
+
+/// The same view, smaller, in the upper part of the picture: `fraction` of its height stays free below.
+Camera leave_room_below(Camera camera, float fraction);
 
 }  // namespace ballpit

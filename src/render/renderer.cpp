@@ -125,7 +125,7 @@ class Renderer::Impl {
 
   void draw_scene(const FrameView& view) {
     const int height = canvas().height();
-    Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f};
+    Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f, {}, {}};
     draw_floor(view.domain, painter);
     draw_overlays(view, painter, Layer::under);
     if (view.domain.is_planar()) {

@@ -6,6 +6,7 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "core/error.h"
 #include "roboto.h"
@@ -26,7 +27,7 @@ const ImVector<ImWchar>& glyph_ranges() {
   static const ImVector<ImWchar> ranges = [] {
     ImFontGlyphRangesBuilder builder;
     builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
-    builder.AddText("–—…·×√≤≥≈→∞∂Δ°²³⁻⁴µ‘’“”„ αβγδεζλμπρστω");
+    builder.AddText(" –—…·×√≤≥≈→∞∂Δ°²³⁻⁴µ‘’“”„ αβγδεζλμπρστω");
     ImVector<ImWchar> result;
     builder.BuildRanges(&result);
     return result;
@@ -72,6 +73,16 @@ void Sheet::load_fonts() {
   font_height_ = height_;
 }
 
+/// What ImGui::NewFrame() tells draw lists; a sheet has no frame of ImGui's. Without it, lines have no colour.
+void Sheet::prepare_shapes() {
+  ImDrawListSharedData& shared = *ImGui::GetDrawListSharedData();
+  const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  shared.TexUvWhitePixel = atlas.TexUvWhitePixel;
+  shared.TexUvLines = atlas.TexUvLines;
+  shared.CurveTessellationTol = ImGui::GetStyle().CurveTessellationTol;
+  shared.SetCircleTessellationMaxError(ImGui::GetStyle().CircleTessellationMaxError);
+}
+
 void Sheet::begin(int width, int height, int left) {
   ImGui::SetCurrentContext(context_);
   width_ = width;
@@ -80,8 +91,10 @@ void Sheet::begin(int width, int height, int left) {
   if (!ImGui::GetIO().BackendRendererUserData) throw RunError("Dear ImGui's OpenGL backend is gone");
   if (font_height_ == 0) ImGui_ImplOpenGL3_NewFrame();  // makes the backend's objects
   if (font_height_ != height) load_fonts();
+  prepare_shapes();
   list_->_ResetForNewFrame();
-  list_->Flags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill;
+  list_->Flags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill |
+                 ImDrawListFlags_AllowVtxOffset;  // more vertices than 16 bits count
   list_->PushClipRect({0, 0}, {static_cast<float>(width - left), static_cast<float>(height)});
   list_->PushTextureID(ImGui::GetIO().Fonts->TexID);
 }
@@ -132,6 +145,13 @@ void Sheet::arrow(Vec2 from, Vec2 to, Rgba color, float width) {
   line(from, to - 0.9f * head * along, color, w);
   list_->AddTriangleFilled(im(to), im(to - head * along + 0.5f * head * across),
                            im(to - head * along - 0.5f * head * across), color);
+}
+
+void Sheet::curved_arrow(Vec2 from, Vec2 over, Vec2 to, Rgba color, float width) {
+  const float w = std::max(width, 1.0f), head = kHead * w;
+  const Vec2 neck = to + 0.9f * head * normalize(over - to);
+  list_->AddBezierQuadratic(im(from), im(over), im(neck), color, w, 24);
+  arrow(to + head * normalize(over - to), to, color, w);
 }
 
 void Sheet::box(Vec2 low, Vec2 high, Rgba fill, float rounding) {

@@ -43,7 +43,8 @@ class Sheet {
   void begin(int width, int height, int left = 0);
   void draw();
 
-  int width() const { return width_; }    ///< [pixel] of the picture, with what is a panel's
+  int width() const { return width_ - left_; }  ///< [pixel] beside a panel
+  int picture_width() const { return width_; }  ///< [pixel] with it
   int height() const { return height_; }  ///< [pixel]
   int left() const { return left_; }      ///< [pixel] of the width that is a panel's
   float unit() const;                     ///< [pixel] 1/1080 of the height
@@ -53,7 +54,8 @@ class Sheet {
 
   void line(Vec2 a, Vec2 b, Rgba color, float width);
   void dotted(Vec2 a, Vec2 b, Rgba color, float width);
-  void arrow(Vec2 from, Vec2 to, Rgba color, float width);  ///< with a head at `to`
+  void arrow(Vec2 from, Vec2 to, Rgba color, float width);                    ///< with a head at `to`
+  void curved_arrow(Vec2 from, Vec2 over, Vec2 to, Rgba color, float width);  ///< sets off and arrives as if by `over`
   void box(Vec2 low, Vec2 high, Rgba fill, float rounding = 0);
   void frame(Vec2 low, Vec2 high, Rgba color, float width, float rounding = 0);
   void disc(Vec2 centre, float radius, Rgba fill);
@@ -65,6 +67,7 @@ class Sheet {
 
  private:
   void load_fonts();
+  void prepare_shapes();
 
   ImGuiContext* context_;
   std::unique_ptr<ImDrawList> list_;

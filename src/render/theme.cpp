@@ -15,6 +15,12 @@ Theme base_theme() {
   theme.contact = rgb(0xE69F00);
   theme.grid = rgb(0x009E73);
   theme.domain = rgb(0xE69F00);
+  theme.candidate = rgb(0x56B4E9);
+  theme.missed = rgb(0xD55E00);
+  theme.selected = rgb(0xCC79A7);
+  theme.begin = rgb(0x0072B2);
+  theme.idle = rgb(0x808080);
+  theme.on_body = rgb(0x1A1A1A);
   return theme;
 }
 

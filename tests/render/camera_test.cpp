@@ -43,6 +43,19 @@ TEST_CASE("a box fills the frame up to the margin, centred, at any shape of box 
   }
 }
 
+TEST_CASE("room below: the same view, smaller, in the upper part of the picture") {
+  for (const int dimensions : {2, 3}) {
+    const Vec3 max(1, 1, dimensions == 3 ? 1 : 0);
+    const Camera whole = frame_box(Vec3(0), max, dimensions, 1.5f);
+    const Extent before = project(whole, Vec3(0), max);
+    const Extent after = project(leave_room_below(whole, 0.2f), Vec3(0), max);
+    CHECK(after.right == Approx(0.8f * before.right));
+    CHECK(after.top == Approx(0.8f * before.top + 0.2f));
+    CHECK(after.bottom == Approx(0.8f * before.bottom + 0.2f));
+    CHECK(after.nearest == Approx(before.nearest));
+  }
+}
+
 TEST_CASE("a planar scene is seen straight on, without perspective") {
   const Camera camera = frame_box(Vec3(1, 2, 0), Vec3(6, 7, 0), 2, 16.0f / 9);
   CHECK(camera.is_orthographic());

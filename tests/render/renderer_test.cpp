@@ -46,7 +46,10 @@ TEST_CASE("contexts live side by side, and one outlives the other") {
 TEST_CASE("drawing everything leaves no OpenGL error") {
   const GlContext context;
   for (const DomainBox& domain : {kBox, kPlane}) {
-    const Inspection inspection = inspect(some_spheres(), domain, 0.25f);
+    Inspection inspection = inspect(some_spheres(), domain, 0.25f);
+    add_candidates(inspection);
+    add_endpoints(inspection, 0);
+    add_velocities(inspection, domain);
     Renderer renderer(160, 90);
     std::vector<std::string> all;
     for (const OverlayEntry& entry : overlay_table()) all.emplace_back(entry.name);

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 
 #include "core/file.h"
 #include "render/gl_context.h"
+#include "render/overlays/overlay.h"
 
 namespace ballpit {
 
@@ -61,6 +63,49 @@ Inspection inspect(const std::vector<Sphere>& spheres, const DomainBox& domain, 
   return inspection;
 }
 
+void add_candidates(Inspection& inspection) {
+  const BodySnapshot& bodies = inspection.bodies;
+  const auto cell_of = [&](int32_t i) {
+    const GridInspection& grid = inspection.grids[0];
+    return IVec3(glm::floor((bodies.position_of(i) - grid.origin) / grid.edge));
+  };
+  const auto are_near = [&](int32_t i, int32_t j) {
+    if (inspection.grids.empty()) return true;
+    const IVec3 apart = glm::abs(cell_of(i) - cell_of(j));
+    return std::max({apart.x, apart.y, apart.z}) <= 1;
+  };
+  const auto count = static_cast<int32_t>(bodies.count);
+  for (int32_t i = 0; i < count; ++i) {
+    for (int32_t j = i + 1; j < count; ++j) {
+      if (are_near(i, j)) inspection.candidates.push_back({i, j});
+    }
+  }
+  const auto is_missed = [&](const Pair& pair) { return !are_near(pair.i, pair.j); };
+  std::vector<Pair>& contacts = inspection.contacts;
+  std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(inspection.missed), is_missed);
+  contacts.erase(std::remove_if(contacts.begin(), contacts.end(), is_missed), contacts.end());
+}
+
+void add_endpoints(Inspection& inspection, int axis) {
+  inspection.axis = axis;
+  for (int32_t i = 0; i < static_cast<int32_t>(inspection.bodies.count); ++i) {
+    const float x = inspection.bodies.position_of(i)[axis], r = inspection.bodies.radius_of(i);
+    inspection.endpoints.push_back({x - r, i, false});
+    inspection.endpoints.push_back({x + r, i, true});
+  }
+  std::stable_sort(inspection.endpoints.begin(), inspection.endpoints.end(),
+                   [](const Endpoint& a, const Endpoint& b) { return a.at < b.at; });
+}
+
+void add_velocities(Inspection& inspection, const DomainBox& domain) {
+  BodySnapshot& bodies = inspection.bodies;
+  for (int64_t i = 0; i < bodies.count; ++i) {
+    const Vec3 arm = bodies.position_of(i) - (domain.min + domain.max) / 2.0f;
+    const Vec3 velocity = domain.is_planar() ? Vec3(-arm.y, arm.x, 0) : Vec3(arm.z, 0, -arm.x);
+    for (int axis = 0; axis < bodies.dimensions; ++axis) bodies.velocity.push_back(velocity[axis]);
+  }
+}
+
 std::vector<Sphere> read_spheres(const std::string& path) {
   std::istringstream lines(read_file(path));
   std::string line;
@@ -78,7 +123,9 @@ std::vector<Sphere> read_spheres(const std::string& path) {
 
 FrameView view_of(const Inspection& inspection, const DomainBox& domain, float aspect,
                   std::vector<std::string> overlays) {
-  return {inspection, domain, frame_box(domain.min, domain.max, domain.dimensions, aspect), std::move(overlays)};
+  const Camera camera =
+      leave_room_below(frame_box(domain.min, domain.max, domain.dimensions, aspect), room_below(overlays, inspection));
+  return {inspection, domain, camera, std::move(overlays)};
 }
 
 Image draw(const FrameView& view, int width, int height, const RenderOptions& options) {

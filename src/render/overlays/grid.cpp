@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
+#include "render/overlays/selection.h"
 #include "render/painter.h"
+#include "render/projection.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr float kEdgeWidth = 2.0f;  // in 1/1080 of the picture's height
+constexpr float kEdgeWidth = 2.0f;     // in 1/1080 of the picture's height
+constexpr float kLegibleCell = 40.0f;  // [pixel]
 
 size_t cell_index(const IVec3& cells, int x, int y, int z) {
   return (static_cast<size_t>(z) * static_cast<size_t>(cells.y) + static_cast<size_t>(y)) *
@@ -150,6 +154,25 @@ std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domai
   return lines;
 }
 
+/// The number of bodies in the upper right corner of each occupied cell.
+void draw_counts(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view, Painter& painter) {
+  const Projection projection(view.camera, painter.sheet);
+  if (projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y)) < kLegibleCell) return;
+  for (int y = 0; y < grid.cells.y; ++y) {
+    for (int x = 0; x < grid.cells.x; ++x) {
+      const int count = counts[cell_index(grid.cells, x, y, 0)];
+      if (count == 0) continue;
+      const Vec2 corner = projection.at(lattice_point(grid, view.domain, {x + 1, y + 1, 0}));
+      painter.sheet.text(corner + Vec2(-5, 3) * painter.sheet.unit(), kUpperRight, painter.ink(), std::to_string(count),
+                         TextSize::small);
+    }
+  }
+}
+
+bool shows_labels(const FrameView& view) {
+  return std::find(view.overlays.begin(), view.overlays.end(), "labels") != view.overlays.end();
+}
+
 }  // namespace
 
 std::vector<int> count_per_cell(const GridInspection& grid) {
@@ -169,10 +192,12 @@ void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
     if (view.domain.is_planar()) {
       painter.faces.draw(occupied_squares(grid, view.domain, counts, painter.theme));
       painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
+      if (!shows_labels(view)) draw_counts(grid, counts, view, painter);
     } else {
       painter.lines.draw(occupied_edges(grid, view.domain, counts, view.camera, painter.theme), width);
     }
   }
+  draw_selection(view, painter);
 }
 
 }  // namespace ballpit

@@ -5,14 +5,43 @@
 
 #include "core/error.h"
 #include "render/overlays/grid.h"
+#include "render/overlays/intervals.h"
+#include "render/overlays/labels.h"
+#include "render/overlays/lists.h"
+#include "render/overlays/pairs.h"
+#include "render/overlays/velocity.h"
 
 namespace ballpit {
 
+namespace {
+
+template <class Kind>
+std::unique_ptr<Overlay> make() {
+  return std::make_unique<Kind>();
+}
+
+}  // namespace
+
 const std::vector<OverlayEntry>& overlay_table() {
   static const std::vector<OverlayEntry> table = {
-      {"grid", "Grid cells", [] { return std::unique_ptr<Overlay>(new GridOverlay); }},
+      {"grid", "Grid cells", make<GridOverlay>, {}, nullptr},
+      {"pairs", "Pairs", make<PairsOverlay>, {.candidates = true, .missed = true}, nullptr},
+      {"velocity", "Velocities", make<VelocityOverlay>, {}, nullptr},
+      {"labels", "Numbers", make<LabelsOverlay>, {}, nullptr},
+      {"lists", "Lists", make<ListsOverlay>, {}, lists_room},
+      {"intervals", "Intervals", make<IntervalsOverlay>, {.endpoints = true}, intervals_room},
   };
   return table;
+}
+
+float room_below(const std::vector<std::string>& overlays, const Inspection& inspection) {
+  constexpr float kMost = 0.5f;  // the scene is the hero
+  float room = 0;
+  for (const OverlayEntry& entry : overlay_table()) {
+    const bool enabled = std::find(overlays.begin(), overlays.end(), entry.name) != overlays.end();
+    if (enabled && entry.room_below) room += entry.room_below(inspection);
+  }
+  return std::min(room, kMost);
 }
 
 std::vector<std::string> parse_overlays(const std::string& names) {

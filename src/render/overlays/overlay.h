@@ -29,13 +29,17 @@ class Overlay {
 };
 
 struct OverlayEntry {
-  std::string_view name;                 ///< "grid", as typed
-  std::string_view label;                ///< "Grid cells", as the panel shows it
-  std::unique_ptr<Overlay> (*create)();  ///< needs a current GL context
-  Wanted wanted = {};                    ///< of the inspection, to be drawn
+  std::string_view name;                             ///< "grid", as typed
+  std::string_view label;                            ///< "Grid cells", as the panel shows it
+  std::unique_ptr<Overlay> (*create)();              ///< needs a current GL context
+  Wanted wanted = {};                                ///< of the inspection, to be drawn
+  float (*room_below)(const Inspection&) = nullptr;  ///< of the picture's height, that it fills at the lower edge
 };
 
 const std::vector<OverlayEntry>& overlay_table();
+
+/// What these overlays together fill at the lower edge: a fraction of the picture's height, for leave_room_below().
+float room_below(const std::vector<std::string>& overlays, const Inspection& inspection);
 
 /// "grid,pairs" → {"grid", "pairs"}; "" → {}. Throws UserError that lists the overlays.
 std::vector<std::string> parse_overlays(const std::string& names);

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "render/overlays/pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+
+#include "render/painter.h"
+#include "render/projection.h"
+
+namespace ballpit {
+
+namespace {
+
+// In 1/1080 of the picture's height.
+constexpr float kThin = 3, kBold = 7, kEdge = 4, kThinEdge = 1, kGap = 5, kDouble = 4, kRing = 5;
+constexpr size_t kMostRings = 2000;
+
+bool before(const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); }
+
+/// Where the second sphere of a touching pair is, seen from the first: in a periodic domain, perhaps beyond the border.
+Vec3 touching_image(const BodySnapshot& bodies, const Pair& pair, const DomainBox& domain) {
+  const Vec3 from = bodies.position_of(pair.i), size = domain.max - domain.min;
+  Vec3 to = bodies.position_of(pair.j);
+  if (length(to - from) <= 1.1f * (bodies.radius_of(pair.i) + bodies.radius_of(pair.j))) return to;
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    if (std::abs(to[axis] - from[axis]) > size[axis] / 2) to[axis] -= std::copysign(size[axis], to[axis] - from[axis]);
+  }
+  return to;
+}
+
+/// From the centre of i to `end`, before both spheres; longer by `beyond` [pixel] at both ends.
+Line lifted(const BodySnapshot& bodies, const Pair& pair, Vec3 end, const Projection& projection, Rgba color,
+            float beyond, bool touches) {
+  const float way = 1.02f * std::max(bodies.radius_of(pair.i), bodies.radius_of(pair.j));
+  Vec3 start = bodies.position_of(pair.i);
+  // What touches is seen whole, also where one sphere stands behind the other.
+  const auto behind = [&](const Vec3& a, const Vec3& b) {
+    return touches ? std::max(0.0f, projection.depth(a) - projection.depth(b)) : 0.0f;
+  };
+  const float distance = length(end - start);
+  if (beyond > 0 && distance > 0) {
+    const Vec3 more = beyond / projection.length_at(start, distance) * (end - start);
+    start -= more;
+    end += more;
+  }
+  return {projection.lift(start, way + behind(start, end)), color, projection.lift(end, way + behind(end, start)),
+          color};
+}
+
+void draw_apart(const BodySnapshot& bodies, const std::vector<Pair>& apart, Painter& painter,
+                const Projection& projection) {
+  const Rgba color = to_rgba(painter.theme.candidate), edge = to_rgba(0.4f * painter.theme.candidate, 0.5f);
+  std::vector<Line> lines, edges;
+  for (const Pair& pair : apart) {
+    const Vec3 end = bodies.position_of(pair.j);
+    lines.push_back(lifted(bodies, pair, end, projection, color, 0, false));
+    edges.push_back(lifted(bodies, pair, end, projection, edge, 0, false));
+  }
+  painter.lines.draw(edges, (kThin + 2 * kThinEdge) * painter.line_unit);
+  painter.lines.draw(lines, kThin * painter.line_unit);
+}
+
+void draw_contacts(const FrameView& view, Painter& painter, const Projection& projection) {
+  const BodySnapshot& bodies = view.inspection.bodies;
+  // Their spheres are orange, too: a dark core tells the line from them.
+  const Rgba color = to_rgba(0.45f * painter.theme.contact), edge = to_rgba(painter.theme.contact);
+  std::vector<Line> lines, edges;
+  for (const Pair& pair : view.inspection.contacts) {
+    const Vec3 end = touching_image(bodies, pair, view.domain);
+    lines.push_back(lifted(bodies, pair, end, projection, color, 0, true));
+    edges.push_back(lifted(bodies, pair, end, projection, edge, kEdge * painter.sheet.unit(), true));
+  }
+  painter.lines.draw(edges, (kBold + 2 * kEdge) * painter.line_unit);
+  painter.lines.draw(lines, kBold * painter.line_unit);
+}
+
+void draw_missed(const FrameView& view, Painter& painter, const Projection& projection) {
+  const BodySnapshot& bodies = view.inspection.bodies;
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit();
+  const Rgba color = to_rgba(painter.theme.missed), ground = to_rgba(painter.theme.background);
+  const size_t drawn = std::min(view.inspection.missed.size(), kMostRings);
+  for (size_t k = 0; k < drawn; ++k) {
+    const Pair& pair = view.inspection.missed[k];
+    const Vec3 centre = bodies.position_of(pair.i), end = touching_image(bodies, pair, view.domain);
+    if (!projection.sees(centre) || !projection.sees(end)) continue;
+    const Vec2 a = projection.at(centre), b = projection.at(end), way = b - a;
+    const Vec2 across = length(way) > 0 ? Vec2(-way.y, way.x) / length(way) : Vec2(0, 1);
+    const Vec2 beside = std::max(kGap * u, 1.5f) * across;
+    sheet.line(a, b, ground, 2 * length(beside));
+    for (const Vec2& offset : {beside, -beside}) sheet.line(a + offset, b + offset, color, kDouble * u);
+    for (const int32_t body : {pair.i, pair.j}) {
+      const Vec3 at = bodies.position_of(body);
+      const float radius = projection.length_at(at, bodies.radius_of(body));
+      sheet.ring(projection.at(at), radius + (kGap + kRing / 2) * u, color, kRing * u);
+    }
+  }
+}
+
+void draw_notes(const Inspection& inspection, size_t apart, Painter& painter) {
+  const Theme& theme = painter.theme;
+  const auto count = [](size_t n) { return static_cast<int64_t>(n); };
+  const bool too_many = apart > kMostCandidates;
+  painter.note({{Swatch::none, {}, counted(count(apart + inspection.contacts.size()), "candidate") + ":"},
+                {too_many ? Swatch::none : Swatch::line, theme.candidate,
+                 grouped(count(apart)) + (too_many ? " apart (too many to draw)" : " apart")},
+                {Swatch::bold, theme.contact, counted(count(inspection.contacts.size()), "contact")}});
+  if (!inspection.missed.empty()) {
+    painter.note({{Swatch::twice, theme.missed, counted(count(inspection.missed.size()), "contact") + " missed"}});
+  }
+}
+
+}  // namespace
+
+std::vector<Pair> candidates_apart(const Inspection& inspection) {
+  std::vector<Pair> apart;
+  std::set_difference(inspection.candidates.begin(), inspection.candidates.end(), inspection.contacts.begin(),
+                      inspection.contacts.end(), std::back_inserter(apart), before);
+  apart.erase(std::unique(apart.begin(), apart.end()), apart.end());
+  return apart;
+}
+
+void PairsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
+  if (layer != Layer::over) return;
+  const Inspection& inspection = view.inspection;
+  const Projection projection(view.camera, painter.sheet);
+  const std::vector<Pair> apart = candidates_apart(inspection);
+  if (apart.size() <= kMostCandidates) draw_apart(inspection.bodies, apart, painter, projection);
+  draw_contacts(view, painter, projection);
+  draw_missed(view, painter, projection);
+  draw_notes(inspection, apart.size(), painter);
+}
+
+}  // namespace ballpit

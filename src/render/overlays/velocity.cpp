@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "render/overlays/velocity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "render/painter.h"
+#include "render/projection.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr float kLongest = 1.0f / 12;    // of the picture's height, at the middle of the domain
+constexpr float kWidth = 4, kBarb = 18;  // [1/1080 of the picture's height]
+constexpr float kOpacity = 0.6f;
+
+float fastest(const BodySnapshot& bodies) {
+  float most = 0;
+  if (bodies.velocity.empty()) return most;
+  for (int64_t i = 0; i < bodies.count; ++i) most = std::max(most, length(bodies.velocity_of(i)));
+  return most;
+}
+
+/// Shaft and two barbs, in the plane that the viewer sees from the front; before the sphere itself, behind others.
+void add_arrow(const Vec3& from, const Vec3& way, float barb, const Camera& camera, Rgba color,
+               std::vector<Line>& lines) {
+  const Vec3 tip = from + way, along = normalize(way);
+  const Vec3 look = camera.is_orthographic() ? camera.target - camera.eye : tip - camera.eye;
+  const Vec3 sideways = glm::cross(along, look);
+  lines.push_back({from, color, tip, color});
+  if (length(sideways) < 1e-6f * length(look)) return;  // it flies at the viewer
+  const Vec3 across = 0.5f * normalize(sideways);
+  const float size = std::min(barb, 0.5f * length(way));
+  for (const float side : {-1.0f, 1.0f}) lines.push_back({tip, color, tip - size * (along + side * across), color});
+}
+
+}  // namespace
+
+float arrow_time(const FrameView& view) {
+  const float speed = fastest(view.inspection.bodies);
+  if (!(speed > 0) || !std::isfinite(speed)) return 0;
+  const float distance = length((view.domain.min + view.domain.max) / 2.0f - view.camera.eye);
+  return kLongest * view.camera.pixel_size(distance, 1) / speed;
+}
+
+void VelocityOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
+  const float time = arrow_time(view);
+  if (layer != Layer::over || time == 0) return;
+  const BodySnapshot& bodies = view.inspection.bodies;
+  const Projection projection(view.camera, painter.sheet);
+  std::vector<Line> lines;
+  for (int64_t i = 0; i < bodies.count; ++i) {
+    const Vec3 centre = bodies.position_of(i), way = time * bodies.velocity_of(i);
+    const float pixel = view.camera.pixel_size(projection.depth(centre), painter.sheet.height());
+    if (!projection.sees(centre) || length(way) < pixel) continue;
+    const Vec3 from = projection.lift(centre, 1.02f * bodies.radius_of(i));
+    add_arrow(from, way, kBarb * painter.sheet.unit() * pixel, view.camera, painter.ink(kOpacity), lines);
+  }
+  painter.lines.draw(lines, kWidth * painter.line_unit);
+  char speed[32];
+  std::snprintf(speed, sizeof(speed), "%.3g m/s", static_cast<double>(fastest(bodies)));
+  painter.note({{Swatch::arrow, 0.6f * painter.theme.text + 0.4f * painter.theme.background,
+                 std::string("longest arrow: ") + speed}});
+}
+
+}  // namespace ballpit

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Golden pictures of the overlays, planar and spatial, on both grounds. See golden_test.cpp.
+#include <catch2/catch.hpp>
+
+#include "picture_compare.h"
+#include "test_scenes.h"
+
+using namespace ballpit;
+
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 360;
+constexpr float kAspect = 16.0f / 9;
+
+const DomainBox kBox;
+const DomainBox kPlane{Vec3(0), Vec3(5, 5, 0), 2, false};
+
+/// Everything that overlays may ask for.
+Inspection complete(const std::vector<Sphere>& spheres, const DomainBox& domain, float edge, int axis) {
+  Inspection inspection = inspect(spheres, domain, edge);
+  add_candidates(inspection);
+  add_endpoints(inspection, axis);
+  add_velocities(inspection, domain);
+  return inspection;
+}
+
+Inspection stored(const std::string& name, const DomainBox& domain, float edge, int axis = 0) {
+  return complete(read_spheres(BALLPIT_GOLDEN_FOLDER "/" + name + ".csv"), domain, edge, axis);
+}
+
+/// The first spheres of a stored state.
+Inspection few(const std::string& name, const DomainBox& domain, float edge, size_t count, int axis = 0) {
+  std::vector<Sphere> spheres = read_spheres(BALLPIT_GOLDEN_FOLDER "/" + name + ".csv");
+  spheres.resize(count, Sphere{});
+  return complete(spheres, domain, edge, axis);
+}
+
+std::string compare(const std::string& name, const Inspection& inspection, const DomainBox& domain,
+                    const std::vector<std::string>& overlays, const char* theme, int64_t selected = -1) {
+  FrameView view = view_of(inspection, domain, kAspect, overlays);
+  view.selected = selected;
+  return compare_with_golden(name, draw(view, kWidth, kHeight, {theme_named(theme), 1}));
+}
+
+}  // namespace
+
+TEST_CASE("golden: pairs of a planar scene, one of them missed, on white") {
+  // Cells of 0.4 m, with radii up to 0.34 m: too small.
+  CHECK(compare("pairs_plane", stored("plane_touching", kPlane, 0.4f), kPlane, {"pairs"}, "projector") == "");
+}
+
+TEST_CASE("golden: pairs of a cloud, on dark") {
+  CHECK(compare("pairs_cloud_dark", stored("cloud", kBox, 0.125f), kBox, {"pairs"}, "dark") == "");
+}
+
+TEST_CASE("golden: few pairs of a cloud, and those that cells too small miss, on both grounds") {
+  CHECK(compare("pairs_cloud", stored("cloud", kBox, 0.07f), kBox, {"pairs"}, "projector") == "");
+  CHECK(compare("pairs_cloud_missed", stored("cloud", kBox, 0.03f), kBox, {"pairs"}, "projector") == "");
+  CHECK(compare("pairs_cloud_missed_dark", stored("cloud", kBox, 0.03f), kBox, {"pairs"}, "dark") == "");
+}
+
+TEST_CASE("golden: intervals of three spheres as on slide 4") {
+  const Inspection three =
+      complete({{{1.0f, 2.6f, 0}, 0.6f}, {{2.6f, 3.4f, 0}, 0.8f}, {{3.3f, 1.6f, 0}, 0.9f}}, kPlane, 0, 0);
+  CHECK(compare("intervals_three", three, kPlane, {"intervals", "labels"}, "projector") == "");
+}
+
+TEST_CASE("golden: intervals along y, on dark") {
+  CHECK(compare("intervals_upright_dark", few("plane", kPlane, 0, 10, 1), kPlane, {"intervals", "labels"}, "dark", 3) ==
+        "");
+}
+
+TEST_CASE("golden: intervals of twenty spheres, one of them selected") {
+  CHECK(compare("intervals_plane", stored("plane", kPlane, 0), kPlane, {"intervals"}, "projector", 12) == "");
+}
+
+TEST_CASE("golden: intervals of a few spheres in a box") {
+  for (const int axis : {0, 1, 2}) {
+    const std::string name = std::string("intervals_box_") + "xyz"[axis];
+    CHECK(compare(name, few("cloud", kBox, 0, 8, axis), kBox, {"intervals", "labels"}, "projector") == "");
+  }
+}
+
+TEST_CASE("golden: intervals of a cloud, brackets only, on dark") {
+  CHECK(compare("intervals_cloud_dark", stored("cloud", kBox, 0), kBox, {"intervals"}, "dark") == "");
+}
+
+TEST_CASE("golden: head and next of a planar grid, on both grounds") {
+  const Inspection plane = stored("plane", kPlane, 1);
+  CHECK(compare("lists_plane", plane, kPlane, {"grid", "labels", "lists"}, "projector") == "");
+  CHECK(compare("lists_plane_dark", plane, kPlane, {"grid", "labels", "lists"}, "dark", 9) == "");
+}
+
+TEST_CASE("golden: how long the lists of a cloud are") {
+  CHECK(compare("lists_cloud", stored("cloud", kBox, 0.125f), kBox, {"lists"}, "projector") == "");
+}
+
+TEST_CASE("golden: numbers of cells and spheres, on both grounds") {
+  CHECK(compare("labels_plane", stored("plane", kPlane, 1), kPlane, {"grid", "labels"}, "projector") == "");
+  CHECK(compare("labels_cloud_dark", stored("cloud", kBox, 0), kBox, {"labels"}, "dark") == "");
+}
+
+TEST_CASE("golden: a selected sphere and its block") {
+  CHECK(compare("selection_plane", stored("plane", kPlane, 1), kPlane, {"grid"}, "projector", 12) == "");
+  CHECK(compare("selection_box", stored("cloud", kBox, 0.125f), kBox, {"grid"}, "projector", 0) == "");
+  CHECK(compare("selection_box_dark", stored("cloud", kBox, 0.125f), kBox, {"grid"}, "dark", 0) == "");
+}
+
+TEST_CASE("golden: velocities, on both grounds") {
+  CHECK(compare("velocity_plane", stored("plane", kPlane, 0.7f), kPlane, {"velocity", "pairs"}, "projector") == "");
+  CHECK(compare("velocity_cloud_dark", stored("cloud", kBox, 0), kBox, {"velocity"}, "dark") == "");
+}
+
+TEST_CASE("the comparison of pictures sees a label that is missing or moved, and a shifted line") {
+  const Inspection plane = stored("plane", kPlane, 1);
+  const FrameView view = view_of(plane, kPlane, kAspect, {"grid", "labels"});
+  const Image whole = draw(view, kWidth, kHeight);
+
+  Inspection renumbered = plane;  // cells keep their numbers, one sphere leaves: its number goes with it
+  std::swap(renumbered.bodies.position[0], renumbered.bodies.position[2]);
+  std::swap(renumbered.bodies.position[1], renumbered.bodies.position[3]);
+  std::swap(renumbered.bodies.radius[0], renumbered.bodies.radius[1]);  // same discs, two numbers exchanged
+  CHECK(worst_block(draw(view_of(renumbered, kPlane, kAspect, {"grid", "labels"}), kWidth, kHeight), whole) > 8);
+
+  Inspection few_cells = plane;
+  few_cells.grids[0].head.pop_back();  // the last cell's number
+  const Image without = draw(view_of(few_cells, kPlane, kAspect, {"labels"}), kWidth, kHeight);
+  CHECK(worst_block(without, draw(view_of(plane, kPlane, kAspect, {"labels"}), kWidth, kHeight)) > 8);
+
+  Inspection moved = plane;  // one end of an interval
+  moved.endpoints[5].at += 0.08f;
+  const Image staff = draw(view_of(plane, kPlane, kAspect, {"intervals"}), kWidth, kHeight);
+  CHECK(worst_block(draw(view_of(moved, kPlane, kAspect, {"intervals"}), kWidth, kHeight), staff) > 8);
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Facts about overlays on small pictures, and about what they count.
+#include "render/overlays/overlay.h"
+
+#include <catch2/catch.hpp>
+
+#include "render/overlays/interval_list.h"
+#include "render/overlays/lists.h"
+#include "render/overlays/pairs.h"
+#include "render/overlays/selection.h"
+#include "render/overlays/velocity.h"
+#include "render/painter.h"
+#include "test_scenes.h"
+
+using namespace ballpit;
+
+namespace {
+
+const DomainBox kPlane{Vec3(0), Vec3(5, 5, 0), 2, false};
+constexpr int kSize = 400;
+const Theme& kTheme = themes().front();
+
+/// Where a point of the plane lies in a square picture.
+Vec2 place(const FrameView& view, const Vec3& point, int size = kSize) {
+  const Vec4 clip = view.camera.projection() * view.camera.view() * Vec4(point, 1);
+  return Vec2(1 + clip.x / clip.w, 1 - clip.y / clip.w) / 2.0f * static_cast<float>(size);
+}
+
+/// How near to a colour the picture comes within a few pixels of a place.
+int nearest_difference(const Image& image, Vec2 at, const Vec3& color, int reach) {
+  int least = 255;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      const int u = std::clamp(static_cast<int>(at.x) + x, 0, image.width - 1);
+      const int v = std::clamp(static_cast<int>(at.y) + y, 0, image.height - 1);
+      least = std::min(least, difference(image.pixel(u, v), color));
+    }
+  }
+  return least;
+}
+
+/// Two discs that touch at (2.5, 2.5), one that does not touch.
+Inspection three() { return inspect({{{2, 2.5f, 0}, 0.51f}, {{3, 2.5f, 0}, 0.51f}, {{2.5f, 4.3f, 0}, 0.4f}}, kPlane); }
+
+}  // namespace
+
+TEST_CASE("a missed pair is a double vermillion line, with rings around both spheres") {
+  Inspection inspection = three();
+  inspection.missed = std::exchange(inspection.contacts, {});
+  const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
+  const Image image = draw(view, kSize, kSize);
+  const Vec2 middle = place(view, {2.5f, 2.5f, 0});
+  CHECK(nearest_difference(image, middle + Vec2(0, 2), kTheme.missed, 1) < 16);
+  CHECK(nearest_difference(image, middle - Vec2(0, 2), kTheme.missed, 1) < 16);
+  CHECK(nearest_difference(image, place(view, {2, 3.05f, 0}), kTheme.missed, 2) < 16);
+  CHECK(nearest_difference(image, place(view, {3, 1.95f, 0}), kTheme.missed, 2) < 16);
+  CHECK(nearest_difference(image, place(view, {2.5f, 4.8f, 0}), kTheme.missed, 4) > 60);
+}
+
+TEST_CASE("a contact is a bold orange line with a dark core, a candidate apart a thin sky one") {
+  Inspection inspection = three();
+  add_candidates(inspection);
+  const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
+  const Image image = draw(view, kSize, kSize);
+  CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), 0.45f * kTheme.contact, 0) < 24);
+  CHECK(nearest_difference(image, place(view, {2.25f, 3.4f, 0}), kTheme.candidate, 1) < 50);
+  CHECK(nearest_difference(image, place(view, {3.4f, 3.4f, 0}), kTheme.candidate, 4) > 60);
+}
+
+TEST_CASE("candidates apart are candidates without contacts, each once") {
+  Inspection inspection;
+  inspection.contacts = {{0, 2}, {1, 4}};
+  inspection.candidates = {{0, 1}, {0, 1}, {0, 2}, {1, 3}, {1, 4}};
+  CHECK(candidates_apart(inspection) == std::vector<Pair>{{0, 1}, {1, 3}});
+}
+
+TEST_CASE("a walk goes from a begin to its end and meets the begins between; an end meets nothing") {
+  // b0 b1 e0 b2 e2 e1: the thread of body 1 tests 2; that of body 0 tests 1.
+  const std::vector<Endpoint> list = {{0, 0, false}, {1, 1, false}, {2, 0, true},
+                                      {3, 2, false}, {4, 2, true},  {5, 1, true}};
+  CHECK(shown_walk(list, 0).met == std::vector<size_t>{1});
+  CHECK(shown_walk(list, 1).met == std::vector<size_t>{3});
+  CHECK(shown_walk(list, 2).met.empty());
+  CHECK(shown_walk(list, 2).body == 2);
+  CHECK(shown_walk(list, -1).body == 0);  // the first of those that test most
+  CHECK(shown_walk(list, 7).body == -1);
+  CHECK(shown_walk({}, -1).body == -1);
+}
+
+TEST_CASE("brackets stand on the axis where the intervals end") {
+  Inspection inspection = inspect({{{2, 2.5f, 0}, 1.0f}}, kPlane);
+  add_endpoints(inspection, 0);
+  const FrameView view = view_of(inspection, kPlane, 1, {"intervals"});
+  const Image image = draw(view, kSize, kSize);
+  const float staff = place(view, {0, 0, 0}).y + 34.0f / 1080 * kSize;
+  for (const float x : {1.0f, 3.0f}) {
+    const Vec2 at(place(view, {x, 0, 0}).x, staff - 5);
+    CHECK(nearest_difference(image, at, kTheme.begin, 1) < 60);
+  }
+  CHECK(nearest_difference(image, {place(view, {3.6f, 0, 0}).x, staff - 5}, kTheme.begin, 3) > 60);
+  CHECK(nearest_difference(image, {place(view, {0.4f, 0, 0}).x, staff - 5}, kTheme.begin, 3) > 60);
+}
+
+TEST_CASE("cells are counted by the length of their list; the last class takes longer ones") {
+  const Inspection inspection = inspect(
+      {{{0.5f, 0.5f, 0}, 0.1f}, {{0.6f, 0.6f, 0}, 0.1f}, {{0.7f, 0.3f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}}, kPlane, 1);
+  CHECK(count_lengths(inspection.grids[0], 4) == std::vector<int>{23, 1, 0, 1, 0});
+  CHECK(count_lengths(inspection.grids[0], 2) == std::vector<int>{23, 1, 1});
+}
+
+TEST_CASE("the fastest sphere's arrow is a twelfth of the picture long and ends there") {
+  Inspection inspection = three();
+  inspection.contacts.clear();
+  inspection.bodies.velocity = {0, 0, 0, 0, 2, 0};
+  const FrameView view = view_of(inspection, kPlane, 1, {"velocity"});
+  const Image image = draw(view, kSize, kSize);
+  const Vec2 centre = place(view, {2.5f, 4.3f, 0}), tip = centre + Vec2(kSize / 12.0f, 0);
+  CHECK(place(view, Vec3(2.5f + 2 * arrow_time(view), 4.3f, 0)).x == Approx(tip.x).margin(0.01));
+  const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
+  const auto is_drawn = [&](float x) {
+    int count = 0;
+    for (int y = -4; y <= 4; ++y) {
+      const int u = static_cast<int>(x), v = static_cast<int>(centre.y) + y;
+      count += difference(image.pixel(u, v), plain.pixel(u, v)) > 8;
+    }
+    return count > 0;
+  };
+  CHECK(is_drawn(centre.x + 3));
+  CHECK(is_drawn(tip.x - 2));
+  CHECK_FALSE(is_drawn(tip.x + 2));
+  CHECK_FALSE(is_drawn(centre.x - 3));
+}
+
+TEST_CASE("the block of a sphere are the 3 x 3 cells around its own, as far as the grid goes") {
+  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}, {{0.5f, 4.5f, 0}, 0.1f}}, kPlane, 1);
+  const GridInspection& grid = inspection.grids[0];
+  const auto middle = block_around(grid, inspection.bodies, 0), corner = block_around(grid, inspection.bodies, 1);
+  REQUIRE(middle);
+  CHECK(middle->low == IVec3(1, 1, 0));
+  CHECK(middle->high == IVec3(4, 4, 1));
+  REQUIRE(corner);
+  CHECK(corner->low == IVec3(0, 3, 0));
+  CHECK(corner->high == IVec3(2, 5, 1));
+
+  FrameView view = view_of(inspection, kPlane, 1, {"grid"});
+  view.selected = 0;
+  const Image image = draw(view, kSize, kSize);
+  const Vec3 tint = 0.2f * kTheme.selected + 0.8f * kTheme.background;
+  const auto tinted = [&](float x, float y) {
+    const Vec2 at = place(view, {x, y, 0});
+    return difference(image.pixel(static_cast<int>(at.x), static_cast<int>(at.y)), tint) <= 2;
+  };
+  CHECK(tinted(1.5f, 1.5f));
+  CHECK(tinted(3.5f, 3.5f));
+  CHECK_FALSE(tinted(0.5f, 1.5f));
+  CHECK_FALSE(tinted(4.5f, 3.5f));
+}
+
+TEST_CASE("a block ends with the list: a sphere that no cell lists has none") {
+  Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
+  inspection.grids[0].head.assign(25, -1);
+  CHECK_FALSE(block_around(inspection.grids[0], inspection.bodies, 0));
+}
+
+TEST_CASE("overlays without their data draw nothing") {
+  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane);
+  const Image plain = draw(view_of(inspection, kPlane, 1), 90, 90);
+  for (const char* name : {"intervals", "lists", "velocity", "grid"}) {
+    CHECK(draw(view_of(inspection, kPlane, 1, {name}), 90, 90).pixels == plain.pixels);
+  }
+}
+
+TEST_CASE("notes and strips stack: none lies over another") {
+  Inspection inspection = three();
+  add_candidates(inspection);
+  add_velocities(inspection, kPlane);
+  const Image one = draw(view_of(inspection, kPlane, 3, {"pairs"}), 900, 300);
+  const Image two = draw(view_of(inspection, kPlane, 3, {"pairs", "velocity"}), 900, 300);
+  // The first line stays as it was; below it, there is a second one.
+  int first = 0, second = 0;
+  for (int x = 0; x < 150; ++x) {
+    for (int y = 0; y < 14; ++y) first += difference(one.pixel(x, y), two.pixel(x, y)) > 8;
+    for (int y = 18; y < 30; ++y) second += difference(one.pixel(x, y), two.pixel(x, y)) > 8;
+  }
+  CHECK(first == 0);
+  CHECK(second > 20);
+}
+
+TEST_CASE("numbers are grouped by thousands, and nouns follow them") {
+  CHECK(grouped(0) == "0");
+  CHECK(grouped(999) == "999");
+  CHECK(grouped(1234567) == "1\u2009234\u2009567");
+  CHECK(grouped(-1234) == "-1\u2009234");
+  CHECK(grouped(-123) == "-123");
+  CHECK(counted(1, "contact") == "1 contact");
+  CHECK(counted(0, "contact") == "0 contacts");
+}
+
+TEST_CASE("thirty thousand lines of pairs: only counted, and those of contacts drawn") {
+  Inspection inspection = three();
+  for (int k = 0; k < 30000; ++k) inspection.candidates.push_back({k, k + 1});
+  const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
+  const Image image = draw(view, kSize, kSize);
+  CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), 0.45f * kTheme.contact, 0) < 24);
+}
