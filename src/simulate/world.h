@@ -78,7 +78,7 @@ class World {
   /// A copy of all that later bits follow from; bodies() alone is not enough for some (docs/model.md).
   virtual std::unique_ptr<Snapshot> snapshot() = 0;
 
-  /// Puts the world back: it goes on by the bits of the first time. Also after step() threw.
+  /// Puts the world back, also after step() threw: it goes on by the bits of the first time. Time spent stays counted.
   virtual void restore(const Snapshot& snapshot) = 0;
 
   virtual int64_t steps() const = 0;

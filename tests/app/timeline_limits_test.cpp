@@ -49,7 +49,7 @@ TEST_CASE("snapshots take no more memory than they may, keyframes are thinned, a
     most = std::max(most, run.timeline.bytes());
   }
   CHECK(most > 7 * one);
-  CHECK(run.timeline.interval() == (budget < 100 * one ? 64 : 16));
+  CHECK(run.timeline.interval() == (budget < 100 * one ? 128 : 16));
   for (const int64_t step : {900, 800, 0, 300, 700, 100}) {
     run.check_from(step, 1);
     CHECK(run.timeline.bytes() <= budget);
