@@ -117,10 +117,10 @@ TEST_CASE("the comparison of pictures sees a label that is missing or moved, and
   const FrameView view = view_of(plane, kPlane, kAspect, {"grid", "labels"});
   const Image whole = draw(view, kWidth, kHeight);
 
-  Inspection renumbered = plane;  // cells keep their numbers, one sphere leaves: its number goes with it
+  Inspection renumbered = plane;  // the same discs, two of their numbers exchanged
   std::swap(renumbered.bodies.position[0], renumbered.bodies.position[2]);
   std::swap(renumbered.bodies.position[1], renumbered.bodies.position[3]);
-  std::swap(renumbered.bodies.radius[0], renumbered.bodies.radius[1]);  // same discs, two numbers exchanged
+  std::swap(renumbered.bodies.radius[0], renumbered.bodies.radius[1]);
   CHECK(worst_block(draw(view_of(renumbered, kPlane, kAspect, {"grid", "labels"}), kWidth, kHeight), whole) > 8);
 
   Inspection few_cells = plane;

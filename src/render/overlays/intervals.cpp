@@ -100,7 +100,7 @@ void IntervalsOverlay::draw(const FrameView& view, Painter& painter, Layer layer
                        to_rgba(painter.theme.begin), 9 * u);
     const std::string body = std::to_string(walk.body);
     painter.note({{Swatch::arrow, painter.theme.begin, "thread of b" + body + " walks to e" + body}});
-    painter.note({{Swatch::square, painter.theme.candidate,
+    painter.note({{row ? Swatch::square : Swatch::none, painter.theme.candidate,
                    "and tests " + counted(static_cast<int64_t>(walk.met.size()), "begin")}});
   }
   if (has_labels) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "render/overlays/line_scale.h"
 #include "render/painter.h"
 #include "render/projection.h"
 
@@ -62,7 +63,7 @@ void draw_apart(const BodySnapshot& bodies, const std::vector<Pair>& apart, Pain
   painter.lines.draw(lines, kThin * painter.line_unit);
 }
 
-void draw_contacts(const FrameView& view, Painter& painter, const Projection& projection) {
+void draw_contacts(const FrameView& view, Painter& painter, const Projection& projection, float scale) {
   const BodySnapshot& bodies = view.inspection.bodies;
   // Their spheres are orange, too: a dark core tells the line from them.
   const Rgba color = to_rgba(0.45f * painter.theme.contact), edge = to_rgba(painter.theme.contact);
@@ -70,16 +71,16 @@ void draw_contacts(const FrameView& view, Painter& painter, const Projection& pr
   for (const Pair& pair : view.inspection.contacts) {
     const Vec3 end = touching_image(bodies, pair, view.domain);
     lines.push_back(lifted(bodies, pair, end, projection, color, 0, true));
-    edges.push_back(lifted(bodies, pair, end, projection, edge, kEdge * painter.sheet.unit(), true));
+    edges.push_back(lifted(bodies, pair, end, projection, edge, scale * kEdge * painter.sheet.unit(), true));
   }
-  painter.lines.draw(edges, (kBold + 2 * kEdge) * painter.line_unit);
-  painter.lines.draw(lines, kBold * painter.line_unit);
+  painter.lines.draw(edges, scale * (kBold + 2 * kEdge) * painter.line_unit);
+  painter.lines.draw(lines, scale * kBold * painter.line_unit);
 }
 
-void draw_missed(const FrameView& view, Painter& painter, const Projection& projection) {
+void draw_missed(const FrameView& view, Painter& painter, const Projection& projection, float scale) {
   const BodySnapshot& bodies = view.inspection.bodies;
   Sheet& sheet = painter.sheet;
-  const float u = sheet.unit();
+  const float u = std::max(scale, 0.4f) * sheet.unit();
   const Rgba color = to_rgba(painter.theme.missed), ground = to_rgba(painter.theme.background);
   const size_t drawn = std::min(view.inspection.missed.size(), kMostRings);
   for (size_t k = 0; k < drawn; ++k) {
@@ -108,7 +109,10 @@ void draw_notes(const Inspection& inspection, size_t apart, Painter& painter) {
                  grouped(count(apart)) + (too_many ? " apart (too many to draw)" : " apart")},
                 {Swatch::bold, theme.contact, counted(count(inspection.contacts.size()), "contact")}});
   if (!inspection.missed.empty()) {
-    painter.note({{Swatch::twice, theme.missed, counted(count(inspection.missed.size()), "contact") + " missed"}});
+    const size_t missed = inspection.missed.size();
+    painter.note({{Swatch::twice, theme.missed,
+                   counted(count(missed), "contact") + " missed" +
+                       (missed > kMostRings ? ", " + grouped(count(kMostRings)) + " of them drawn" : "")}});
   }
 }
 
@@ -126,10 +130,11 @@ void PairsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
   if (layer != Layer::over) return;
   const Inspection& inspection = view.inspection;
   const Projection projection(view.camera, painter.sheet);
+  const float scale = line_scale(view, projection, painter.sheet.unit());
   const std::vector<Pair> apart = candidates_apart(inspection);
   if (apart.size() <= kMostCandidates) draw_apart(inspection.bodies, apart, painter, projection);
-  draw_contacts(view, painter, projection);
-  draw_missed(view, painter, projection);
+  draw_contacts(view, painter, projection, scale);
+  draw_missed(view, painter, projection, scale);
   draw_notes(inspection, apart.size(), painter);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "render/overlays/line_scale.h"
 #include "render/painter.h"
 #include "render/projection.h"
 
@@ -50,15 +51,16 @@ void VelocityOverlay::draw(const FrameView& view, Painter& painter, Layer layer)
   if (layer != Layer::over || time == 0) return;
   const BodySnapshot& bodies = view.inspection.bodies;
   const Projection projection(view.camera, painter.sheet);
+  const float scale = line_scale(view, projection, painter.sheet.unit());
   std::vector<Line> lines;
   for (int64_t i = 0; i < bodies.count; ++i) {
     const Vec3 centre = bodies.position_of(i), way = time * bodies.velocity_of(i);
     const float pixel = view.camera.pixel_size(projection.depth(centre), painter.sheet.height());
     if (!projection.sees(centre) || length(way) < pixel) continue;
     const Vec3 from = projection.lift(centre, 1.02f * bodies.radius_of(i));
-    add_arrow(from, way, kBarb * painter.sheet.unit() * pixel, view.camera, painter.ink(kOpacity), lines);
+    add_arrow(from, way, scale * kBarb * painter.sheet.unit() * pixel, view.camera, painter.ink(kOpacity), lines);
   }
-  painter.lines.draw(lines, kWidth * painter.line_unit);
+  painter.lines.draw(lines, scale * kWidth * painter.line_unit);
   char speed[32];
   std::snprintf(speed, sizeof(speed), "%.3g m/s", static_cast<double>(fastest(bodies)));
   painter.note({{Swatch::arrow, 0.6f * painter.theme.text + 0.4f * painter.theme.background,
