@@ -89,8 +89,8 @@ class RenderCommand final : public Command {
     for (int k = first_; k < frames && !was_interrupted(); ++k) {
       session.advance_to(from + k * interval, was_interrupted);
       if (was_interrupted()) break;
-      draw({});
-      if (panel && k == first_) draw({});  // the panel knows its height from its first frame
+      draw(PanelInput{});
+      if (panel && k == first_) draw(PanelInput{});  // the panel knows its height from its first frame
       sequence.push(renderer.read_pixels());
       progress.show(k + 1);
     }
@@ -107,8 +107,8 @@ class RenderCommand final : public Command {
   /// As a hand would: over the item, down, up; a frame for each.
   template <class Draw>
   void click(Panel& panel, const Draw& draw) const {
-    draw({});
-    draw({});
+    draw(PanelInput{});
+    draw(PanelInput{});
     for (const std::string& name : split_list(clicks_)) {
       const auto item = panel.items().find(name);
       if (item == panel.items().end()) {
@@ -117,8 +117,11 @@ class RenderCommand final : public Command {
         throw UserError("--click: found " + (name.empty() ? "nothing" : name) +
                         ", allowed what the panel shows then: " + join(names));
       }
-      const Vec2 at = item->second.middle();
-      for (const bool is_down : {false, true, false, false}) draw({at, is_down});
+      panel.reveal(name);
+      draw(PanelInput{});
+      draw(PanelInput{});
+      const Vec2 at = panel.items().at(name).middle();
+      for (const bool is_down : {false, true, false, false}) draw(PanelInput{.mouse = at, .is_down = is_down});
     }
   }
 

@@ -63,7 +63,7 @@ void Demo::load(const std::string& scene) {
 }
 
 void Demo::step() {
-  attempt([&] { player.step(session); });
+  attempt([&] { player.step(*timeline); });
 }
 
 void Demo::go_to(int64_t step) {

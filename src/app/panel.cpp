@@ -65,6 +65,8 @@ void style_for(const Theme& theme, float unit) {
                                 ImGuiCol_PlotHistogram, ImGuiCol_PlotLines}) {
     style.Colors[accent] = im(theme.grid);
   }
+  style.Colors[ImGuiCol_Border] = im(theme.text, 0.25f);
+  style.FrameBorderSize = 1;
   style.WindowRounding = 0;
   style.FrameRounding = 5;
   style.GrabRounding = 5;
@@ -113,7 +115,7 @@ std::string scientific(double value) {
 
 void row(const char* what, const std::string& value) {
   ImGui::TextUnformatted(what);
-  ImGui::SameLine(0.62f * ImGui::GetWindowContentRegionMax().x);
+  ImGui::SameLine(0.45f * ImGui::GetWindowContentRegionMax().x);
   ImGui::TextUnformatted(value.c_str());
 }
 
@@ -133,6 +135,7 @@ int Panel::width_in(int picture_width, int picture_height) {
 void Panel::note(const std::string& name) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   items_[name] = {{low.x, low.y}, {high.x, high.y}};
+  if (name == revealed_) ImGui::SetScrollHereY();
 }
 
 bool Panel::button(const std::string& name, const std::string& label) {
@@ -230,7 +233,9 @@ void Panel::draw_time(Demo& demo) {
   ImGui::Text("t = %.3f s", demo.session.time());
   auto moment = static_cast<int>(demo.timeline->step_now());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderInt("##timeline", &moment, int(demo.timeline->first()), int(demo.timeline->furthest()), "step %d")) {
+  const int first = static_cast<int>(demo.timeline->first());
+  const int furthest = std::max(static_cast<int>(demo.timeline->furthest()), first + 1);
+  if (ImGui::SliderInt("##timeline", &moment, first, furthest, "step %d")) {
     demo.go_to(moment);
   }
   note("timeline");
@@ -333,7 +338,10 @@ void Panel::draw_cost(Demo& demo) {
   const Report& report = demo.report();
   const std::vector<float> times(demo.player.step_times().begin(), demo.player.step_times().end());
   row("spheres", with_thin_spaces(report.count));
-  row("a step", three_digits(demo.player.mean_step_time()) + " ms");
+  const bool is_played = !demo.player.step_times().empty();
+  const double mean =
+      is_played ? demo.player.mean_step_time() : 1e3 * report.seconds / double(std::max<int64_t>(report.steps, 1));
+  row("a step", three_digits(mean) + " ms");
   row("candidates", with_thin_spaces(report.candidates));
   row("contacts", with_thin_spaces(report.contacts));
   row("by", report.broadphase + ", " + demo.session.backend());
@@ -364,8 +372,9 @@ void Panel::draw_accuracy(Demo& demo) {
 
 void Panel::draw_keys(Demo& demo) {
   if (!demo.shows_keys) return;
-  ImGui::SetNextWindowPos({0.5f * static_cast<float>(sheet_.picture_width()), 0.5f * static_cast<float>(sheet_.height())},
-                          ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos(
+      {0.5f * static_cast<float>(sheet_.picture_width()), 0.5f * static_cast<float>(sheet_.height())}, ImGuiCond_Always,
+      {0.5f, 0.5f});
   ImGui::Begin("Keys", &demo.shows_keys,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
   for (const Key& key : key_table()) {
@@ -403,6 +412,7 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   draw_keys(demo);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  revealed_.clear();
 }
 
 bool Panel::has_mouse() const {

@@ -23,9 +23,9 @@ struct PanelInput {
   Vec2 mouse{-1e6f};  ///< [pixel] from the upper left corner
   bool is_down = false;
   float wheel = 0;
-  std::string typed;          ///< UTF-8
-  float elapsed = 1 / 60.0f;  ///< [s] since the frame before
-  std::map<int, bool> keys;   ///< by GLFW's code: those that changed, and whether they are down now
+  std::string typed{};         ///< UTF-8
+  float elapsed = 1 / 60.0f;   ///< [s] since the frame before
+  std::map<int, bool> keys{};  ///< by GLFW's code: those that changed, and whether they are down now
 };
 
 class Panel {
@@ -41,6 +41,9 @@ class Panel {
   /// Whether the mouse or the keyboard are the panel's.
   bool has_mouse() const;
   bool has_keyboard() const;
+
+  /// Scrolls to an item in the next frame.
+  void reveal(const std::string& name) { revealed_ = name; }
 
   bool wants_picture = false;  ///< the button that saves one was pressed; for the caller to clear
 
@@ -69,6 +72,7 @@ class Panel {
 
   Sheet& sheet_;
   std::map<std::string, ItemRect> items_;
+  std::string revealed_;
   std::map<std::string, float> edited_;  // sliders that are being dragged
   std::map<std::string, std::string> typed_;
 };

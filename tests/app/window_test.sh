@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The window, by real keys and a real mouse on a virtual display: window_test.sh PROGRAM. 77: what it needs is not here.
+set -euo pipefail
+program=$1
+for tool in xvfb-run xdotool; do
+  command -v "$tool" > /dev/null || { echo "skipped: no $tool"; exit 77; }
+done
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+cat > hands.sh <<'HANDS'
+set -euo pipefail
+fail() { echo "FAILED: $1"; cat log; exit 1; }
+"$1" show lecture-grid --size 960x540 --theme dark > log 2>&1 &
+show=$!
+for _ in $(seq 100); do
+  window=$(xdotool search --onlyvisible --pid $show 2> /dev/null | tail -1) && [[ -n $window ]] && break
+  kill -0 $show 2> /dev/null || fail "the program ended"
+  sleep 0.1
+done
+xdotool windowfocus "$window"
+# The title tells spheres, method and time; as soon as it changes, or for ten seconds.
+expect_title() {
+  for _ in $(seq 100); do
+    title=$(xdotool getwindowname "$window")
+    [[ $title == *"$1"* ]] && return
+    sleep 0.1
+  done
+  fail "the title is '$title', expected $1"
+}
+expect_file() {
+  for _ in $(seq 100); do
+    [[ -s $1 ]] && return
+    sleep 0.1
+  done
+  fail "no $1"
+}
+expect_title "20 spheres, linked-cell"
+expect_title "ms a step"
+xdotool key 1; expect_title "brute-force"
+xdotool key 2; expect_title "sort-and-sweep"
+xdotool key 4; expect_title "sorted-grid"
+xdotool key 3; expect_title "linked-cell"
+xdotool key space period comma i p l n v g t h F1 F1
+xdotool mousemove --window "$window" 600 300 mousedown 1 mousemove --window "$window" 700 320 mouseup 1
+xdotool mousemove --window "$window" 600 270 click 1 click 4 click 5
+xdotool key s
+expect_file picture_00000.png
+xdotool key s
+expect_file picture_00001.png
+xdotool windowsize "$window" 20 10; sleep 0.3
+xdotool windowsize "$window" 800 600; sleep 0.3
+xdotool key space 1; expect_title "brute-force"
+kill -0 $show || fail "the program ended"
+kill -INT $show
+wait $show || fail "exit status $?"
+[[ ! -s log ]] || fail "it said something"
+HANDS
+timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24" bash hands.sh "$program" || { echo "status $?"; exit 1; }
+
+env -u DISPLAY -u WAYLAND_DISPLAY "$program" show lecture-grid > /dev/null 2> no_display && { echo "FAILED: a window without a display"; exit 1; }
+[[ $(wc -l < no_display) == 1 ]] && grep -q "no window: .*ballpit render draws without a display" no_display || { echo "FAILED:"; cat no_display; exit 1; }
+echo passed
