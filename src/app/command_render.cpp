@@ -76,7 +76,7 @@ class RenderCommand final : public Command {
     const auto draw = [&](const PanelInput& input) {
       options.theme = theme_named(demo.view.theme);
       renderer.set_options(options);
-      renderer.draw(session.view_of(demo.inspection(), demo.view, float(width - options.left) / float(height)));
+      renderer.draw(demo.frame_view(float(width - options.left) / float(height)));
       if (panel) panel->draw(demo, input);
     };
     if (click_option_->count() > 0) click(*panel, draw);
@@ -123,6 +123,8 @@ class RenderCommand final : public Command {
       const Vec2 at = panel.items().at(name).middle();
       for (const bool is_down : {false, true, false, false}) draw(PanelInput{.mouse = at, .is_down = is_down});
     }
+    panel.reveal("scene");
+    draw(PanelInput{});
   }
 
   void tell(Session& session, const GlContext& context, int frames) {

@@ -112,7 +112,7 @@ class Show {
   void pick(Vec2 at) {
     const float left = static_cast<float>(options().left), width = static_cast<float>(window_.width()) - left,
                 height = static_cast<float>(window_.height());
-    const FrameView view = demo_.session.view_of(demo_.inspection(), demo_.view, width / height);
+    const FrameView view = demo_.frame_view(width / height);
     demo_.view.selected =
         body_at(view.camera, view.inspection.bodies, {2 * (at.x - left) / width - 1, 1 - 2 * at.y / height});
     demo_.touch();
@@ -127,7 +127,7 @@ class Show {
     const auto width = static_cast<float>(window_.width() - options.left),
                height = static_cast<float>(window_.height());
     const int64_t version = demo_.version();
-    renderer_.draw(demo_.session.view_of(demo_.inspection(), demo_.view, width / height));
+    renderer_.draw(demo_.frame_view(width / height));
     panel_.draw(demo_, {events.mouse, events.is_mouse_down, events.wheel, events.typed, elapsed, events.keys});
     if (panel_.wants_picture) save();
     panel_.wants_picture = false;
@@ -142,7 +142,7 @@ class Show {
     const float aspect = static_cast<float>(window_.width()) / static_cast<float>(window_.height());
     RenderOptions still{theme_named(demo_.view.theme), 2};
     renderer_.set_options(still);
-    renderer_.draw(demo_.session.view_of(demo_.inspection(), demo_.view, aspect));
+    renderer_.draw(demo_.frame_view(aspect));
     try {
       write_png(name, renderer_.read_pixels());
       demo_.say("saved " + name);

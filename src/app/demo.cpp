@@ -12,6 +12,8 @@ namespace ballpit {
 namespace {
 
 constexpr std::chrono::milliseconds kLongestReplay{500};
+constexpr int64_t kMostCandidates = 2'000'000;  // to be listed for an overlay
+constexpr int64_t kMostForOracle = 20'000;      // spheres among which brute force looks for missed contacts
 
 }  // namespace
 
@@ -72,7 +74,8 @@ void Demo::go_to(int64_t step) {
     player.forgive();
     const auto start = std::chrono::steady_clock::now();
     const auto takes_too_long = [&] { return std::chrono::steady_clock::now() - start > kLongestReplay; };
-    if (!timeline->go_to(step, takes_too_long)) message_ = "on the way there; the next call goes on";
+    if (!timeline->go_to(step, takes_too_long))
+      message_ = "step " + std::to_string(timeline->step_now()) + " so far; go there again to go on";
   });
 }
 
@@ -121,9 +124,28 @@ Wanted Demo::wanted() const {
   return result;
 }
 
+/// What of it would take longer than a picture may.
+Wanted Demo::too_much(const Wanted& wanted) {
+  Wanted result;
+  result.candidates = wanted.candidates && report().candidates > kMostCandidates;
+  result.missed = wanted.missed && report().count > kMostForOracle;
+  return result;
+}
+
+FrameView Demo::frame_view(float aspect) {
+  const Inspection& seen = inspection();
+  FrameView result = session.view_of(seen, view, aspect);
+  result.left_out = left_out_;
+  return result;
+}
+
 const Inspection& Demo::inspection() {
   if (looked_at_ != version()) {
-    inspection_ = session.world().inspect(wanted());
+    Wanted wanted = this->wanted();
+    left_out_ = too_much(wanted);
+    wanted.candidates &= !left_out_.candidates;
+    wanted.missed &= !left_out_.missed;
+    inspection_ = session.world().inspect(wanted);
     looked_at_ = version();
   }
   return inspection_;

@@ -52,6 +52,9 @@ class Demo {
   const Inspection& inspection();
   const Report& report();
 
+  /// The present state and view for the renderer, until either changes.
+  FrameView frame_view(float aspect);
+
   /// [J] kinetic, potential and elastic, when this world began.
   double energy_at_start() const { return energy_at_start_; }
 
@@ -64,12 +67,14 @@ class Demo {
   void attempt(const std::function<void()>& action);
   void begin_anew();
   Wanted wanted() const;
+  Wanted too_much(const Wanted& wanted);
 
   std::string message_;
   double energy_at_start_ = 0;
   int64_t version_ = 0;
   int64_t looked_at_ = -1, reported_ = -1;
   Inspection inspection_;
+  Wanted left_out_;
   Report report_;
 };
 

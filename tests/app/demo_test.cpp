@@ -121,6 +121,16 @@ TEST_CASE("what is shown is looked at with what the overlays ask for") {
   CHECK(demo.inspection().endpoints.size() == 40);
 }
 
+TEST_CASE("what would take too long to look for is left out, and the picture knows") {
+  Demo demo("rain", {{"count", "21000"}, {"broadphase", "brute-force"}, {"threads", "1"}});
+  demo.perform(key_named("P"));
+  const FrameView view = demo.frame_view(1);
+  CHECK(view.left_out.missed);
+  CHECK(view.left_out.candidates);
+  CHECK(view.inspection.candidates.empty());
+  CHECK_FALSE(lecture().frame_view(1).left_out.anything());
+}
+
 TEST_CASE("each key is one key, and names a method or an overlay that there is") {
   std::set<int> codes;
   for (const Key& key : key_table()) {

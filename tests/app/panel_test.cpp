@@ -19,7 +19,7 @@ class Desk {
 
   void frame(const PanelInput& input) {
     renderer.set_options({theme_named(demo.view.theme), 1, Panel::width_in(kWidth, kHeight)});
-    renderer.draw(demo.session.view_of(demo.inspection(), demo.view, 1));
+    renderer.draw(demo.frame_view(1));
     panel.draw(demo, input);
   }
   void rest() {

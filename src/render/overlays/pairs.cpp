@@ -100,9 +100,16 @@ void draw_missed(const FrameView& view, Painter& painter, const Projection& proj
   }
 }
 
-void draw_notes(const Inspection& inspection, size_t apart, Painter& painter) {
+void draw_notes(const FrameView& view, size_t apart, Painter& painter) {
+  const Inspection& inspection = view.inspection;
   const Theme& theme = painter.theme;
   const auto count = [](size_t n) { return static_cast<int64_t>(n); };
+  if (view.left_out.missed) painter.note({{Swatch::none, {}, "too many spheres to look for missed contacts"}});
+  if (view.left_out.candidates) {
+    painter.note({{Swatch::none, {}, "too many candidates to list,"},
+                  {Swatch::bold, theme.contact, counted(count(inspection.contacts.size()), "contact")}});
+    return;
+  }
   const bool too_many = apart > kMostCandidates;
   painter.note({{Swatch::none, {}, counted(count(apart + inspection.contacts.size()), "candidate") + ":"},
                 {too_many ? Swatch::none : Swatch::line, theme.candidate,
@@ -135,7 +142,7 @@ void PairsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
   if (apart.size() <= kMostCandidates) draw_apart(inspection.bodies, apart, painter, projection);
   draw_contacts(view, painter, projection, scale);
   draw_missed(view, painter, projection, scale);
-  draw_notes(inspection, apart.size(), painter);
+  draw_notes(view, apart.size(), painter);
 }
 
 }  // namespace ballpit
