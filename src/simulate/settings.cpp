@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstring>
 
 #include "core/error.h"
 #include "simulate/methods.h"
@@ -27,8 +26,8 @@ template <class T>
 std::string typed(T value) {
   std::array<char, 32> text;
   std::string result(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
-  for (const char* const padding : {"e+0", "e+"}) {
-    if (const size_t at = result.find(padding); at != result.npos) result.replace(at, std::strlen(padding), "e");
+  if (const size_t plus = result.find("e+"); plus != result.npos) {
+    result.erase(plus + 1, result.compare(plus + 2, 1, "0") == 0 ? 2 : 1);
   }
   return result;
 }
