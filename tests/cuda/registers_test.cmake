@@ -13,6 +13,8 @@ set(allowed
   "FillFromRanges.*SortedGrid" 56
   # The same walk without tests, for reports alone.
   "MeasureRanges.*SortedGrid" 40
+  "CountCandidates.*SortedGrid" 40
+  "FillCandidates.*SortedGrid" 40
   # The same with up to 27 lists, found by three nested loops. Held to 32: 100 bytes.
   "CountContacts.*LinkedCell" 56
   "FillContacts.*LinkedCell" 56
@@ -24,8 +26,9 @@ set(allowed
   "FillFromRanges.*BruteForce" 40
   "CountContacts.*ListedCandidates" 40
   "FillContacts.*ListedCandidates" 40
-  # Two loops over a body's contacts, which the compiler unrolls by four, so that four gathers are under way at once.
-  "ResolveVelocity" 40
+  # Two loops over a body's contacts, which the compiler unrolls by four, so that four gathers are under way at once; and the
+  # sums of contacts and walls.
+  "ResolveVelocity" 48
   "CorrectPosition" 40
   # Six walls, of which each may be met, on the way as well.
   "Accelerate" 48
