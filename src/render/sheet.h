@@ -45,9 +45,9 @@ class Sheet {
 
   int width() const { return width_ - left_; }  ///< [pixel] beside a panel
   int picture_width() const { return width_; }  ///< [pixel] with it
-  int height() const { return height_; }  ///< [pixel]
-  int left() const { return left_; }      ///< [pixel] of the width that is a panel's
-  float unit() const;                     ///< [pixel] 1/1080 of the height
+  int height() const { return height_; }        ///< [pixel]
+  int left() const { return left_; }            ///< [pixel] of the width that is a panel's
+  float unit() const;                           ///< [pixel] 1/1080 of the height
 
   Vec2 size_of(std::string_view text, TextSize size = TextSize::normal) const;  ///< [pixel]
   void text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size = TextSize::normal);
