@@ -7,7 +7,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 sky;             // upwards, view space; w: light from all around
   vec4 floor_level;     // x: height of the floor [m]; y: darkness of shadows on it
   vec4 background;      // colour
-  vec4 mark_color[2];   // in the order of enum class Mark
+  vec4 mark_color[18];  // in the order of enum class Mark
   vec2 viewport;        // [pixel]
   float pixel;          // length [m] that one pixel shows at distance 1 m; anywhere, if orthographic
   float line_unit;      // [pixel] 1/1080 of the picture's height

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/summary.h"
+#include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
 #include "scene/catalog.h"
@@ -105,6 +106,8 @@ void print_text(const Json& list) {
   }
   std::puts("--overlay");
   for (const Json& overlay : list["overlays"]) print_line(overlay["name"], overlay["label"]);
+  std::puts("--color");
+  for (const Json& coloring : list["colorings"]) print_line(coloring["name"], coloring["label"]);
   std::puts("--theme");
   for (const Json& theme : list["themes"]) print_line(theme["name"], theme["label"]);
   std::puts("--observe");
@@ -120,9 +123,13 @@ class ListCommand final : public Command {
   }
 
   void run() override {
-    const Json list{{"scenes", list_scenes()},         {"methods", list_methods()},
-                    {"backends", list_backends()},     {"overlays", list_labels(overlay_table())},
-                    {"themes", list_labels(themes())}, {"observables", list_observables()}};
+    const Json list{{"scenes", list_scenes()},
+                    {"methods", list_methods()},
+                    {"backends", list_backends()},
+                    {"overlays", list_labels(overlay_table())},
+                    {"colorings", list_labels(coloring_table())},
+                    {"themes", list_labels(themes())},
+                    {"observables", list_observables()}};
     if (json_) {
       print_json(list);
     } else {

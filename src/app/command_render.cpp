@@ -36,6 +36,9 @@ class RenderCommand final : public Command {
         ->type_name("SECONDS")
         ->capture_default_str();
     command.add_option("--overlay", overlays_, overlay_help())->type_name("A,B,…")->capture_default_str();
+    command.add_option("--color", coloring_, "what a sphere's colour says: " + join(coloring_names()))
+        ->type_name("NAME")
+        ->capture_default_str();
     command.add_option("--theme", theme_, join(theme_names()))->type_name("NAME")->capture_default_str();
     command.add_option("--supersample", supersample_, "draw N × N times larger and average, for stills: 1 to 4")
         ->type_name("N")
@@ -59,6 +62,7 @@ class RenderCommand final : public Command {
     View look;
     look.overlays = parse_overlay_names(overlays_);
     look.theme = parse_choice("--theme", theme_, theme_names());
+    look.coloring = parse_choice("--color", coloring_, coloring_names());
     const int supersample = static_cast<int>(parse_integer("--supersample", supersample_, 1, 4));
     if (click_option_->count() > 0 && !has_panel_) {
       throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
@@ -87,7 +91,7 @@ class RenderCommand final : public Command {
     FrameSequence sequence(out_, first_);
     Progress progress("frames", frames);
     for (int k = first_; k < frames && !was_interrupted(); ++k) {
-      session.advance_to(from + k * interval, was_interrupted);
+      advance(session, from + k * interval);
       if (was_interrupted()) break;
       draw(PanelInput{});
       if (panel && k == first_) draw(PanelInput{});  // the panel knows its height from its first frame
@@ -104,6 +108,14 @@ class RenderCommand final : public Command {
   }
 
  private:
+  void advance(Session& session, double time) const {
+    try {
+      session.advance_to(time, was_interrupted);
+    } catch (const RunError& error) {
+      throw RunError(error.what() + rescue(session, session.scene().name + "-last-good.csv"));
+    }
+  }
+
   /// As a hand would: over the item, down, up; a frame for each.
   template <class Draw>
   void click(Panel& panel, const Draw& draw) const {
@@ -165,7 +177,7 @@ class RenderCommand final : public Command {
 
   SceneArguments arguments_;
   std::string out_, frames_ = "300", size_ = "1280x720", fps_ = "60", every_ = "1", from_ = "0", overlays_ = "grid";
-  std::string theme_{themes().front().name}, supersample_ = "1";
+  std::string theme_{themes().front().name}, coloring_{coloring_table().front().name}, supersample_ = "1";
   std::string clicks_;
   CLI::Option* click_option_ = nullptr;
   bool resume_ = false, json_ = false, has_panel_ = false;

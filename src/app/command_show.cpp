@@ -178,6 +178,9 @@ class ShowCommand final : public Command {
         ->type_name("WIDTHxHEIGHT")
         ->capture_default_str();
     command.add_option("--overlay", overlays_, overlay_help())->type_name("A,B,…")->capture_default_str();
+    command.add_option("--color", coloring_, "what a sphere's colour says: " + join(coloring_names()))
+        ->type_name("NAME")
+        ->capture_default_str();
     command.add_option("--theme", theme_, join(theme_names()))->type_name("NAME")->capture_default_str();
     arguments_.add_to(command);
   }
@@ -187,6 +190,7 @@ class ShowCommand final : public Command {
     Demo demo(arguments_.scene(), arguments_.given());
     demo.view.overlays = parse_overlay_names(overlays_);
     demo.view.theme = parse_choice("--theme", theme_, theme_names());
+    demo.view.coloring = parse_choice("--color", coloring_, coloring_names());
     catch_interrupts();
     Window window(width, height, "Ballpit");
     Show(window, demo).run();
@@ -194,7 +198,8 @@ class ShowCommand final : public Command {
 
  private:
   SceneArguments arguments_;
-  std::string size_ = "1600x900", overlays_ = "grid", theme_{themes().front().name};
+  std::string size_ = "1600x900", overlays_ = "grid", theme_{themes().front().name},
+              coloring_{coloring_table().front().name};
 };
 
 }  // namespace

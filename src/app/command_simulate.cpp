@@ -2,7 +2,6 @@
 // ballpit simulate: no pictures; the final state, observables, a trajectory, and a summary.
 #include <iostream>
 #include <optional>
-#include <sstream>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
@@ -18,21 +17,6 @@
 namespace ballpit {
 
 namespace {
-
-/// Writes the last good state of a run that failed, and tells where: "; the last good state, of t = 0.32 s, is in FILE". Where
-/// that fails too, as it may where a device or a disk did, it tells why.
-std::string rescue(Session& session, const std::string& out) {
-  const std::string path = out.empty() ? session.scene().name + "-last-good.csv" : out;
-  std::ostringstream text;
-  try {
-    text << "; the last good state, of t = " << session.world().last_good_time() << " s, ";
-    write_spheres_csv(path, session.world().last_good());
-    text << "is in " << path;
-  } catch (const std::exception& error) {
-    text << "is lost: " << error.what();
-  }
-  return text.str();
-}
 
 class SimulateCommand final : public Command {
  public:
@@ -87,12 +71,17 @@ class SimulateCommand final : public Command {
     try {
       step_to(session, time, steps, trajectory);
     } catch (const RunError& error) {
-      throw RunError(error.what() + rescue(session, out_) + (trajectory ? trajectory->finish_early() : ""));
+      throw RunError(error.what() + rescue(session, last_good_file(session)) +
+                     (trajectory ? trajectory->finish_early() : ""));
     }
     if (was_interrupted()) {
       throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " + std::to_string(steps) +
                      " steps" + (trajectory ? trajectory->finish_early() : ""));
     }
+  }
+
+  std::string last_good_file(const Session& session) const {
+    return out_.empty() ? session.scene().name + "-last-good.csv" : out_;
   }
 
   /// Steps to the end, or until it is interrupted.

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
 #include "scene/catalog.h"
@@ -87,6 +88,12 @@ const std::string& parse_path(std::string_view option, const std::string& text) 
 std::vector<std::string> theme_names() {
   std::vector<std::string> names;
   for (const Theme& theme : themes()) names.emplace_back(theme.name);
+  return names;
+}
+
+std::vector<std::string> coloring_names() {
+  std::vector<std::string> names;
+  for (const ColoringEntry& entry : coloring_table()) names.emplace_back(entry.name);
   return names;
 }
 

@@ -61,6 +61,7 @@ const std::string& parse_path(std::string_view option, const std::string& text);
 
 /// Of pictures: the names of all themes and overlays, and what --overlay asks for. Throws UserError.
 std::vector<std::string> theme_names();
+std::vector<std::string> coloring_names();
 std::string overlay_help();
 std::vector<std::string> parse_overlay_names(const std::string& text);
 

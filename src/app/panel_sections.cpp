@@ -217,6 +217,14 @@ void Panel::draw_view(Demo& demo) {
     }
     note("overlay " + std::string(overlay.name));
   }
+  combo("color", "colour", std::string(coloring_named(demo.view.coloring).label), [&] {
+    for (const ColoringEntry& coloring : coloring_table()) {
+      const std::string name(coloring.name);
+      if (!entry("color " + name, std::string(coloring.label), coloring.name == demo.view.coloring)) continue;
+      demo.view.coloring = name;
+      demo.touch();
+    }
+  });
   combo("theme", "theme", std::string(theme_named(demo.view.theme).label), [&] {
     for (const Theme& theme : themes()) {
       const std::string name(theme.name);

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "render/overlays/overlay.h"
 #include "scene/catalog.h"
+#include "scene/spheres_csv.h"
 #include "simulate/methods.h"
 
 namespace ballpit {
@@ -93,7 +94,19 @@ FrameView Session::view_of(const Inspection& inspection, const View& view, float
   const Domain& domain = scene_.domain;
   const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top};
   const Camera camera = leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, inspection));
-  return {inspection, box, camera, view.overlays, view.selected};
+  return {inspection, box, camera, view.overlays, view.selected, view.coloring};
+}
+
+std::string rescue(Session& session, const std::string& path) {
+  std::ostringstream text;
+  try {
+    text << "; the last good state, of t = " << session.world().last_good_time() << " s, ";
+    write_spheres_csv(path, session.world().last_good());
+    text << "is in " << path;
+  } catch (const std::exception& error) {
+    text << "is lost: " << error.what();
+  }
+  return text.str();
 }
 
 }  // namespace ballpit

@@ -73,4 +73,8 @@ class Session {
   std::unique_ptr<World> world_;
 };
 
+/// Writes the last good state of a run that failed to `path`, and tells so: "; the last good state, of t = 0.32 s, is in FILE". Where
+/// that fails too, as it may where a device or a disk did, it tells why.
+std::string rescue(Session& session, const std::string& path);
+
 }  // namespace ballpit

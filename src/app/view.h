@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/camera.h"
+#include "render/coloring.h"
 #include "render/frame_view.h"
 #include "render/theme.h"
 
@@ -17,6 +18,7 @@ struct View {
   float zoom = 1;                            ///< 1: the whole domain
   std::vector<std::string> overlays{"grid"};
   std::string theme{themes().front().name};
+  std::string coloring{coloring_table().front().name};
   int64_t selected = -1;  ///< a body, or −1
 
   bool shows(std::string_view overlay) const;

@@ -14,7 +14,9 @@
 namespace ballpit {
 
 /// How a body is shown; the shaders' colours are in this order.
-enum class Mark : uint8_t { none, contact };
+enum class Mark : uint8_t { none, contact };  // and then the scale's colours
+inline constexpr int kScaleColors = 16;
+inline constexpr Mark scale_mark(int step) { return static_cast<Mark>(2 + step); }
 
 /// The mark of every body: contact for those in a pair of `contacts`.
 std::vector<Mark> contact_marks(int64_t count, const std::vector<Pair>& contacts);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/frame_uniforms.h"
 
+#include "render/coloring.h"
+
 namespace ballpit {
 
 FrameUniforms frame_uniforms(const FrameView& view, const Theme& theme, int width, int height) {
@@ -15,8 +17,7 @@ FrameUniforms frame_uniforms(const FrameView& view, const Theme& theme, int widt
   uniforms.sky = Vec4(Vec3(uniforms.view * Vec4(0, 1, 0, 0)), theme.ambient);
   uniforms.floor_level = Vec4(view.domain.min.y, theme.shadow, 0, 0);
   uniforms.background = Vec4(theme.background, 1);
-  uniforms.mark_color[0] = Vec4(theme.body, 1);
-  uniforms.mark_color[1] = Vec4(theme.contact, 1);
+  for (int mark = 0; mark < 2 + kScaleColors; ++mark) uniforms.mark_color[mark] = Vec4(color_of(theme, mark), 1);
   uniforms.viewport = Vec2(width, height);
   uniforms.pixel = view.camera.pixel_size(1.0f, height);
   uniforms.line_unit = static_cast<float>(height) / 1080.0f;

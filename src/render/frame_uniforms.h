@@ -3,6 +3,7 @@
 // std140).
 #pragma once
 
+#include "render/body_buffer.h"
 #include "render/frame_view.h"
 #include "render/gl_object.h"
 #include "render/theme.h"
@@ -17,7 +18,7 @@ struct FrameUniforms {
   Vec4 sky;
   Vec4 floor_level;
   Vec4 background;
-  Vec4 mark_color[2];
+  Vec4 mark_color[2 + kScaleColors];
   Vec2 viewport;
   float pixel;
   float line_unit;

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "render/body_buffer.h"
+#include "render/coloring.h"
 #include "render/disc_renderer.h"
 #include "render/domain_box.h"
 #include "render/frame_uniforms.h"
@@ -79,14 +80,16 @@ class Renderer::Impl {
 
   void draw(const FrameView& view) {
     bodies_.upload(view.inspection.bodies);
-    bodies_.set_marks(contact_marks(bodies_.count(), view.inspection.contacts));
+    const ColoringEntry& coloring = coloring_named(view.coloring);
+    const Colored colored = coloring.color(view.inspection);
+    bodies_.set_marks(colored.marks);
     sheet_.begin(picture_.width(), picture_.height(), options_.left);
     canvas().bind();
     set_state();
     const int left = options_.left * options_.supersample;
     glViewport(left, 0, canvas().width() - left, canvas().height());
     uniforms_.set(frame_uniforms(view, options_.theme, canvas().width() - left, canvas().height()));
-    draw_scene(view);
+    draw_scene(view, coloring, colored);
     if (large_) averager_.draw(*large_, picture_, options_.supersample);
     picture_.bind();
     sheet_.draw();
@@ -123,7 +126,7 @@ class Renderer::Impl {
     }
   }
 
-  void draw_scene(const FrameView& view) {
+  void draw_scene(const FrameView& view, const ColoringEntry& coloring, const Colored& colored) {
     const int height = canvas().height();
     Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f, {}, {}};
     draw_floor(view.domain, painter);
@@ -136,6 +139,7 @@ class Renderer::Impl {
     }
     draw_overlays(view, painter, Layer::over);
     draw_edges(view.domain, painter);
+    draw_legend(coloring, colored, painter);
   }
 
   std::optional<RenderTarget> large_;  ///< where supersampled pictures are drawn

@@ -73,6 +73,7 @@ TEST_CASE("list --json is one object that holds every scene, method, backend, ov
   const nlohmann::json list = outcome.json();
   CHECK(names_of(list["scenes"]) == names_in(built_in_scenes()));
   CHECK(names_of(list["overlays"]) == names_in(overlay_table()));
+  CHECK(names_of(list["colorings"]) == names_in(coloring_table()));
   CHECK(names_of(list["themes"]) == names_in(themes()));
   CHECK(names_of(list["observables"]) == names_in(observables()));
   for (const nlohmann::json& observable : list["observables"]) {

@@ -152,6 +152,19 @@ TEST_CASE("a run that fails leaves its last good state beside it, and says of wh
   CHECK(files_in(folder) == 1);
 }
 
+TEST_CASE("a run that fails while it is drawn leaves its last good state as well") {
+  const Scratch folder;
+  Arguments arguments = kHalting;
+  arguments[0] = "render";
+  if (const auto time = std::find(arguments.begin(), arguments.end(), "--time"); time != arguments.end()) {
+    arguments.erase(time, time + 2);
+  }
+  const Arguments picture{"--out", folder / "frames", "--frames", "100", "--fps", "10", "--size", "64x36"};
+  const std::string error = failure_of(with(arguments, picture), {0, "", folder.path().string()});
+  CHECK_THAT(error, Catch::StartsWith("ballpit: step ") && Catch::EndsWith(" s, is in bouncing-balls-last-good.csv\n"));
+  CHECK(read_spheres_csv(folder / "bouncing-balls-last-good.csv").size() == 2000);
+}
+
 TEST_CASE("a run that fails leaves its last good state where the final one was to be") {
   const Scratch folder, nothing;
   CHECK_THAT(failure_of(with(kHalting, {"--out", folder / "state.csv"}), {0, "", nothing.path().string()}),

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "render/coloring.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.h"
+#include "render/painter.h"
+
+namespace ballpit {
+
+namespace {
+
+std::string number(double value, const char* unit) {
+  std::array<char, 48> text;
+  std::snprintf(text.data(), text.size(), "%.3g%s", value, unit);
+  return text.data();
+}
+
+/// Places values on the scale, from the smallest to the largest.
+Colored on_scale(const std::vector<float>& values, const char* unit, bool starts_at_zero) {
+  Colored result;
+  if (values.empty()) return result;
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const float low = starts_at_zero ? std::min(0.0f, *least) : *least, range = *most - low;
+  result.marks.reserve(values.size());
+  for (const float value : values) {
+    const float part = range > 0 ? (value - low) / range : 0.0f;
+    result.marks.push_back(scale_mark(std::clamp(static_cast<int>(part * kScaleColors), 0, kScaleColors - 1)));
+  }
+  result.low = number(double(low), unit);
+  result.high = number(double(*most), unit);
+  return result;
+}
+
+Colored by_contact(const Inspection& inspection) {
+  return {contact_marks(inspection.bodies.count, inspection.contacts), "", ""};
+}
+
+Colored by_speed(const Inspection& inspection) {
+  const BodySnapshot& bodies = inspection.bodies;
+  std::vector<float> speed;
+  for (int64_t i = 0; i < bodies.count; ++i) speed.push_back(length(bodies.velocity_of(i)));
+  return on_scale(speed, " m/s", true);
+}
+
+Colored by_size(const Inspection& inspection) {
+  std::vector<float> radius;
+  for (int64_t i = 0; i < inspection.bodies.count; ++i) radius.push_back(inspection.bodies.radius_of(i));
+  return on_scale(radius, " m", false);
+}
+
+Colored by_touching(const Inspection& inspection) {
+  std::vector<float> touching(static_cast<size_t>(inspection.bodies.count), 0);
+  for (const Pair& pair : inspection.contacts) {
+    for (const int body : {pair.i, pair.j}) touching[static_cast<size_t>(body)] += 1;
+  }
+  return on_scale(touching, "", true);
+}
+
+/// Calls visit(body, place in its list, length of the list) for each body of each grid.
+template <class Visit>
+void for_each_listed(const Inspection& inspection, Visit&& visit) {
+  for (const GridInspection& grid : inspection.grids) {
+    for (const int32_t head : grid.head) {
+      int count = 0, place = 0;
+      for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)]) ++count;
+      for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)])
+        visit(static_cast<size_t>(b), place++, count);
+    }
+  }
+}
+
+Colored by_cell(const Inspection& inspection) {
+  std::vector<float> shared(static_cast<size_t>(inspection.bodies.count), 0);
+  for_each_listed(inspection, [&](size_t body, int, int count) { shared[body] = static_cast<float>(count); });
+  return on_scale(shared, "", true);
+}
+
+Colored by_list(const Inspection& inspection) {
+  std::vector<float> place(static_cast<size_t>(inspection.bodies.count), 0);
+  for_each_listed(inspection, [&](size_t body, int at, int) { place[body] = static_cast<float>(at); });
+  return on_scale(place, "", true);
+}
+
+/// cividis at even distances.
+constexpr std::array<unsigned, 9> kCividis{0x00224E, 0x123570, 0x3B496C, 0x575D6D, 0x707173,
+                                           0x8A8678, 0xA59C74, 0xC3B369, 0xFEE838};
+
+Vec3 rgb(unsigned hex) { return Vec3(hex >> 16 & 255u, hex >> 8 & 255u, hex & 255u) / 255.0f; }
+
+/// `part` from 0 to 1.
+Vec3 cividis(float part) {
+  const float at = part * static_cast<float>(kCividis.size() - 1);
+  const size_t k = std::min(static_cast<size_t>(at), kCividis.size() - 2);
+  return glm::mix(rgb(kCividis[k]), rgb(kCividis[k + 1]), at - static_cast<float>(k));
+}
+
+}  // namespace
+
+const std::vector<ColoringEntry>& coloring_table() {
+  static const std::vector<ColoringEntry> table = {
+      {"contact", "Contact: who touches", by_contact},
+      {"speed", "Speed", by_speed},
+      {"size", "Radius", by_size},
+      {"contacts", "Number of contacts", by_touching},
+      {"cell", "Spheres in the same cell", by_cell},
+      {"list", "Place in the cell's list", by_list},
+  };
+  return table;
+}
+
+const ColoringEntry& coloring_named(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const ColoringEntry& entry : coloring_table()) {
+    if (entry.name == name) return entry;
+    names.push_back(entry.name);
+  }
+  throw UserError("unknown colouring '" + std::string(name) + "'; colourings are: " + join(names));
+}
+
+Vec3 color_of(const Theme& theme, int mark) {
+  if (mark == static_cast<int>(Mark::none)) return theme.body;
+  if (mark == static_cast<int>(Mark::contact)) return theme.contact;
+  // On a dark ground the darkest colours would not be seen.
+  const float step = static_cast<float>(mark - 2) / static_cast<float>(kScaleColors - 1);
+  const float darkest = theme.background.r < 0.5f ? 0.25f : 0.0f;
+  return cividis(darkest + (1 - darkest) * step);
+}
+
+void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter& painter) {
+  if (colored.low.empty()) return;
+  Sheet& sheet = painter.sheet;
+  const float unit = sheet.unit(), width = 18 * unit, height = 26 * unit, margin = 24 * unit;
+  const Rgba ink = to_rgba(painter.theme.text);
+  const Vec2 corner(static_cast<float>(sheet.width()) - margin - kScaleColors * width,
+                    margin + sheet.size_of("0").y + 6 * unit);
+  sheet.text(corner - Vec2(0, 6 * unit), kLowerLeft, ink, coloring.label);
+  for (int k = 0; k < kScaleColors; ++k) {
+    const Vec2 low = corner + Vec2(static_cast<float>(k) * width, 0);
+    sheet.box(low, low + Vec2(width, height), to_rgba(color_of(painter.theme, static_cast<int>(scale_mark(k)))));
+  }
+  const Vec2 foot = corner + Vec2(0, height + 4 * unit);
+  sheet.text(foot, kUpperLeft, ink, colored.low, TextSize::small);
+  sheet.text(foot + Vec2(kScaleColors * width, 0), kUpperRight, ink, colored.high, TextSize::small);
+}
+
+}  // namespace ballpit

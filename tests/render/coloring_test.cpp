@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What a sphere's colour says.
+#include "render/coloring.h"
+
+#include <catch2/catch.hpp>
+
+#include "core/error.h"
+#include "picture_compare.h"
+#include "test_scenes.h"
+
+using namespace ballpit;
+
+namespace {
+
+/// Four spheres in two cells, as linked cells list them: cell 0 holds 3 → 1 → 0, cell 1 holds 2.
+Inspection four() {
+  Inspection inspection;
+  inspection.bodies.count = 4;
+  inspection.bodies.position = {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0};
+  inspection.bodies.velocity = {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 4};
+  inspection.bodies.radius = {0.1f, 0.2f, 0.3f, 0.5f};
+  inspection.contacts = {{0, 1}, {0, 3}};
+  GridInspection grid;
+  grid.cells = {2, 1, 1};
+  grid.head = {3, 2};
+  grid.next = {-1, 0, -1, 1};
+  inspection.grids = {grid};
+  return inspection;
+}
+
+std::vector<int> steps(const std::string& name) {
+  std::vector<int> result;
+  for (const Mark mark : coloring_named(name).color(four()).marks) result.push_back(static_cast<int>(mark) - 2);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a quantity's least and largest values have the ends of the scale") {
+  CHECK(steps("speed") == std::vector<int>{0, 4, 8, 15});
+  CHECK(steps("size") == std::vector<int>{0, 4, 8, 15});
+  CHECK(steps("contacts") == std::vector<int>{15, 8, 0, 8});
+  CHECK(steps("cell") == std::vector<int>{15, 15, 5, 15});
+  CHECK(steps("list") == std::vector<int>{15, 8, 0, 0});
+  const Colored speed = coloring_named("speed").color(four());
+  CHECK(speed.low == "0 m/s");
+  CHECK(speed.high == "4 m/s");
+}
+
+TEST_CASE("spheres at rest, of one size, or none at all have a colour") {
+  Inspection still = four();
+  still.bodies.velocity.assign(12, 0);
+  still.bodies.radius = {0.1f};
+  for (const ColoringEntry& entry : coloring_table()) {
+    CHECK(entry.color(still).marks.size() == 4);
+    CHECK(entry.color(Inspection{}).marks.empty());
+  }
+}
+
+TEST_CASE("by contact a sphere is marked or not, and there is no scale") {
+  const Colored colored = coloring_named("contact").color(four());
+  CHECK(colored.marks == std::vector<Mark>{Mark::contact, Mark::contact, Mark::none, Mark::contact});
+  CHECK(colored.low.empty());
+}
+
+TEST_CASE("the scale grows lighter from step to step, in both themes") {
+  for (const Theme& theme : themes()) {
+    float before = -1;
+    for (int k = 0; k < kScaleColors; ++k) {
+      const float light = dot(color_of(theme, static_cast<int>(scale_mark(k))), Vec3(0.2126f, 0.7152f, 0.0722f));
+      CHECK(light > before);
+      before = light;
+    }
+  }
+}
+
+TEST_CASE("a colouring that does not exist is refused with those that do") {
+  CHECK_THROWS_WITH(coloring_named("mood"), Catch::Contains("contact, speed, size, contacts, cell, list"));
+}
+
+TEST_CASE("golden: a cloud coloured by radius, with its legend, and on dark by speed") {
+  const DomainBox box;
+  Inspection cloud = inspect(read_spheres(BALLPIT_GOLDEN_FOLDER "/cloud.csv"), box);
+  FrameView view = view_of(cloud, box, 16.0f / 9);
+  view.coloring = "size";
+  CHECK(compare_with_golden("color_size", draw(view, 640, 360)) == "");
+  cloud.bodies.velocity = cloud.bodies.position;
+  view.coloring = "speed";
+  CHECK(compare_with_golden("color_speed_dark", draw(view, 640, 360, {theme_named("dark"), 1})) == "");
+}
