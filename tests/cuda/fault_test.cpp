@@ -147,10 +147,11 @@ TEST_CASE("a step that has its buffers allocates nothing, and waits for a few nu
   };
   const auto expected =
       GENERATE(Expected{"sorted-grid", 0, 2}, Expected{"linked-cell", 0, 2}, Expected{"brute-force", 0, 2},
-               Expected{"sort-and-sweep", 0, 3}, Expected{"sorted-grid", 0.5, 3});
+               Expected{"sort-and-sweep", 0, 3}, Expected{"sorted-grid", 1, 3});
   CAPTURE(expected.broadphase, expected.skin);
   Scene scene = small_scene();
-  for (Vec3d& velocity : scene.bodies.velocity) velocity = Vec3d(0.0);  // as many contacts in every step
+  // As many contacts in every step; what overlaps is pushed apart by less than the skin.
+  for (Vec3d& velocity : scene.bodies.velocity) velocity = Vec3d(0.0);
   const auto world = cuda_backend().make_world(scene, settings_of(expected.broadphase, expected.skin));
   world->step();
   world->step();
