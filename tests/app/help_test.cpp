@@ -2,6 +2,7 @@
 // What the program tells of itself comes from the tables: nothing that exists goes unnamed.
 #include <catch2/catch.hpp>
 
+#include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
 #include "scene/catalog.h"
