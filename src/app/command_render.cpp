@@ -35,11 +35,7 @@ class RenderCommand final : public Command {
     command.add_option("--from", from_, "simulated time of the first frame")
         ->type_name("SECONDS")
         ->capture_default_str();
-    command.add_option("--overlay", overlays_, overlay_help())->type_name("A,B,…")->capture_default_str();
-    command.add_option("--color", coloring_, "what a sphere's colour says: " + join(coloring_names()))
-        ->type_name("NAME")
-        ->capture_default_str();
-    command.add_option("--theme", theme_, join(theme_names()))->type_name("NAME")->capture_default_str();
+    look_.add_to(command);
     command.add_option("--supersample", supersample_, "draw N × N times larger and average, for stills: 1 to 4")
         ->type_name("N")
         ->capture_default_str();
@@ -59,10 +55,7 @@ class RenderCommand final : public Command {
     const double interval =
         double(parse_integer("--every", every_, 1, 1000000)) / parse_number("--fps", fps_, 1e-3, 1e6);
     const double from = parse_number("--from", from_, 0, 1e9);
-    View look;
-    look.overlays = parse_overlay_names(overlays_);
-    look.theme = parse_choice("--theme", theme_, theme_names());
-    look.coloring = parse_choice("--color", coloring_, coloring_names());
+    const View look = look_.view();
     const int supersample = static_cast<int>(parse_integer("--supersample", supersample_, 1, 4));
     if (click_option_->count() > 0 && !has_panel_) {
       throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
@@ -91,7 +84,7 @@ class RenderCommand final : public Command {
     FrameSequence sequence(out_, first_);
     Progress progress("frames", frames);
     for (int k = first_; k < frames && !was_interrupted(); ++k) {
-      advance(session, from + k * interval);
+      advance(demo, from + k * interval);
       if (was_interrupted()) break;
       draw(PanelInput{});
       if (panel && k == first_) draw(PanelInput{});  // the panel knows its height from its first frame
@@ -108,8 +101,11 @@ class RenderCommand final : public Command {
   }
 
  private:
-  void advance(Session& session, double time) const {
+  /// Along the timeline where the panel shows it.
+  void advance(Demo& demo, double time) const {
+    Session& session = demo.session;
     try {
+      while (has_panel_ && session.steps_until(time) > 0 && !was_interrupted()) demo.timeline->step();
       session.advance_to(time, was_interrupted);
     } catch (const RunError& error) {
       throw RunError(error.what() + rescue(session, session.scene().name + "-last-good.csv"));
@@ -176,8 +172,9 @@ class RenderCommand final : public Command {
   }
 
   SceneArguments arguments_;
-  std::string out_, frames_ = "300", size_ = "1280x720", fps_ = "60", every_ = "1", from_ = "0", overlays_ = "grid";
-  std::string theme_{themes().front().name}, coloring_{coloring_table().front().name}, supersample_ = "1";
+  std::string out_, frames_ = "300", size_ = "1280x720", fps_ = "60", every_ = "1", from_ = "0";
+  LookArguments look_;
+  std::string supersample_ = "1";
   std::string clicks_;
   CLI::Option* click_option_ = nullptr;
   bool resume_ = false, json_ = false, has_panel_ = false;

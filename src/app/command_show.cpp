@@ -18,8 +18,8 @@
 #include "app/window.h"
 #include "core/error.h"
 #include "export/png.h"
+#include "render/painter.h"
 #include "render/renderer.h"
-#include "simulate/methods.h"
 
 namespace ballpit {
 
@@ -34,6 +34,8 @@ constexpr float kClick = 4;          // [pixel] that the mouse may move in a cli
 double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
+
+void sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 /// picture_00000.png, or the first after it that does not exist.
 std::string free_picture_name() {
@@ -56,18 +58,21 @@ class Show {
   void run() {
     auto last = Clock::now();
     while (!window_.is_to_close() && !was_interrupted()) {
-      const bool is_idle = drawn_ == demo_.version() && !demo_.player.is_running;
+      const bool is_idle = drawn_ == demo_.version() && !demo_.player.is_running && !is_settling_;
       const WindowEvents& events = window_.poll(is_idle ? kIdle : 0);
       const auto now = Clock::now();
       const double elapsed = std::min(seconds_between(last, now), 0.25);
       last = now;
       take(events);
       demo_.advance(elapsed, kFrame / 2);
-      if (window_.width() < 16 || window_.height() < 16) continue;  // minimised
+      if (window_.width() < 16 || window_.height() < 16) {  // minimised
+        sleep(kFrame);
+        continue;
+      }
       if (events.any || drawn_ != demo_.version() || is_settling_) draw(events, static_cast<float>(elapsed));
       tell_title(now);
       const double left = kFrame - seconds_between(now, Clock::now());
-      if (demo_.player.is_running && left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
+      if (demo_.player.is_running && left > 0) sleep(left);
     }
   }
 
@@ -157,7 +162,7 @@ class Show {
     if (seconds_between(told_, now) < 1) return;
     told_ = now;
     const Report& report = demo_.report();
-    window_.set_title("Ballpit: " + with_thin_spaces(report.count) + " spheres, " + report.broadphase + ", " +
+    window_.set_title("Ballpit: " + grouped(report.count) + " spheres, " + report.broadphase + ", " +
                       three_digits(demo_.player.mean_step_time()) + " ms a step");
   }
 
@@ -177,20 +182,15 @@ class ShowCommand final : public Command {
     command.add_option("--size", size_, "the window's size in pixels")
         ->type_name("WIDTHxHEIGHT")
         ->capture_default_str();
-    command.add_option("--overlay", overlays_, overlay_help())->type_name("A,B,…")->capture_default_str();
-    command.add_option("--color", coloring_, "what a sphere's colour says: " + join(coloring_names()))
-        ->type_name("NAME")
-        ->capture_default_str();
-    command.add_option("--theme", theme_, join(theme_names()))->type_name("NAME")->capture_default_str();
+    look_.add_to(command);
     arguments_.add_to(command);
   }
 
   void run() override {
     const auto [width, height] = parse_size(size_);
     Demo demo(arguments_.scene(), arguments_.given());
-    demo.view.overlays = parse_overlay_names(overlays_);
-    demo.view.theme = parse_choice("--theme", theme_, theme_names());
-    demo.view.coloring = parse_choice("--color", coloring_, coloring_names());
+    demo.view = look_.view();
+    demo.touch();
     catch_interrupts();
     Window window(width, height, "Ballpit");
     Show(window, demo).run();
@@ -198,8 +198,8 @@ class ShowCommand final : public Command {
 
  private:
   SceneArguments arguments_;
-  std::string size_ = "1600x900", overlays_ = "grid", theme_{themes().front().name},
-              coloring_{coloring_table().front().name};
+  LookArguments look_;
+  std::string size_ = "1600x900";
 };
 
 }  // namespace

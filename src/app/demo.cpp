@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "render/overlays/overlay.h"
-#include "simulate/methods.h"
 
 namespace ballpit {
 
@@ -52,6 +51,13 @@ void Demo::set(const std::string& option, const std::string& value) {
 void Demo::set_physics(const Physics& physics) {
   attempt([&] {
     session.set_physics(physics);
+    begin_anew();
+  });
+}
+
+void Demo::restart() {
+  attempt([&] {
+    session.restart();
     begin_anew();
   });
 }

@@ -32,7 +32,7 @@ class Demo {
   void set(const std::string& option, const std::string& value);
   void set_physics(const Physics& physics);
   void load(const std::string& scene);
-  void restart() { load(session.scene().name); }
+  void restart();
   void step();
   void step_back() { go_to(timeline->step_now() - 1); }
 

@@ -7,17 +7,6 @@
 
 namespace ballpit {
 
-std::string with_thin_spaces(int64_t value) {
-  const std::string digits = std::to_string(value);
-  std::string result;
-  for (size_t k = 0; k < digits.size(); ++k) {
-    const size_t left = digits.size() - k;
-    if (k > 0 && left % 3 == 0 && digits[k - 1] != '-') result += "\u2009";
-    result += digits[k];
-  }
-  return result;
-}
-
 std::string three_digits(double value) {
   std::array<char, 32> text;
   const double size = std::fabs(value);

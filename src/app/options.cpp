@@ -29,6 +29,13 @@ T parse_in_range(std::string_view option, const std::string& text, T low, T high
   return value;
 }
 
+template <class Table>
+std::vector<std::string> names_in(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& entry : table) names.emplace_back(entry.name);
+  return names;
+}
+
 }  // namespace
 
 void SettingOptions::add_to(CLI::App& command, const std::string& heading, std::span<const std::string_view> names) {
@@ -85,37 +92,29 @@ const std::string& parse_path(std::string_view option, const std::string& text) 
   throw UserError(std::string(option) + ": found nothing, allowed a path");
 }
 
-std::vector<std::string> theme_names() {
-  std::vector<std::string> names;
-  for (const Theme& theme : themes()) names.emplace_back(theme.name);
-  return names;
+void LookArguments::add_to(CLI::App& command) {
+  const auto add = [&](const char* name, std::string& text, const std::string& help, const char* type) {
+    command.add_option(name, text, help)->type_name(type)->capture_default_str();
+  };
+  add("--overlay", overlays_, "what to draw over the spheres: none, or some of " + join(names_in(overlay_table())),
+      "A,B,…");
+  add("--color", coloring_, "what a sphere's colour says: " + join(names_in(coloring_table())), "NAME");
+  add("--theme", theme_, join(names_in(themes())), "NAME");
 }
 
-std::vector<std::string> coloring_names() {
-  std::vector<std::string> names;
-  for (const ColoringEntry& entry : coloring_table()) names.emplace_back(entry.name);
-  return names;
-}
-
-static std::vector<std::string> overlay_names() {
-  std::vector<std::string> names;
-  for (const OverlayEntry& overlay : overlay_table()) names.emplace_back(overlay.name);
-  return names;
-}
-
-std::string overlay_help() { return "what to draw over the spheres: none, or some of " + join(overlay_names()); }
-
-std::vector<std::string> parse_overlay_names(const std::string& text) {
-  std::vector<std::string> result;
-  if (text == "none") return result;
-  const std::vector<std::string> known = overlay_names();
-  for (const std::string& name : split_list(text)) {
+View LookArguments::view() const {
+  View result;
+  result.overlays.clear();
+  const std::vector<std::string> known = names_in(overlay_table());
+  for (const std::string& name : overlays_ == "none" ? std::vector<std::string>{} : split_list(overlays_)) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw UserError("--overlay: found " + (name.empty() ? "nothing" : name) + ", allowed none alone, or some of " +
                       join(known) + ", with commas between");
     }
-    result.push_back(name);
+    result.overlays.push_back(name);
   }
+  result.coloring = parse_choice("--color", coloring_, names_in(coloring_table()));
+  result.theme = parse_choice("--theme", theme_, names_in(themes()));
   return result;
 }
 

@@ -12,6 +12,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/given_options.h"
+#include "app/view.h"
+#include "core/error.h"
 
 namespace ballpit {
 
@@ -59,11 +61,19 @@ std::vector<std::string> split_list(const std::string& text);
 /// A path that is not empty. Throws UserError naming the option.
 const std::string& parse_path(std::string_view option, const std::string& text);
 
-/// Of pictures: the names of all themes and overlays, and what --overlay asks for. Throws UserError.
-std::vector<std::string> theme_names();
-std::vector<std::string> coloring_names();
-std::string overlay_help();
-std::vector<std::string> parse_overlay_names(const std::string& text);
+/// How a scene is looked at, for the commands that draw: --overlay, --color, --theme.
+class LookArguments {
+ public:
+  /// Adds them to a command. The object must outlive the parsing.
+  void add_to(CLI::App& command);
+
+  /// Throws UserError naming the option.
+  View view() const;
+
+ private:
+  View default_;
+  std::string overlays_ = join(default_.overlays, ","), coloring_ = default_.coloring, theme_ = default_.theme;
+};
 
 struct PictureSize {
   int width;

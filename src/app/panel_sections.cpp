@@ -12,6 +12,7 @@
 #include "app/numbers.h"
 #include "app/panel.h"
 #include "render/overlays/overlay.h"
+#include "render/painter.h"
 #include "scene/catalog.h"
 #include "simulate/methods.h"
 
@@ -264,13 +265,13 @@ void Panel::draw_cost(Demo& demo) {
   if (!ImGui::CollapsingHeader("Cost", ImGuiTreeNodeFlags_DefaultOpen)) return;
   const Report& report = demo.report();
   const std::vector<float> times(demo.player.step_times().begin(), demo.player.step_times().end());
-  row("spheres", with_thin_spaces(report.count));
+  row("spheres", grouped(report.count));
   const bool is_played = !demo.player.step_times().empty();
   const double mean =
       is_played ? demo.player.mean_step_time() : 1e3 * report.seconds / double(std::max<int64_t>(report.steps, 1));
   row("a step", three_digits(mean) + " ms");
-  row("candidates", with_thin_spaces(report.candidates));
-  row("contacts", with_thin_spaces(report.contacts));
+  row("candidates", grouped(report.candidates));
+  row("contacts", grouped(report.contacts));
   row("by", report.broadphase + ", " + demo.session.backend());
   const float height = 3 * ImGui::GetTextLineHeight();
   ImGui::PlotLines("##times", times.data(), static_cast<int>(times.size()), 0, "ms a step", 0, FLT_MAX,

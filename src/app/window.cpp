@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window.h"
 
+#include <algorithm>
+
 #include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -99,7 +101,6 @@ Vec2 Window::to_pixels(double x, double y) const {
 }
 
 bool Window::is_to_close() const { return glfwWindowShouldClose(window_) != 0; }
-void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 
 const WindowEvents& Window::poll(double seconds) {
   const Vec2 mouse = events_.mouse;

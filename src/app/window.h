@@ -36,7 +36,6 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   bool is_to_close() const;
-  void close();
 
   /// Events since the last call; waits for one for `seconds` at most.
   const WindowEvents& poll(double seconds);

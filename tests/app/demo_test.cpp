@@ -2,12 +2,16 @@
 // A demonstration as it is operated, without a window.
 #include "app/demo.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
 #include <catch2/catch.hpp>
 
 #include "app/numbers.h"
 #include "render/overlays/overlay.h"
+#include "render/painter.h"
 #include "simulate/methods.h"
 
 using namespace ballpit;
@@ -136,14 +140,41 @@ TEST_CASE("each key is one key, and names a method or an overlay that there is")
   for (const Key& key : key_table()) {
     CHECK(codes.insert(key.code).second);
     if (key.action == Action::use_method) CHECK_NOTHROW(find_method(Family::broadphase, key.argument));
-    if (key.action == Action::toggle_overlay) CHECK_NOTHROW(parse_overlays(std::string(key.argument)));
+    const auto is_named = [&](const OverlayEntry& overlay) { return overlay.name == key.argument; };
+    const auto& overlays = overlay_table();
+    CHECK((key.action != Action::toggle_overlay || std::any_of(overlays.begin(), overlays.end(), is_named)));
   }
 }
 
+TEST_CASE("the README names each key") {
+  std::ifstream in(BALLPIT_GOLDEN_FOLDER "/../../README.md");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  for (const Key& key : key_table()) {
+    std::string quoted(key.name);
+    quoted.insert(0, 1, '`').push_back('`');
+    CHECK_THAT(text, Catch::Contains(quoted));
+  }
+}
+
+TEST_CASE("a scene of a file restarts from that file") {
+  const std::string path = BALLPIT_GOLDEN_FOLDER "/../../assets/scenes/lecture-sweep.toml";
+  Demo demo(path, {{"threads", "1"}});
+  const uint64_t start = demo.report().state_hash;
+  demo.step();
+  CHECK(demo.report().state_hash != start);
+  std::filesystem::copy_file(path, "restarted.toml", std::filesystem::copy_options::overwrite_existing);
+  Demo own("./restarted.toml", {{"threads", "1"}});
+  own.step();
+  own.perform(key_named("R"));
+  CHECK(own.message().empty());
+  CHECK(own.report().state_hash == start);
+  std::filesystem::remove("restarted.toml");
+}
+
 TEST_CASE("numbers are written for the audience") {
-  CHECK(with_thin_spaces(1234567) == "1\u2009234\u2009567");
-  CHECK(with_thin_spaces(-123) == "-123");
-  CHECK(with_thin_spaces(0) == "0");
+  CHECK(grouped(1234567) == "1\u2009234\u2009567");
+  CHECK(grouped(-123) == "-123");
+  CHECK(grouped(0) == "0");
   CHECK(three_digits(12.345) == "12.3");
   CHECK(three_digits(0.0012) == "1.20e-03");
   CHECK(three_digits(1234) == "1234");

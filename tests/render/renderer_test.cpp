@@ -172,7 +172,4 @@ TEST_CASE("sizes and names that cannot be are the user's errors, which list what
   CHECK_THROWS_WITH(Renderer(1000000, 1000000), Catch::Contains("1000000x1000000"));
   CHECK_THROWS_AS(Renderer(100, 100, {themes().front(), 5}), UserError);
   CHECK_THROWS_WITH(theme_named("pink"), Catch::Contains("projector, dark"));
-  CHECK_THROWS_WITH(parse_overlays("grid,lines"), Catch::Contains("'lines'") && Catch::Contains("grid"));
-  CHECK(parse_overlays("").empty());
-  CHECK(parse_overlays("grid") == std::vector<std::string>{"grid"});
 }

@@ -44,20 +44,4 @@ float room_below(const std::vector<std::string>& overlays, const Inspection& ins
   return std::min(room, kMost);
 }
 
-std::vector<std::string> parse_overlays(const std::string& names) {
-  std::vector<std::string> result;
-  std::string rest = names;
-  while (!rest.empty()) {
-    const std::string name = rest.substr(0, rest.find(','));
-    rest.erase(0, std::min(name.size() + 1, rest.size()));
-    std::vector<std::string_view> known;
-    for (const OverlayEntry& entry : overlay_table()) known.push_back(entry.name);
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw UserError("unknown overlay '" + name + "'; overlays are: " + join(known));
-    }
-    result.push_back(name);
-  }
-  return result;
-}
-
 }  // namespace ballpit

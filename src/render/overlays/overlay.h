@@ -41,7 +41,4 @@ const std::vector<OverlayEntry>& overlay_table();
 /// What these overlays together fill at the lower edge: a fraction of the picture's height, for leave_room_below().
 float room_below(const std::vector<std::string>& overlays, const Inspection& inspection);
 
-/// "grid,pairs" → {"grid", "pairs"}; "" → {}. Throws UserError that lists the overlays.
-std::vector<std::string> parse_overlays(const std::string& names);
-
 }  // namespace ballpit

@@ -93,7 +93,6 @@ TEST_CASE("a dense elastic gas gains no energy by iterations, and keeps it where
   CHECK(jacobi_16 == Approx(1).margin(0.03));
   CHECK(jacobi_64 == Approx(1).margin(0.01));
   CHECK(kept("gauss-seidel", 8) == Approx(1).margin(0.01));
-  CAPTURE(jacobi_4, jacobi_16, jacobi_64);
 }
 
 TEST_CASE("without correction a ball at rest sinks, as far as each bounce lets it enter") {
