@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Stands in for the CUDA backend in programs built without the CUDA Toolkit.
+#include "render/body_writer.h"
 #include "simulate/world.h"
 
 namespace ballpit {
 
 Backend cuda_backend() { return {"cuda", "this program was built without the CUDA Toolkit", "", nullptr, nullptr}; }
+
+std::unique_ptr<BodyWriter> make_cuda_body_writer() { return nullptr; }
 
 }  // namespace ballpit

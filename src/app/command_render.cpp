@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/demo.h"
+#include "app/demo_renderer.h"
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/panel.h"
@@ -18,7 +18,6 @@
 #include "core/error.h"
 #include "export/frame_sequence.h"
 #include "render/gl_context.h"
-#include "render/renderer.h"
 
 namespace ballpit {
 
@@ -65,15 +64,13 @@ class RenderCommand final : public Command {
     demo.view = look;
     demo.touch();
     Session& session = demo.session;
-    GlContext context;
-    RenderOptions options{theme_named(look.theme), supersample, has_panel_ ? Panel::width_in(width, height) : 0};
-    Renderer renderer(width, height, options);
+    GlContext context(session.backend() == "cuda" ? 0 : -1);
+    const RenderOptions options{theme_named(look.theme), supersample, has_panel_ ? Panel::width_in(width, height) : 0};
+    DemoRenderer drawing(width, height, options);
     std::optional<Panel> panel;
-    if (has_panel_) panel.emplace(renderer.sheet());
+    if (has_panel_) panel.emplace(drawing.renderer().sheet());
     const auto draw = [&](const PanelInput& input) {
-      options.theme = theme_named(demo.view.theme);
-      renderer.set_options(options);
-      renderer.draw(demo.frame_view(float(width - options.left) / float(height)));
+      drawing.draw(demo, options);
       if (panel) panel->draw(demo, input);
     };
     if (click_option_->count() > 0) click(*panel, draw);
@@ -88,7 +85,7 @@ class RenderCommand final : public Command {
       if (was_interrupted()) break;
       draw(PanelInput{});
       if (panel && k == first_) draw(PanelInput{});  // the panel knows its height from its first frame
-      sequence.push(renderer.read_pixels());
+      sequence.push(drawing.renderer().read_pixels());
       progress.show(k + 1);
     }
     sequence.finish();
@@ -97,7 +94,7 @@ class RenderCommand final : public Command {
       throw RunError("interrupted after " + std::to_string(sequence.next_index()) + " of " + std::to_string(frames) +
                      " frames; --resume goes on from there");
     }
-    tell(session, context, frames);
+    tell(session, context, drawing.path(), frames);
   }
 
  private:
@@ -135,7 +132,7 @@ class RenderCommand final : public Command {
     draw(PanelInput{});
   }
 
-  void tell(Session& session, const GlContext& context, int frames) {
+  void tell(Session& session, const GlContext& context, const std::string& path, int frames) {
     const int made = std::max(frames - first_, 0);
     warn_of_other_frames(frames);
     const nlohmann::ordered_json summary{{"scene", session.scene().name},
@@ -149,6 +146,7 @@ class RenderCommand final : public Command {
                                          {"frames_per_second", made > 0 ? made / seconds_ : 0.0},
                                          {"simulation_seconds", session.world().report().seconds},
                                          {"backend", session.backend()},
+                                         {"bodies", path},
                                          {"renderer", context.info().renderer}};
     if (json_) {
       print_json(summary);
@@ -159,7 +157,7 @@ class RenderCommand final : public Command {
               << summary["frames_per_second"].get<double>() << " frames a second: " << seconds_
               << " s, of which simulation (" << session.backend() << ") " << summary["simulation_seconds"].get<double>()
               << " s\n"
-              << "drawn by " << context.info().renderer << "\n";
+              << "drawn by " << context.info().renderer << ", bodies " << path << "\n";
   }
 
   /// Frames of an earlier, longer run are not this run's to remove; but they would be taken for its own.

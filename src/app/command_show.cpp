@@ -11,6 +11,7 @@
 
 #include "app/commands.h"
 #include "app/demo.h"
+#include "app/demo_renderer.h"
 #include "app/interrupt.h"
 #include "app/numbers.h"
 #include "app/options.h"
@@ -52,8 +53,8 @@ class Show {
   Show(Window& window, Demo& demo)
       : window_(window),
         demo_(demo),
-        renderer_(window.width(), window.height(), options()),
-        panel_(renderer_.sheet()) {}
+        drawing_(window.width(), window.height(), options()),
+        panel_(drawing_.renderer().sheet()) {}
 
   void run() {
     auto last = Clock::now();
@@ -78,7 +79,7 @@ class Show {
 
  private:
   RenderOptions options() const {
-    RenderOptions options{theme_named(demo_.view.theme), 1};
+    RenderOptions options;
     options.left = Panel::width_in(window_.width(), window_.height());
     return options;
   }
@@ -117,26 +118,23 @@ class Show {
   void pick(Vec2 at) {
     const float left = static_cast<float>(options().left), width = static_cast<float>(window_.width()) - left,
                 height = static_cast<float>(window_.height());
-    const FrameView view = demo_.frame_view(width / height);
+    const FrameView view = demo_.frame_view(width / height);  // with the bodies
     demo_.view.selected =
         body_at(view.camera, view.inspection.bodies, {2 * (at.x - left) / width - 1, 1 - 2 * at.y / height});
     demo_.touch();
   }
 
   void draw(const WindowEvents& events, float elapsed) {
-    if (renderer_.width() != window_.width() || renderer_.height() != window_.height()) {
-      renderer_.resize(window_.width(), window_.height());
+    Renderer& renderer = drawing_.renderer();
+    if (renderer.width() != window_.width() || renderer.height() != window_.height()) {
+      renderer.resize(window_.width(), window_.height());
     }
-    const RenderOptions options = this->options();
-    renderer_.set_options(options);
-    const auto width = static_cast<float>(window_.width() - options.left),
-               height = static_cast<float>(window_.height());
     const int64_t version = demo_.version();
-    renderer_.draw(demo_.frame_view(width / height));
+    drawing_.draw(demo_, options());
     panel_.draw(demo_, {events.mouse, events.is_mouse_down, events.wheel, events.typed, elapsed, events.keys});
     if (panel_.wants_picture) save();
     panel_.wants_picture = false;
-    renderer_.copy_to_window();
+    renderer.copy_to_window();
     window_.show();
     is_settling_ = drawn_ != version || events.any;  // the panel shows the outcome of a click a frame later
     drawn_ = version;
@@ -144,12 +142,11 @@ class Show {
 
   void save() {
     const std::string name = free_picture_name();
-    const float aspect = static_cast<float>(window_.width()) / static_cast<float>(window_.height());
-    RenderOptions still{theme_named(demo_.view.theme), 2};
-    renderer_.set_options(still);
-    renderer_.draw(demo_.frame_view(aspect));
+    RenderOptions still;
+    still.supersample = 2;
+    drawing_.draw(demo_, still);
     try {
-      write_png(name, renderer_.read_pixels());
+      write_png(name, drawing_.renderer().read_pixels());
       demo_.say("saved " + name);
     } catch (const RunError& error) {
       demo_.say(error.what());
@@ -168,7 +165,7 @@ class Show {
 
   Window& window_;
   Demo& demo_;
-  Renderer renderer_;
+  DemoRenderer drawing_;
   Panel panel_;
   Vec2 mouse_{0.0f}, pressed_at_{0.0f};
   bool is_turning_ = false, is_settling_ = true;

@@ -43,8 +43,12 @@ void Demo::attempt(const std::function<void()>& action) {
 
 void Demo::set(const std::string& option, const std::string& value) {
   attempt([&] {
+    const World* const before = &session.world();
+    const bool could_miss = can_miss_contacts(session.settings());
     session.set(option, value);
-    begin_anew();
+    player.forget_times();
+    const bool is_same_motion = !could_miss && !can_miss_contacts(session.settings());
+    if (&session.world() != before || !is_same_motion) begin_anew();
   });
 }
 
@@ -122,8 +126,10 @@ void Demo::perform(const Key& key) {
   }
 }
 
+/// What the view shows of the inspection.
 Wanted Demo::wanted() const {
-  Wanted result;
+  Wanted result = coloring_named(view.coloring).wanted;
+  result.state |= view.selected >= 0;
   for (const OverlayEntry& overlay : overlay_table()) {
     if (view.shows(overlay.name)) result = result | overlay.wanted;
   }
@@ -138,22 +144,27 @@ Wanted Demo::too_much(const Wanted& wanted) {
   return result;
 }
 
-FrameView Demo::frame_view(float aspect) {
-  const Inspection& seen = inspection();
+FrameView Demo::frame_view(float aspect, bool is_written) {
+  Wanted wanted = this->wanted();
+  wanted.state |= !is_written;
+  const Inspection& seen = look(wanted);
   FrameView result = session.view_of(seen, view, aspect);
+  result.is_written = is_written;
   result.left_out = left_out_;
   return result;
 }
 
-const Inspection& Demo::inspection() {
-  if (looked_at_ != version()) {
-    Wanted wanted = this->wanted();
-    left_out_ = too_much(wanted);
-    wanted.candidates &= !left_out_.candidates;
-    wanted.missed &= !left_out_.missed;
-    inspection_ = session.world().inspect(wanted);
-    looked_at_ = version();
+const Inspection& Demo::look(Wanted wanted) {
+  if (looked_at_ == version()) {
+    wanted = wanted | looked_for_;
+    if (wanted == looked_for_) return inspection_;
   }
+  looked_for_ = wanted;
+  left_out_ = too_much(wanted);
+  wanted.candidates &= !left_out_.candidates;
+  wanted.missed &= !left_out_.missed;
+  inspection_ = session.world().inspect(wanted);
+  looked_at_ = version();
   return inspection_;
 }
 

@@ -48,12 +48,13 @@ class Demo {
 
   bool shows_keys = false;
 
-  /// The present state, looked at once for the same state and wishes.
-  const Inspection& inspection();
+  /// The present state, and what the view shows beside; looked at once.
+  const Inspection& inspection() { return look(wanted() | Wanted{}); }
   const Report& report();
 
-  /// The present state and view for the renderer, until either changes.
-  FrameView frame_view(float aspect);
+  /// The present state and view for the renderer, until either changes. Where the bodies are written already, they are looked
+  /// at only for who needs them.
+  FrameView frame_view(float aspect, bool is_written = false);
 
   /// [J] kinetic, potential and elastic, when this world began.
   double energy_at_start() const { return energy_at_start_; }
@@ -66,6 +67,7 @@ class Demo {
   /// Does what may be a user's mistake.
   void attempt(const std::function<void()>& action);
   void begin_anew();
+  const Inspection& look(Wanted wanted);
   Wanted wanted() const;
   Wanted too_much(const Wanted& wanted);
 
@@ -74,7 +76,7 @@ class Demo {
   int64_t version_ = 0;
   int64_t looked_at_ = -1, reported_ = -1;
   Inspection inspection_;
-  Wanted left_out_;
+  Wanted looked_for_, left_out_;
   Report report_;
 };
 

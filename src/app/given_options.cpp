@@ -40,7 +40,7 @@ Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<G
 }
 
 void warn_of_small_cells(const Settings& settings) {
-  if (settings.cell_size && *settings.cell_size < 1) {
+  if (can_miss_contacts(settings)) {
     std::cerr << "ballpit: warning: --cell-size " << *settings.cell_size
               << " is below 1: the block of cells around a sphere does not reach all that touch it, so "
                  "contacts are "

@@ -28,6 +28,8 @@ class Player {
   const std::string& failure() const { return failure_; }  ///< why the world cannot go on; empty where it can
   void forgive() { failure_.clear(); }                     ///< the world is another one now
 
+  void forget_times() { step_times_.clear(); }  ///< what steps cost is another now
+
   /// Milliseconds of the latest steps, oldest first.
   const std::deque<float>& step_times() const { return step_times_; }
   double mean_step_time() const;  ///< [ms] of the latest steps

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -12,6 +14,16 @@
 #include "simulate/methods.h"
 
 namespace ballpit {
+
+namespace {
+
+/// Options that say how contacts are found, and nothing of what then happens.
+bool is_of_detection(std::string_view option) {
+  constexpr std::array<std::string_view, 5> kNames{"broadphase", "cell-size", "table", "axis", "skin"};
+  return std::find(kNames.begin(), kNames.end(), option) != kNames.end();
+}
+
+}  // namespace
 
 Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally)
     : keeps_tally_(keeps_tally) {
@@ -52,6 +64,15 @@ void Session::use(Scene scene, const Settings& settings) {
   scene_.bodies = {};  // the world has them now
 }
 
+/// The same world with another detection; false where it has to be made anew.
+bool Session::detect_by(const std::vector<GivenOption>& given) {
+  Settings settings = combine(scene_.defaults, given);
+  settings.keeps_tally = keeps_tally_;
+  if (!world_->detect_by(settings)) return false;
+  settings_ = settings;
+  return true;
+}
+
 void Session::set(const std::string& name, const std::string& value) {
   std::vector<GivenOption> given;
   for (const GivenOption& option : given_) {
@@ -61,6 +82,8 @@ void Session::set(const std::string& name, const std::string& value) {
   if (!value.empty()) given.push_back({name, value});
   if (name == "count" || name == "seed") {
     start(scene_name_, given);
+  } else if (is_of_detection(name) && detect_by(given)) {
+    given_ = std::move(given);
   } else {
     go_on(given, scene_.physics);
   }

@@ -24,8 +24,8 @@ class Session {
   /// allowed.
   Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally = false);
 
-  /// Takes a shared option anew, or gives it back to the program where `value` is empty: a world with it goes on from the present
-  /// state; count and seed fill the scene again. Options that do not go with another response are dropped.
+  /// Takes a shared option anew, or gives it back to the program where `value` is empty: detection changes in the same world; with any other
+  /// option, a new world goes on from the present state; count and seed fill the scene again. Options that do not go with another response are dropped.
   /// Throws UserError where it is not allowed; then nothing has changed.
   void set(const std::string& name, const std::string& value);
 
@@ -60,6 +60,7 @@ class Session {
 
  private:
   void start(std::string scene, std::vector<GivenOption> given);
+  bool detect_by(const std::vector<GivenOption>& given);
   void go_on(std::vector<GivenOption> given, const Physics& physics);
   void use(Scene scene, const Settings& settings);
 

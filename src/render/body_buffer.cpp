@@ -2,7 +2,10 @@
 #include "render/body_buffer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
+
+#include "core/error.h"
 
 namespace ballpit {
 
@@ -15,7 +18,7 @@ constexpr GLuint kMark = 2;
 /// A new buffer of fixed size; at least one byte, since OpenGL has no empty ones.
 GlBuffer make_buffer(int64_t bytes) {
   GlBuffer buffer;
-  glNamedBufferStorage(buffer.name(), std::max<int64_t>(bytes, 1), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  glNamedBufferStorage(buffer.name(), std::max<int64_t>(bytes, 1), nullptr, GL_DYNAMIC_STORAGE_BIT | GL_MAP_WRITE_BIT);
   return buffer;
 }
 
@@ -46,26 +49,31 @@ BodyBuffer::BodyBuffer() {
   attach_buffers();
 }
 
-void BodyBuffer::resize(int64_t count, int dimensions, bool equal_radii) {
-  count_ = count;
-  if (count <= capacity_ && dimensions == dimensions_ && equal_radii == equal_radii_) return;
-  capacity_ = std::max(count, capacity_);
-  dimensions_ = dimensions;
-  equal_radii_ = equal_radii;
+bool BodyBuffer::fits(const BodyShape& shape) const {
+  return shape.count <= capacity_ && shape.dimensions == shape_.dimensions &&
+         shape.has_equal_radii == shape_.has_equal_radii;
+}
+
+void BodyBuffer::resize(const BodyShape& shape) {
+  const bool can_stay = fits(shape);
+  shape_ = shape;
+  if (can_stay) return;
+  capacity_ = std::max(shape.count, capacity_);
   attach_buffers();
 }
 
 void BodyBuffer::attach_buffers() {
-  ++generation_;
-  position_ = make_buffer(capacity_ * dimensions_ * 4);
-  radius_ = make_buffer(equal_radii_ ? 0 : capacity_ * 4);
+  static std::atomic<int> generations = 0;
+  generation_ = ++generations;
+  position_ = make_buffer(capacity_ * shape_.dimensions * 4);
+  radius_ = make_buffer(shape_.has_equal_radii ? 0 : capacity_ * 4);
   mark_ = make_buffer(capacity_);
   const GLuint array = vertex_array_.name();
-  glVertexArrayAttribFormat(array, kPosition, dimensions_, GL_FLOAT, GL_FALSE, 0);
-  glVertexArrayVertexBuffer(array, kPosition, position_.name(), 0, dimensions_ * 4);
+  glVertexArrayAttribFormat(array, kPosition, shape_.dimensions, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayVertexBuffer(array, kPosition, position_.name(), 0, shape_.dimensions * 4);
   glVertexArrayVertexBuffer(array, kRadius, radius_.name(), 0, 4);
   glVertexArrayVertexBuffer(array, kMark, mark_.name(), 0, 1);
-  if (equal_radii_) {
+  if (shape_.has_equal_radii) {
     glDisableVertexArrayAttrib(array, kRadius);
   } else {
     glEnableVertexArrayAttrib(array, kRadius);
@@ -76,15 +84,31 @@ void BodyBuffer::upload(const BodySnapshot& bodies) {
   const bool equal_radii = bodies.radius.size() == 1;
   assert(static_cast<int64_t>(bodies.position.size()) == bodies.count * bodies.dimensions);
   assert(equal_radii || static_cast<int64_t>(bodies.radius.size()) == bodies.count);
-  resize(bodies.count, bodies.dimensions, equal_radii);
+  const float largest = bodies.radius.empty() ? 0 : *std::max_element(bodies.radius.begin(), bodies.radius.end());
+  resize({bodies.count, bodies.dimensions, equal_radii, largest});
   fill(position_, bodies.position);
   if (!equal_radii) fill(radius_, bodies.radius);
-  if (equal_radii) equal_radius_ = bodies.radius[0];
-  max_radius_ = bodies.radius.empty() ? 0.0f : *std::max_element(bodies.radius.begin(), bodies.radius.end());
+}
+
+BodyTarget BodyBuffer::begin_map() {
+  const auto map = [&](const GlBuffer& buffer, int64_t bytes) {
+    void* const memory = glMapNamedBufferRange(buffer.name(), 0, std::max<int64_t>(bytes, 1),
+                                               GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+    if (!memory) throw RunError("OpenGL cannot map its buffer of bodies into memory");
+    return memory;
+  };
+  const int64_t n = shape_.count, radii = shape_.has_equal_radii ? 0 : n;
+  return {{static_cast<float*>(map(position_, n * shape_.dimensions * 4)), n * shape_.dimensions},
+          {static_cast<float*>(map(radius_, radii * 4)), radii},
+          {static_cast<uint8_t*>(map(mark_, n)), n}};
+}
+
+void BodyBuffer::end_map() {
+  for (const GlBuffer* buffer : {&position_, &radius_, &mark_}) glUnmapNamedBuffer(buffer->name());
 }
 
 void BodyBuffer::set_marks(const std::vector<Mark>& marks) {
-  assert(static_cast<int64_t>(marks.size()) == count_);
+  assert(static_cast<int64_t>(marks.size()) == shape_.count);
   fill(mark_, marks);
 }
 
@@ -95,7 +119,7 @@ void BodyBuffer::bind(Rate rate) const {
   }
   glBindVertexArray(vertex_array_.name());
   // What a disabled array reads; part of the context's state, not of the vertex array's.
-  if (equal_radii_) glVertexAttrib1f(kRadius, equal_radius_);
+  if (shape_.has_equal_radii) glVertexAttrib1f(kRadius, shape_.radius);
 }
 
 }  // namespace ballpit

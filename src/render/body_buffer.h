@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The bodies in GPU memory, exactly as the simulation has them: `dimensions` floats of position a body
-// (OpenGL reads a missing z as 0), one radius for all or one each, one mark each. Nothing is copied into
-// another layout, so that a device that computes can write position_buffer() itself, and a planar scene
-// stores no third coordinate.
+// (OpenGL reads a missing z as 0), one radius for all or one each, one mark each. Nothing is copied into another layout,
+// so that a processor that computes can write the buffers itself (body_writer.h), and a planar scene stores no third
+// coordinate.
 #pragma once
 
 #include <cstdint>
@@ -28,38 +28,50 @@ class BodyBuffer {
 
   BodyBuffer();
 
-  /// Room for `count` bodies; buffers are replaced only when they must grow or change shape (see
-  /// generation()).
-  void resize(int64_t count, int dimensions, bool equal_radii);
+  /// Room for bodies of this shape. Where it does not fit, buffers are replaced, and generation() changes.
+  void resize(const BodyShape& shape);
+  bool fits(const BodyShape& shape) const;
 
   /// resize() and copy from the host.
   void upload(const BodySnapshot& bodies);
+
+  /// Calls write(target) with the buffers mapped into the host's memory; to be resized before. Throws RunError where they cannot
+  /// be mapped.
+  template <class Write>
+  void map(Write&& write) {
+    struct Unmap {
+      BodyBuffer& buffer;
+      ~Unmap() { buffer.end_map(); }
+    };
+    const BodyTarget target = begin_map();
+    const Unmap unmap{*this};
+    write(target);
+  }
   void set_marks(const std::vector<Mark>& marks);
 
   /// Makes this the source of vertex attributes 0 (position), 1 (radius) and 2 (mark).
   void bind(Rate rate) const;
 
-  int64_t count() const { return count_; }
-  int dimensions() const { return dimensions_; }
-  float max_radius() const { return max_radius_; }  ///< [m] of the last upload
+  int64_t count() const { return shape_.count; }
+  int dimensions() const { return shape_.dimensions; }
+  float max_radius() const { return shape_.radius; }  ///< [m]
 
   GLuint position_buffer() const { return position_.name(); }
-  GLuint radius_buffer() const { return radius_.name(); }
-  int generation() const { return generation_; }  ///< changes with the buffers' names
+  GLuint radius_buffer() const { return radius_.name(); }  ///< of use where radii differ
+  GLuint mark_buffer() const { return mark_.name(); }
+  int generation() const { return generation_; }  ///< of its buffers; no other BodyBuffer has the same
 
  private:
   void attach_buffers();
+  BodyTarget begin_map();
+  void end_map();
 
   GlVertexArray vertex_array_;
   GlBuffer position_;
   GlBuffer radius_;
   GlBuffer mark_;
-  int64_t count_ = 0;
+  BodyShape shape_;
   int64_t capacity_ = 0;
-  int dimensions_ = 3;
-  bool equal_radii_ = true;
-  float equal_radius_ = 0.0f;
-  float max_radius_ = 0.0f;
   int generation_ = 0;
 };
 

@@ -102,7 +102,7 @@ Vec3 cividis(float part) {
 
 const std::vector<ColoringEntry>& coloring_table() {
   static const std::vector<ColoringEntry> table = {
-      {"contact", "Contact: who touches", by_contact},
+      {"contact", "Contact: who touches", by_contact, {.state = false}},
       {"speed", "Speed", by_speed},
       {"size", "Radius", by_size},
       {"contacts", "Number of contacts", by_touching},

@@ -27,6 +27,7 @@ struct ColoringEntry {
   std::string_view name;   ///< "speed", as typed
   std::string_view label;  ///< "Speed", as the audience reads it
   Colored (*color)(const Inspection&);
+  Wanted wanted = {};  ///< of the inspection; no state where a BodyWriter's marks say all
 };
 
 /// All colourings; the first is the default.

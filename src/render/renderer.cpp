@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "render/body_buffer.h"
 #include "render/coloring.h"
 #include "render/disc_renderer.h"
 #include "render/domain_box.h"
@@ -79,10 +78,13 @@ class Renderer::Impl {
   }
 
   void draw(const FrameView& view) {
-    bodies_.upload(view.inspection.bodies);
+    if (!view.is_written) bodies_.upload(view.inspection.bodies);
     const ColoringEntry& coloring = coloring_named(view.coloring);
-    const Colored colored = coloring.color(view.inspection);
-    bodies_.set_marks(colored.marks);
+    Colored colored;
+    if (!view.is_written || coloring.wanted.state) {
+      colored = coloring.color(view.inspection);
+      bodies_.set_marks(colored.marks);
+    }
     sheet_.begin(picture_.width(), picture_.height(), options_.left);
     canvas().bind();
     set_state();
@@ -102,6 +104,7 @@ class Renderer::Impl {
   RenderOptions options_;
   RenderTarget picture_;
   Sheet sheet_;
+  BodyBuffer bodies_;
 
  private:
   const RenderTarget& canvas() const { return large_ ? *large_ : picture_; }
@@ -144,7 +147,6 @@ class Renderer::Impl {
 
   std::optional<RenderTarget> large_;  ///< where supersampled pictures are drawn
   FrameUniformBuffer uniforms_;
-  BodyBuffer bodies_;
   SphereRenderer spheres_;
   DiscRenderer discs_;
   LineRenderer lines_;
@@ -186,6 +188,7 @@ Image Renderer::read_pixels() { return impl_->read_pixels(); }
 void Renderer::copy_to_window() { impl_->copy_to_window(); }
 int Renderer::width() const { return impl_->picture_.width(); }
 int Renderer::height() const { return impl_->picture_.height(); }
+BodyBuffer& Renderer::bodies() { return impl_->bodies_; }
 Sheet& Renderer::sheet() { return impl_->sheet_; }
 
 void Renderer::set_options(const RenderOptions& options) { impl_->set_options(options); }

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "render/body_buffer.h"
 #include "render/frame_view.h"
 #include "render/image.h"
 #include "render/sheet.h"
@@ -36,6 +37,9 @@ class Renderer {
 
   int width() const;
   int height() const;
+
+  /// What is drawn, for a BodyWriter.
+  BodyBuffer& bodies();
 
   /// What text is drawn on; a panel shares it.
   Sheet& sheet();

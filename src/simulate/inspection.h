@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/math.h"
+#include "core/span.h"
 #include "simulate/pair.h"
 
 namespace ballpit {
@@ -31,6 +32,21 @@ struct BodySnapshot {
   }
 };
 
+/// What of the bodies never changes while a world lives, but their places and velocities do.
+struct BodyShape {
+  int64_t count = 0;
+  int dimensions = 3;
+  bool has_equal_radii = true;
+  float radius = 0;  ///< [m] of all, or the largest
+};
+
+/// Memory of a world's own processor that a vertex shader reads, for bodies in the order of their ids.
+struct BodyTarget {
+  Span<float> position;    ///< [m] count × dimensions
+  Span<float> radius;      ///< [m] count values; none where all are equal
+  Span<uint8_t> touching;  ///< 1 for a body in contact, else 0
+};
+
 /// A grid of cells: cell (x, y, z) has the index (z · cells.y + y) · cells.x + x, covers
 /// origin + (x, y, z) ∘ edge to origin + (x+1, y+1, z+1) ∘ edge, and lists its bodies from head[index] along next[].
 struct GridInspection {
@@ -49,18 +65,21 @@ struct Endpoint {
   bool is_end = false;
 };
 
-/// What an inspection is to hold beside what is always there; each costs what it costs.
+/// What an inspection is to hold beside the number of bodies; each costs what it costs.
 struct Wanted {
+  bool state = true;  ///< places, velocities, radii, contacts and lists
   bool candidates = false;
   bool missed = false;     ///< brute force is the oracle: O(n²) tests
   bool endpoints = false;  ///< and the axis
   bool work = false;
 
-  bool anything() const { return candidates || missed || endpoints || work; }
+  bool more_than_state() const { return candidates || missed || endpoints || work; }
 
   Wanted operator|(const Wanted& other) const {
-    return {candidates || other.candidates, missed || other.missed, endpoints || other.endpoints, work || other.work};
+    return {state || other.state, candidates || other.candidates, missed || other.missed, endpoints || other.endpoints,
+            work || other.work};
   }
+  bool operator==(const Wanted&) const = default;
 };
 
 struct Inspection {

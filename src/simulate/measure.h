@@ -127,19 +127,37 @@ int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box
   return reduce(exec, "find body", n, n, IdIfOutside<V>{bodies, box, id_at}, Smallest{});
 }
 
-/// FNV-1a over the 32-bit words of positions and velocities (Fowler, Noll, Vo).
+/// Mixes 64 bits so that each decides about all (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195: splitmix64).
+HOST_DEVICE inline uint64_t mix_bits(uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return x ^ (x >> 31);
+}
+
+/// A hash of the bits of body `id`. Their sum over all bodies is the state's: in whatever order they are kept, by however
+/// many threads, and on either processor.
 template <class V>
-uint64_t hash_state(const std::vector<V>& position, const std::vector<V>& velocity) {
-  uint64_t hash = 0xCBF29CE484222325u;
-  for (const std::vector<V>* values : {&position, &velocity}) {
-    const size_t words = values->size() * sizeof(V) / sizeof(uint32_t);
-    for (size_t k = 0; k < words; ++k) {
-      uint32_t word;
-      std::memcpy(&word, reinterpret_cast<const char*>(values->data()) + k * sizeof(word), sizeof(word));
-      hash = (hash ^ word) * 0x100000001B3u;
+HOST_DEVICE uint64_t hash_body(int64_t id, const V& position, const V& velocity) {
+  uint64_t hash = mix_bits(static_cast<uint64_t>(id) + 0x9E3779B97F4A7C15u);
+  for (const V& v : {position, velocity}) {
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      uint64_t bits = 0;
+      std::memcpy(&bits, &v[axis], sizeof(v[axis]));
+      hash = mix_bits(hash ^ bits);
     }
   }
   return hash;
 }
+
+/// Map: the hash of the body that is kept at a place.
+template <class V>
+struct HashOfBody {
+  BodiesView<V> bodies;
+  Span<const int> id_at;
+
+  HOST_DEVICE uint64_t operator()(int place) const {
+    return hash_body(id_at.empty() ? place : id_at[place], bodies.position[place], bodies.velocity[place]);
+  }
+};
 
 }  // namespace ballpit

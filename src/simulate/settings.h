@@ -42,6 +42,9 @@ struct Settings {
 /// one was named, which is then to be seen at work in every step.
 double skin_of(const Settings& settings);
 
+/// Whether the broad phase may miss contacts, and motion depend on it.
+inline bool can_miss_contacts(const Settings& settings) { return settings.cell_size && *settings.cell_size < 1; }
+
 /// The integrator by name, also where settings leave it to the response.
 std::string integrator_of(const Settings& settings);
 

@@ -50,7 +50,7 @@ class StepState {
         box_{narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary},
         gravity_(narrow<V>(scene.physics.gravity)),
         margin_(static_cast<Real>(margin)),
-        parameters_(parameters_of(scene, settings, box_, margin_)),
+        parameters_(parameters_of(settings, scene.bodies.size(), narrowed(scene.bodies.radius))),
         choice_(choose_broad_phase(settings, parameters_)),
         detector_(choice_.method, parameters_, skin_of(settings)),
         order_(box_, scene.bodies.size()) {
@@ -69,6 +69,15 @@ class StepState {
 
   BodiesView<V> bodies() const {
     return {position.span(), velocity.span(), per_body(radius_), per_body(inverse_mass_)};
+  }
+
+  /// Contacts are found so from now on.
+  void detect_by(const Settings& settings) {
+    parameters_ = parameters_of(settings, count(), radii());
+    choice_ = choose_broad_phase(settings, parameters_);
+    detector_.plan(choice_.method, parameters_, skin_of(settings));
+    forget_contacts();
+    is_list_without_margin_ = false;
   }
 
   /// The pairs in contact at the present positions, in canonical order.
@@ -180,6 +189,8 @@ class StepState {
 
   std::vector<Real> radii() const { return downloaded(radius_); }
 
+  BodyShape shape() const { return {count(), kDimensions<V>, radius_.size() == 1, largest_radius_}; }
+
   /// Memory of the bodies themselves.
   int64_t bytes() const { return position.bytes() + velocity.bytes() + radius_.bytes() + inverse_mass_.bytes(); }
 
@@ -187,12 +198,14 @@ class StepState {
   Buffer<V> velocity;  ///< [m/s]
 
  private:
-  static BroadPhaseParameters<V> parameters_of(const Scene& scene, const Settings& settings, const Box<V>& box,
-                                               Real margin) {
-    const std::vector<Real> radius(scene.bodies.radius.begin(), scene.bodies.radius.end());
-    const auto count = static_cast<int64_t>(radius.size());
-    auto parameters = broad_phase_parameters<V>(settings, box, Span<const Real>(radius.data(), count), count);
-    for (SizeClass<V>& spheres : parameters.classes) spheres.largest += margin;
+  static std::vector<Real> narrowed(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+
+  /// `radius` [m]: one for all, or one each.
+  BroadPhaseParameters<V> parameters_of(const Settings& settings, int64_t count,
+                                        const std::vector<Real>& radius) const {
+    const Span<const Real> span(radius.data(), static_cast<int64_t>(radius.size()));
+    auto parameters = broad_phase_parameters<V>(settings, box_, span, count);
+    for (SizeClass<V>& spheres : parameters.classes) spheres.largest += margin_;
     return parameters;
   }
 
@@ -209,6 +222,7 @@ class StepState {
     std::vector<double> inverse_mass;
     for (const double mass : bodies.mass) inverse_mass.push_back(1.0 / mass);
     upload_per_body(radius_, bodies.radius);
+    for (const double radius : bodies.radius) largest_radius_ = std::max(largest_radius_, static_cast<float>(radius));
     upload_per_body(inverse_mass_, inverse_mass);
   }
 
@@ -246,7 +260,8 @@ class StepState {
   SpatialOrder<V, Exec> order_;
   ContactList<V, Exec> list_;
   Buffer<Real> radius_, inverse_mass_, scalar_spare_, grown_;
-  Buffer<V> spare_;  // for sorting
+  float largest_radius_ = 0;  // [m]
+  Buffer<V> spare_;           // for sorting
   ContactList<V, Exec> near_list_;
   NearPairs near_pairs_;
   int64_t linked_version_ = -1;

@@ -68,6 +68,15 @@ class World {
 
   virtual Report report() = 0;
 
+  /// Finds contacts as these settings say from now on: broad phase, its parameters, skin. The motion goes on, by the bits that any
+  /// method gives that misses nothing; times of stages start anew. False where a world has cells of its own.
+  virtual bool detect_by(const Settings&) { return false; }
+
+  virtual BodyShape shape() const = 0;
+
+  /// Writes the present state where a vertex shader reads it; see BodyTarget.
+  virtual void write_bodies(const BodyTarget& target) = 0;
+
   /// The present state, in double precision; starts the same world again.
   virtual Bodies bodies() = 0;
 

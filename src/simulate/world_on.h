@@ -28,6 +28,7 @@
 #include "simulate/response/kinematic.h"
 #include "simulate/snapshot.h"
 #include "simulate/world.h"
+#include "simulate/write_bodies.h"
 
 namespace ballpit {
 
@@ -70,13 +71,14 @@ class WorldOn final : public World {
     Inspection result;
     result.bodies.count = state_.count();
     result.bodies.dimensions = kDimensions<V>;
+    if (!wanted.state) return result;
     result.bodies.position = flat(state_.downloaded(state_.position));
     result.bodies.velocity = flat(state_.downloaded(state_.velocity));
     const std::vector<Real> radius = state_.radii();
     result.bodies.radius.assign(radius.begin(), radius.end());
     result.contacts = exec.download(state_.pairs());
     result.grids = state_.detector().inspect(exec, state_.bodies());
-    if (wanted.anything()) inspect_more(state_, wanted, result);
+    if (wanted.more_than_state()) inspect_more(state_, wanted, result);
     const std::vector<int> id_at = exec.download(state_.order().id_at());
     if (!id_at.empty()) name_by_id(result, id_at);
     return result;
@@ -101,11 +103,21 @@ class WorldOn final : public World {
     measure_motion(exec, state_.bodies(), state_.gravity(), report);
     report.elastic_energy = elastic_energy();
     report.max_overlap = largest_overlap(exec, state_.bodies(), state_.box(), state_.pairs());
-    report.state_hash = hash_state(state_.downloaded(state_.position), state_.downloaded(state_.velocity));
+    report.state_hash = reduce(exec, "hash state", state_.count(), uint64_t(0),
+                               HashOfBody<V>{state_.bodies(), state_.order().id_at()}, Sum{});
     report.tally = tally_.tally();
     report.stages = exec.stage_times().stages();
     return report;
   }
+
+  bool detect_by(const Settings& settings) override {
+    state_.detect_by(settings);
+    state_.exec().stage_times().clear();
+    return true;
+  }
+
+  BodyShape shape() const override { return state_.shape(); }
+  void write_bodies(const BodyTarget& target) override { ballpit::write_bodies(state_, target); }
 
   Bodies bodies() override { return state_.download(state_.position, state_.velocity); }
   Bodies last_good() override { return guard_.is_started() ? guard_.last_good(state_) : bodies(); }

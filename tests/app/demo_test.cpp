@@ -56,6 +56,37 @@ TEST_CASE("one step back and one forward give the same bits") {
   CHECK(demo.report().state_hash == state);
 }
 
+TEST_CASE("the timeline reaches over a change of method") {
+  Demo demo = lecture();
+  std::vector<uint64_t> states;
+  const auto play = [&](int steps) {
+    for (int k = 0; k < steps; ++k) {
+      states.push_back(demo.report().state_hash);
+      demo.step();
+    }
+  };
+  play(20);
+  demo.perform(key_named("1"));
+  play(20);
+  demo.set("skin", "0.2");
+  play(20);
+  for (const int step : {5, 50, 20, 39, 0}) {
+    demo.go_to(step);
+    CHECK(demo.report().state_hash == states[static_cast<size_t>(step)]);
+    CHECK(demo.report().broadphase == "brute-force");
+  }
+}
+
+TEST_CASE("cells that miss contacts begin a timeline of their own") {
+  Demo demo = lecture();
+  for (int k = 0; k < 5; ++k) demo.step();
+  demo.set("cell-size", "0.5");
+  CHECK(demo.timeline->first() == 5);
+  demo.step();
+  demo.set("cell-size", "1");
+  CHECK(demo.timeline->first() == 6);
+}
+
 TEST_CASE("a mistake becomes a message, and changes nothing") {
   Demo demo = lecture();
   demo.step();
@@ -132,7 +163,7 @@ TEST_CASE("what would take too long to look for is left out, and the picture kno
   CHECK(view.left_out.missed);
   CHECK(view.left_out.candidates);
   CHECK(view.inspection.candidates.empty());
-  CHECK_FALSE(lecture().frame_view(1).left_out.anything());
+  CHECK_FALSE(lecture().frame_view(1).left_out.more_than_state());
 }
 
 TEST_CASE("each key is one key, and names a method or an overlay that there is") {

@@ -3,13 +3,15 @@
 
 #include <set>
 
-#include <cuda_runtime.h>
+#include <cuda_gl_interop.h>
+#include <epoxy/gl.h>
 
 namespace ballpit::faults {
 
 namespace {
 
 int64_t calls_left = 0;
+std::string always;                 // this call fails
 cudaError_t pending = cudaSuccess;  // what cudaGetLastError() is to tell, as the runtime would
 std::string failed;
 std::map<std::string, int64_t> counts;
@@ -21,7 +23,7 @@ int64_t strangers = 0;  // handles given back that were not held
 /// Counts a call; whether it is the one to fail.
 bool fails(const char* name) {
   ++counts[name];
-  if (calls_left == 0 || --calls_left > 0) return false;
+  if (always != name && (calls_left == 0 || --calls_left > 0)) return false;
   failed = name;
   pending = cudaErrorUnknown;
   return true;
@@ -44,9 +46,14 @@ bool note_released(std::set<Handle>& handles, Handle handle) {
 
 void fail_at(int64_t call) {
   calls_left = call;
+  always.clear();
   pending = cudaSuccess;
   failed.clear();
   counts.clear();
+}
+void fail_always(const std::string& name) {
+  fail_at(0);
+  always = name;
 }
 std::string failed_call() { return failed; }
 Held held() {
@@ -102,6 +109,12 @@ BALLPIT_WRAP(cudaFuncGetAttributes, (cudaFuncAttributes * attributes, const void
 BALLPIT_WRAP(cudaOccupancyMaxActiveBlocksPerMultiprocessorWithFlags,
              (int* blocks, const void* function, int threads, size_t shared, unsigned flags),
              (blocks, function, threads, shared, flags))
+BALLPIT_WRAP(cudaGLGetDevices, (unsigned* count, int* devices, unsigned most, cudaGLDeviceList list),
+             (count, devices, most, list))
+BALLPIT_WRAP(cudaGraphicsGLRegisterBuffer, (cudaGraphicsResource * *resource, GLuint buffer, unsigned flags),
+             (resource, buffer, flags))
+BALLPIT_WRAP(cudaGraphicsMapResources, (int count, cudaGraphicsResource_t* resources, cudaStream_t stream),
+             (count, resources, stream))
 // What <<<…>>> calls.
 BALLPIT_WRAP(__cudaLaunchKernel,
              (cudaKernel_t kernel, dim3 grid, dim3 block, void** arguments, size_t shared, cudaStream_t stream),

@@ -12,6 +12,9 @@ namespace ballpit::faults {
 /// The k-th call from now on that can fail does so, without effect; 0 for none. Starts counting anew.
 void fail_at(int64_t call);
 
+/// Each call of this function from now on, until fail_at().
+void fail_always(const std::string& name);
+
 /// The call that was made to fail ("cudaMalloc"), empty if none was.
 std::string failed_call();
 

@@ -99,7 +99,7 @@ TEST_CASE("CUDA shows the candidates, missed pairs, endpoints and work that the 
   settings.table = table;
   settings.cell_size = 0.5;
   const Twins worlds(make_cloud(cloud, 3), settings);
-  const Wanted all{true, true, true, true};
+  const Wanted all{true, true, true, true, true};
   const Inspection cpu = worlds.cpu->inspect(all), cuda = worlds.cuda->inspect(all);
   CAPTURE(broadphase, table, cloud.dimensions, cloud.largest);
   CHECK(cuda.candidates == cpu.candidates);

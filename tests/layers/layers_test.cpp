@@ -29,7 +29,7 @@ const std::map<std::string, Rule>& rules() {
       {"export", {{"core", "render"}, {}}},
       {"lab", {{"core", "exec", "scene", "simulate"}, {}}},
       {"app", {{"core", "exec", "scene", "simulate", "render", "export", "lab"}, {}}},
-      {"cuda", {{"core", "exec", "scene", "simulate"}, {"render/body_buffer.h"}}},
+      {"cuda", {{"core", "exec", "scene", "simulate"}, {"render/body_buffer.h", "render/body_writer.h"}}},
   };
   return table;
 }

@@ -28,12 +28,12 @@ TEST_CASE("the position buffer holds the simulation's floats as they are") {
 TEST_CASE("buffers stay the same until they must grow or change shape") {
   const GlContext context;
   BodyBuffer buffer;
-  buffer.resize(100, 3, true);
+  buffer.resize({100, 3, true, 1});
   const int generation = buffer.generation();
-  buffer.resize(50, 3, true);
-  buffer.resize(100, 3, true);
+  buffer.resize({50, 3, true, 1});
+  buffer.resize({100, 3, true, 1});
   CHECK(buffer.generation() == generation);
-  buffer.resize(101, 3, true);
+  buffer.resize({101, 3, true, 1});
   CHECK(buffer.generation() > generation);
   check_gl("resizing");
 }

@@ -15,7 +15,7 @@ using namespace ballpit;
 
 namespace {
 
-constexpr Wanted kAll{true, true, true, true};
+constexpr Wanted kAll{true, true, true, true, true};
 constexpr int kCount = 250;
 
 const std::vector<Cloud>& clouds() {

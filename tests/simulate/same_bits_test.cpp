@@ -295,3 +295,21 @@ TEST_CASE("a kinematic world started while nothing touches goes on by the same b
     CHECK(length(first->bodies().velocity[0] + scene.bodies.velocity[0]) < 1e-6);  // they have met
   }
 }
+
+TEST_CASE("a world that changes its broad phase on the way moves by the same bits") {
+  for (const Kind& kind : kinds()) {
+    for (const int dimensions : {2, 3}) {
+      INFO(kind << ", dimensions " << dimensions);
+      const Scene scene = crowd(dimensions, Boundary::walls, kind);
+      const auto expected = world_after(scene, 40, kind.settings({.broadphase = "brute-force"}));
+      const auto world = world_after(scene, 5, kind.settings({.broadphase = "brute-force"}));
+      for (const Way& way : ways_on(2)) {
+        REQUIRE(world->detect_by(kind.settings(way)));
+        world->step();
+        if (way.broadphase != "auto") CHECK(world->report().broadphase == way.broadphase);
+      }
+      while (world->steps() < 40) world->step();
+      CHECK(world->report().state_hash == expected->report().state_hash);
+    }
+  }
+}

@@ -6,6 +6,7 @@
 
 #include "simulate/event_driven/event_driven.h"
 #include "simulate/measure.h"
+#include "simulate/write_bodies.h"
 
 namespace ballpit {
 
@@ -29,6 +30,7 @@ class EventDrivenWorld final : public World {
     Inspection result;
     result.bodies.count = motion_.size();
     result.bodies.dimensions = kDimensions<V>;
+    if (!wanted.state) return result;
     for (int i = 0; i < motion_.size(); ++i) {
       const V p = position(i), v = velocity(i);
       for (int axis = 0; axis < kDimensions<V>; ++axis) {
@@ -63,6 +65,20 @@ class EventDrivenWorld final : public World {
     });
     measure_bodies(report);
     return report;
+  }
+
+  BodyShape shape() const override {
+    float largest = 0;
+    for (int i = 0; i < motion_.size(); ++i) largest = std::max(largest, static_cast<float>(motion_.radius(i)));
+    return {motion_.size(), kDimensions<V>, false, largest};
+  }
+
+  void write_bodies(const BodyTarget& target) override {
+    for (int i = 0; i < motion_.size(); ++i) {
+      write_body(target, i, position(i), motion_.radius(i));
+      target.touching[i] = 0;
+    }
+    for_each_contact([&](Pair pair, double) { target.touching[pair.i] = target.touching[pair.j] = 1; });
   }
 
   Bodies bodies() override {
@@ -147,20 +163,18 @@ class EventDrivenWorld final : public World {
 
   /// Energy, momentum, overlap with walls and the hash of the present state.
   void measure_bodies(Report& report) const {
-    std::vector<V> positions, velocities;
     Motion sum;
     for (int i = 0; i < motion_.size(); ++i) {
-      positions.push_back(position(i));
-      velocities.push_back(velocity(i));
+      const V p = position(i), v = velocity(i);
       const double radius = motion_.radius(i), inverse_mass = 1 / motion_.mass(i);
-      const BodiesView<V> body{{&positions.back(), 1}, {&velocities.back(), 1}, {&radius, 0}, {&inverse_mass, 0}};
+      const BodiesView<V> body{{&p, 1}, {&v, 1}, {&radius, 0}, {&inverse_mass, 0}};
       sum = sum + MotionOf<V>{body, motion_.rules().gravity}(0);
       report.max_overlap = std::max(report.max_overlap, WallOverlap<V>{body, motion_.rules().box}(0));
+      report.state_hash += hash_body(i, p, v);
     }
     report.kinetic_energy = sum.kinetic;
     report.potential_energy = sum.potential;
     report.momentum = {sum.px, sum.py, sum.pz};
-    report.state_hash = hash_state(positions, velocities);
   }
 
   GridInspection grid() const {

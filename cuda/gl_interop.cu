@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// OpenGL's buffers as CUDA memory: the step's processor writes what the vertex shader reads.
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <cuda_gl_interop.h>
+#include <epoxy/gl.h>
+
+#include "cuda_error.h"
+#include "render/body_writer.h"
+#include "simulate/world.h"
+
+namespace ballpit {
+
+namespace {
+
+/// A buffer that CUDA may write, until its end; it has to outlast this, or its name has to be new.
+class Registered {
+ public:
+  explicit Registered(GLuint buffer) {
+    BALLPIT_CUDA_CHECK(cudaGraphicsGLRegisterBuffer(&resource_, buffer, cudaGraphicsRegisterFlagsWriteDiscard));
+  }
+  ~Registered() {
+    if (resource_ != nullptr && cudaGraphicsUnregisterResource(resource_) != cudaSuccess) (void)cudaGetLastError();
+  }
+  Registered(Registered&& other) noexcept : resource_(std::exchange(other.resource_, nullptr)) {}
+  Registered(const Registered&) = delete;
+  Registered& operator=(const Registered&) = delete;
+
+  cudaGraphicsResource_t get() const { return resource_; }
+
+ private:
+  cudaGraphicsResource_t resource_ = nullptr;
+};
+
+/// Buffers in CUDA's hands; OpenGL may not touch them as long. Both orders are on the legacy stream, for which the worlds'
+/// streams wait, and which waits for them.
+class Mapped {
+ public:
+  explicit Mapped(const std::vector<Registered>& buffers) {
+    for (const Registered& buffer : buffers) resources_.push_back(buffer.get());
+    BALLPIT_CUDA_CHECK(cudaGraphicsMapResources(static_cast<int>(resources_.size()), resources_.data()));
+  }
+  ~Mapped() {
+    const auto n = static_cast<int>(resources_.size());
+    if (cudaGraphicsUnmapResources(n, resources_.data()) != cudaSuccess) (void)cudaGetLastError();
+  }
+  Mapped(const Mapped&) = delete;
+  Mapped& operator=(const Mapped&) = delete;
+
+  template <class T>
+  Span<T> span(size_t index, int64_t n) const {
+    void* memory = nullptr;
+    size_t bytes = 0;
+    BALLPIT_CUDA_CHECK(cudaGraphicsResourceGetMappedPointer(&memory, &bytes, resources_[index]));
+    return {static_cast<T*>(memory), n};
+  }
+
+ private:
+  std::vector<cudaGraphicsResource_t> resources_;
+};
+
+/// Throws RunError where the current OpenGL context does not draw on the device that computes.
+void check_same_device() {
+  int own = 0;
+  unsigned count = 0;
+  std::vector<int> devices(16);
+  BALLPIT_CUDA_CHECK(cudaGetDevice(&own));
+  BALLPIT_CUDA_CHECK(cudaGLGetDevices(&count, devices.data(), unsigned(devices.size()), cudaGLDeviceListAll));
+  devices.resize(count);
+  if (std::find(devices.begin(), devices.end(), own) == devices.end())
+    throw RunError("CUDA: OpenGL draws on another device");
+}
+
+class CudaBodyWriter final : public BodyWriter {
+ public:
+  bool write(World& world, BodyBuffer& buffer) override {
+    if (!trouble_.empty()) return false;
+    const BodyShape shape = world.shape();
+    if (!buffer.fits(shape)) shared_.clear();  // CUDA lets go of buffers before OpenGL does
+    buffer.resize(shape);
+    try {
+      share(buffer, shape);
+    } catch (const RunError& error) {
+      trouble_ = error.what();
+      shared_.clear();
+      return false;
+    }
+    const Mapped mapped(shared_);
+    BodyTarget target;
+    target.position = mapped.span<float>(0, shape.count * shape.dimensions);
+    target.touching = mapped.span<uint8_t>(1, shape.count);
+    if (!shape.has_equal_radii) target.radius = mapped.span<float>(2, shape.count);
+    world.write_bodies(target);
+    return true;
+  }
+
+  std::string trouble() const override { return trouble_; }
+
+ private:
+  void share(const BodyBuffer& buffer, const BodyShape& shape) {
+    if (generation_ == buffer.generation()) return;
+    shared_.clear();
+    check_same_device();
+    shared_.emplace_back(buffer.position_buffer());
+    shared_.emplace_back(buffer.mark_buffer());
+    if (!shape.has_equal_radii) shared_.emplace_back(buffer.radius_buffer());
+    generation_ = buffer.generation();
+  }
+
+  std::string trouble_;
+  std::vector<Registered> shared_;  // position, mark, radius where radii differ
+  int generation_ = -1;             // of the buffer whose buffers they are
+};
+
+}  // namespace
+
+std::unique_ptr<BodyWriter> make_cuda_body_writer() { return std::make_unique<CudaBodyWriter>(); }
+
+}  // namespace ballpit

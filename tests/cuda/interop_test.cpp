@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// CUDA writes the bodies into OpenGL's buffers; where it may not, that is said once, and nothing is left behind.
+#include <catch2/catch.hpp>
+
+#include "render/body_writer.h"
+#include "render/gl_context.h"
+#include "tests/cuda/fault_injection.h"
+#include "tests/simulate/scenes.h"
+
+using namespace ballpit;
+
+namespace {
+
+std::unique_ptr<World> world_of(const Cloud& cloud) {
+  Settings settings;
+  settings.broadphase = "sorted-grid";
+  settings.dt = 1.0 / 480;
+  return cuda_backend().make_world(make_cloud(cloud, 5), settings);
+}
+
+template <class T>
+std::vector<T> stored(GLuint buffer, size_t n) {
+  std::vector<T> values(n);
+  glGetNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(n * sizeof(T)), values.data());
+  return values;
+}
+
+/// Whether OpenGL can draw on the device that computes; where it cannot, the writer has to say so.
+bool can_share(BodyWriter& writer, World& world, BodyBuffer& buffer) {
+  if (writer.write(world, buffer)) return true;
+  WARN("not shared here: " << writer.trouble());
+  CHECK_FALSE(writer.trouble().empty());
+  return false;
+}
+
+void check_stored(World& world, const BodyBuffer& buffer) {
+  const Inspection seen = world.inspect();
+  CHECK(stored<float>(buffer.position_buffer(), seen.bodies.position.size()) == seen.bodies.position);
+  const auto count = static_cast<size_t>(seen.bodies.count);
+  CHECK(stored<Mark>(buffer.mark_buffer(), count) == contact_marks(seen.bodies.count, seen.contacts));
+  if (!world.shape().has_equal_radii) CHECK(stored<float>(buffer.radius_buffer(), count) == seen.bodies.radius);
+  check_gl("reading what CUDA wrote");
+}
+
+}  // namespace
+
+TEST_CASE("CUDA writes into OpenGL's buffers what an inspection shows") {
+  const GlContext context(0);
+  BodyBuffer buffer;
+  const auto writer = make_cuda_body_writer();
+  // The second and third take other buffers, the last one those of the third.
+  for (const Cloud& cloud :
+       {Cloud{.count = 100, .smallest = 0.1, .largest = 0.1}, Cloud{.count = 150, .smallest = 0.1, .largest = 0.15},
+        Cloud{.count = 200, .dimensions = 2, .smallest = 0.03, .largest = 0.05},
+        Cloud{.count = 90, .dimensions = 2, .smallest = 0.03, .largest = 0.05}}) {
+    const auto world = world_of(cloud);
+    if (!can_share(*writer, *world, buffer)) return;
+    check_stored(*world, buffer);
+    world->step();
+    REQUIRE(writer->write(*world, buffer));
+    check_stored(*world, buffer);
+  }
+}
+
+TEST_CASE("bodies sorted in the device's memory are drawn in the order of their ids") {
+  const GlContext context(0);
+  BodyBuffer buffer;
+  const auto writer = make_cuda_body_writer();
+  const auto world = world_of({.count = 5000, .smallest = 0.02, .largest = 0.04});
+  world->step();
+  if (can_share(*writer, *world, buffer)) check_stored(*world, buffer);
+}
+
+TEST_CASE("a device that may not share OpenGL's buffers says so once, and the world goes on") {
+  const GlContext context(0);
+  BodyBuffer buffer;
+  const auto world = world_of({.count = 100, .smallest = 0.1, .largest = 0.1});
+  const std::string call = GENERATE("cudaGLGetDevices", "cudaGraphicsGLRegisterBuffer");
+  const auto writer = make_cuda_body_writer();
+  faults::fail_always(call);
+  CHECK_FALSE(writer->write(*world, buffer));
+  CHECK_THAT(writer->trouble(), Catch::Contains(call) && Catch::Contains("unknown error"));
+  faults::fail_at(0);
+  CHECK_FALSE(writer->write(*world, buffer));  // not tried again
+  CHECK(faults::calls().count(call) == 0);
+  world->step();
+  CHECK(world->report().steps == 1);
+}
+
+TEST_CASE("buffers that cannot be mapped are a failure of the run") {
+  const GlContext context(0);
+  BodyBuffer buffer;
+  const auto world = world_of({.count = 100, .smallest = 0.1, .largest = 0.1});
+  const auto writer = make_cuda_body_writer();
+  if (!can_share(*writer, *world, buffer)) return;
+  faults::fail_always("cudaGraphicsMapResources");
+  CHECK_THROWS_WITH(writer->write(*world, buffer), Catch::Contains("cudaGraphicsMapResources"));
+  faults::fail_at(0);
+  REQUIRE(writer->write(*world, buffer));
+  check_stored(*world, buffer);
+}
