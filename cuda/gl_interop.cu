@@ -4,8 +4,10 @@
 #include <utility>
 #include <vector>
 
+// clang-format off
+#include <epoxy/gl.h>  // before any other of OpenGL's
 #include <cuda_gl_interop.h>
-#include <epoxy/gl.h>
+// clang-format on
 
 #include "cuda_error.h"
 #include "render/body_writer.h"

@@ -21,6 +21,7 @@ Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : sess
 void Demo::begin_anew() {
   touch();
   player.forgive();
+  trade_off.begin(session.given(), session.scene().physics);
   timeline = std::make_unique<Timeline>(session.world(), session.settings().dt);
   const Report& now = report();
   energy_at_start_ = now.kinetic_energy + now.potential_energy + now.elastic_energy;
@@ -48,7 +49,22 @@ void Demo::set(const std::string& option, const std::string& value) {
     session.set(option, value);
     player.forget_times();
     const bool is_same_motion = !could_miss && !can_miss_contacts(session.settings());
-    if (&session.world() != before || !is_same_motion) begin_anew();
+    if (option == "count" || option == "seed") trade_off.clear();
+    if (&session.world() != before || !is_same_motion) {
+      begin_anew();
+    } else {
+      trade_off.begin(session.given(), session.scene().physics);
+    }
+  });
+}
+
+void Demo::return_to(const Played& trial) {
+  const std::vector<GivenOption> given = trial.given;  // the trial may not last
+  const Physics physics = trial.physics;
+  attempt([&] {
+    session.take(given, physics);
+    player.forget_times();
+    begin_anew();
   });
 }
 
@@ -70,6 +86,7 @@ void Demo::load(const std::string& scene) {
   attempt([&] {
     session.load(scene);
     view.selected = -1;
+    trade_off.clear();
     begin_anew();
   });
 }
@@ -82,6 +99,7 @@ void Demo::go_to(int64_t step) {
   attempt([&] {
     player.is_running = false;
     player.forgive();
+    trade_off.interrupt();
     const auto start = std::chrono::steady_clock::now();
     const auto takes_too_long = [&] { return std::chrono::steady_clock::now() - start > kLongestReplay; };
     if (!timeline->go_to(step, takes_too_long))
@@ -172,6 +190,7 @@ const Report& Demo::report() {
   if (reported_ != version()) {
     report_ = session.world().report();
     reported_ = version();
+    trade_off.observe(report_);
   }
   return report_;
 }

@@ -12,6 +12,7 @@
 #include "app/player.h"
 #include "app/session.h"
 #include "app/timeline.h"
+#include "app/trade_off.h"
 #include "app/view.h"
 
 namespace ballpit {
@@ -24,6 +25,7 @@ class Demo {
   Session session;
   Player player;
   std::unique_ptr<Timeline> timeline;  ///< of the session's world
+  TradeOff trade_off;                  ///< of the settings that were played in this scene
   View view;
 
   /// What a key does, but for saving a picture, which whoever draws it does.
@@ -31,6 +33,7 @@ class Demo {
 
   void set(const std::string& option, const std::string& value);
   void set_physics(const Physics& physics);
+  void return_to(const Played& trial);  ///< its settings
   void load(const std::string& scene);
   void restart();
   void step();

@@ -113,6 +113,7 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   draw_selected(demo);
   draw_cost(demo);
   draw_accuracy(demo);
+  draw_trade_off(demo);
   draw_response(demo);
   ImGui::End();
   draw_keys(demo);

@@ -68,6 +68,7 @@ class Panel {
   void draw_selected(Demo& demo);
   void draw_cost(Demo& demo);
   void draw_accuracy(Demo& demo);
+  void draw_trade_off(Demo& demo);
   void draw_keys(Demo& demo);
 
   Sheet& sheet_;
@@ -75,6 +76,7 @@ class Panel {
   std::string revealed_;
   std::map<std::string, float> edited_;  // sliders that are being dragged
   std::map<std::string, std::string> typed_;
+  size_t charted_error_ = 0;  // of played_errors()
 };
 
 }  // namespace ballpit

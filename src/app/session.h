@@ -32,6 +32,9 @@ class Session {
   /// The same for what the scene file says.
   void set_physics(const Physics& physics);
 
+  /// These options and physics, and no others: a new world goes on from the present state. Throws as set().
+  void take(const std::vector<GivenOption>& given, const Physics& physics) { go_on(given, physics); }
+
   /// From the scene's start, or another scene's; options given stay, where they go with it.
   void restart() { load(scene_name_); }
   void load(const std::string& scene);
@@ -53,6 +56,7 @@ class Session {
   FrameView view_of(const Inspection& inspection, const View& view, float aspect) const;
 
   const Scene& scene() const { return scene_; }
+  const std::vector<GivenOption>& given() const { return given_; }
   const Settings& settings() const { return settings_; }
   const std::string& backend() const { return backend_; }  ///< "cpu", also where settings ask for auto
   World& world() { return *world_; }

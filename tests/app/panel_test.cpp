@@ -147,3 +147,25 @@ TEST_CASE("no sequence of clicks and keys at random ends the demonstration") {
   desk.rest();
   CHECK(desk.has("pause"));
 }
+
+TEST_CASE("a click on a point of the chart returns to its settings") {
+  Desk desk("stack");
+  const auto play = [&] {
+    for (int k = 0; k < 20; ++k) {
+      desk.demo.step();
+      desk.demo.report();
+    }
+  };
+  play();
+  desk.demo.set("response", "penalty");
+  play();
+  desk.rest();
+  REQUIRE(desk.has("trial 1"));
+  CHECK(desk.demo.session.settings().response == "penalty");
+  desk.click("trial 0");
+  CHECK(desk.demo.session.settings().response == "position-based");
+  CHECK(desk.demo.trade_off.current() == 0);
+  const Vec2 before = desk.panel.items().at("trial 1").middle();
+  desk.click("error drift");
+  CHECK(desk.panel.items().at("trial 1").middle().y != before.y);
+}

@@ -3,8 +3,10 @@
 
 #include <set>
 
+// clang-format off
+#include <epoxy/gl.h>  // before any other of OpenGL's
 #include <cuda_gl_interop.h>
-#include <epoxy/gl.h>
+// clang-format on
 
 namespace ballpit::faults {
 
