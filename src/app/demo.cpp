@@ -123,7 +123,7 @@ void Demo::perform(const Key& key) {
 }
 
 Wanted Demo::wanted() const {
-  Wanted result;
+  Wanted result = coloring_named(view.coloring).wanted;
   for (const OverlayEntry& overlay : overlay_table()) {
     if (view.shows(overlay.name)) result = result | overlay.wanted;
   }

@@ -74,6 +74,7 @@ struct Inspection {
   int axis = -1;                    ///< along which sort-and-sweep sorts: 0, 1, 2; −1 for other methods
   std::vector<Endpoint> endpoints;  ///< its sorted list, by `at`
   std::vector<int> work;            ///< candidates that each thread walks over
+  std::vector<int32_t> worker;      ///< the body that each thread walks for; −1 for one that has nothing to do
 };
 
 }  // namespace ballpit
