@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
@@ -37,9 +39,19 @@ const ImVector<ImWchar>& glyph_ranges() {
   return ranges;
 }
 
+/// ImGui uses what it allocates without a look; a lack of memory must not come that far.
+ImGuiContext* make_context() {
+  const auto allocate = [](size_t size, void*) {
+    if (void* const memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+  };
+  ImGui::SetAllocatorFunctions(allocate, [](void* memory, void*) { std::free(memory); });
+  return ImGui::CreateContext();
+}
+
 }  // namespace
 
-Sheet::Sheet() : context_(ImGui::CreateContext()) {
+Sheet::Sheet() : context_(make_context()) {
   ImGui::SetCurrentContext(context_);
   ImGui::GetIO().IniFilename = nullptr;  // a panel's state survives only if asked
   if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
