@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The panel beside the picture, by Dear ImGui: scene and time, detection, overlays, the picked sphere, cost, accuracy, response,
-// export. What there is to
-// choose from comes from the tables that the command line has; what a method does not use is not shown.
+// export. What there is to choose from comes from the tables that the command line has; what a method does not use is not shown.
 // It draws over whatever framebuffer is bound, in a window or headless. Each item's rectangle is noted by its name, so that tests
 // click as people do.
 #pragma once
