@@ -10,13 +10,13 @@
 
 #include "app/commands.h"
 #include "app/demo_renderer.h"
+#include "app/film.h"
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "app/panel.h"
 #include "app/progress.h"
 #include "app/summary.h"
 #include "core/error.h"
-#include "export/frame_sequence.h"
 #include "render/gl_context.h"
 
 namespace ballpit {
@@ -55,6 +55,8 @@ class RenderCommand final : public Command {
         double(parse_integer("--every", every_, 1, 1000000)) / parse_number("--fps", fps_, 1e-3, 1e6);
     const double from = parse_number("--from", from_, 0, 1e9);
     const View look = look_.view();
+    if (look_.scales_panel() && !has_panel_)
+      throw UserError("--ui-scale: found without --panel, allowed together with it");
     const int supersample = static_cast<int>(parse_integer("--supersample", supersample_, 1, 4));
     if (click_option_->count() > 0 && !has_panel_) {
       throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
@@ -65,11 +67,13 @@ class RenderCommand final : public Command {
     demo.touch();
     Session& session = demo.session;
     GlContext context(session.backend() == "cuda" ? 0 : -1);
-    const RenderOptions options{theme_named(look.theme), supersample, has_panel_ ? Panel::width_in(width, height) : 0};
+    RenderOptions options{theme_named(look.theme), supersample,
+                          has_panel_ ? Panel::width_in(width, height, look.ui_scale) : 0};
     DemoRenderer drawing(width, height, options);
     std::optional<Panel> panel;
     if (has_panel_) panel.emplace(drawing.renderer().sheet());
     const auto draw = [&](const PanelInput& input) {
+      if (panel) options.left = Panel::width_in(width, height, demo.view.ui_scale);
       drawing.draw(demo, options);
       if (panel) panel->draw(demo, input);
     };
@@ -78,32 +82,29 @@ class RenderCommand final : public Command {
     remove_frames(out_, first_, frames);
     catch_interrupts();
     const auto start = std::chrono::steady_clock::now();
-    FrameSequence sequence(out_, first_);
+    Film film(demo, {out_, first_, frames, from, interval, has_panel_});
     Progress progress("frames", frames);
-    for (int k = first_; k < frames && !was_interrupted(); ++k) {
-      advance(demo, from + k * interval);
+    while (!film.is_done() && !was_interrupted()) {
+      advance(film, session);
       if (was_interrupted()) break;
       draw(PanelInput{});
-      if (panel && k == first_) draw(PanelInput{});  // the panel knows its height from its first frame
-      sequence.push(drawing.renderer().read_pixels());
-      progress.show(k + 1);
+      if (panel && film.next() == first_) draw(PanelInput{});  // the panel knows its height from its first frame
+      film.push(drawing.renderer().read_pixels());
+      progress.show(film.next());
     }
-    sequence.finish();
+    film.finish();
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (was_interrupted() && sequence.next_index() < frames) {
-      throw RunError("interrupted after " + std::to_string(sequence.next_index()) + " of " + std::to_string(frames) +
+    if (was_interrupted() && film.next() < frames) {
+      throw RunError("interrupted after " + std::to_string(film.next()) + " of " + std::to_string(frames) +
                      " frames; --resume goes on from there");
     }
     tell(session, context, drawing.path(), frames);
   }
 
  private:
-  /// Along the timeline where the panel shows it.
-  void advance(Demo& demo, double time) const {
-    Session& session = demo.session;
+  static void advance(Film& film, Session& session) {
     try {
-      while (has_panel_ && session.steps_until(time) > 0 && !was_interrupted()) demo.timeline->step();
-      session.advance_to(time, was_interrupted);
+      film.advance(was_interrupted);
     } catch (const RunError& error) {
       throw RunError(error.what() + rescue(session, session.scene().name + "-last-good.csv"));
     }

@@ -6,7 +6,10 @@
 //                              anything new? ──▶ draw picture and panel; else wait for an event
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <iostream>
+#include <optional>
 #include <thread>
 
 #include "app/commands.h"
@@ -16,9 +19,10 @@
 #include "app/numbers.h"
 #include "app/options.h"
 #include "app/panel.h"
+#include "app/remembered.h"
+#include "app/saver.h"
 #include "app/window.h"
 #include "core/error.h"
-#include "export/png.h"
 #include "render/painter.h"
 #include "render/renderer.h"
 
@@ -38,34 +42,26 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
 
 void sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-/// picture_00000.png, or the first after it that does not exist.
-std::string free_picture_name() {
-  for (int k = 0;; ++k) {
-    std::string number = std::to_string(k);
-    number.insert(0, 5 - std::min<size_t>(number.size(), 5), '0');
-    const std::string name = "picture_" + number + ".png";
-    if (!std::filesystem::exists(name)) return name;
-  }
-}
-
 class Show {
  public:
   Show(Window& window, Demo& demo)
       : window_(window),
         demo_(demo),
         drawing_(window.width(), window.height(), options()),
-        panel_(drawing_.renderer().sheet()) {}
+        panel_(drawing_.renderer().sheet()),
+        saver_(demo) {}
 
   void run() {
     auto last = Clock::now();
     while (!window_.is_to_close() && !was_interrupted()) {
-      const bool is_idle = drawn_ == demo_.version() && !demo_.player.is_running && !is_settling_;
+      const bool is_idle =
+          drawn_ == demo_.version() && !demo_.player.is_running && !is_settling_ && !saver_.is_filming();
       const WindowEvents& events = window_.poll(is_idle ? kIdle : 0);
       const auto now = Clock::now();
       const double elapsed = std::min(seconds_between(last, now), 0.25);
       last = now;
       take(events);
-      demo_.advance(elapsed, kFrame / 2);
+      saver_.is_filming() ? saver_.go_on() : demo_.advance(elapsed, kFrame / 2);
       if (window_.width() < 16 || window_.height() < 16) {  // minimised
         sleep(kFrame);
         continue;
@@ -80,7 +76,7 @@ class Show {
  private:
   RenderOptions options() const {
     RenderOptions options;
-    options.left = Panel::width_in(window_.width(), window_.height());
+    options.left = Panel::width_in(window_.width(), window_.height(), demo_.view.ui_scale);
     return options;
   }
 
@@ -111,7 +107,7 @@ class Show {
     for (const Key& key : key_table()) {
       if (key.code != code) continue;
       demo_.perform(key);
-      if (key.action == Action::save_picture) save();
+      if (key.action == Action::save_picture) saver_.save_picture(window_size());
     }
   }
 
@@ -131,27 +127,27 @@ class Show {
     }
     const int64_t version = demo_.version();
     drawing_.draw(demo_, options());
+    panel_.density = window_.density();
+    panel_.is_filming = saver_.is_filming();
     panel_.draw(demo_, {events.mouse, events.is_mouse_down, events.wheel, events.typed, elapsed, events.keys});
-    if (panel_.wants_picture) save();
-    panel_.wants_picture = false;
     renderer.copy_to_window();
     window_.show();
+    fulfil(panel_.wishes);
     is_settling_ = drawn_ != version || events.any;  // the panel shows the outcome of a click a frame later
     drawn_ = version;
   }
 
-  void save() {
-    const std::string name = free_picture_name();
-    RenderOptions still;
-    still.supersample = 2;
-    drawing_.draw(demo_, still);
-    try {
-      write_png(name, drawing_.renderer().read_pixels());
-      demo_.say("saved " + name);
-    } catch (const RunError& error) {
-      demo_.say(error.what());
+  PictureSize window_size() const { return {window_.width(), window_.height()}; }
+
+  void fulfil(PanelWishes& wishes) {
+    if (wishes.picture) saver_.save_picture(window_size());
+    if (wishes.state) saver_.save_state();
+    if (wishes.film && saver_.is_filming()) {
+      saver_.stop_film();
+    } else if (wishes.film) {
+      saver_.start_film(parse_size(wishes.film_size), wishes.film_frames);
     }
-    demo_.touch();
+    wishes.picture = wishes.state = wishes.film = false;
   }
 
   /// About once a second, as the exercise sheet asks: spheres, method, milliseconds a step.
@@ -167,6 +163,7 @@ class Show {
   Demo& demo_;
   DemoRenderer drawing_;
   Panel panel_;
+  Saver saver_;
   Vec2 mouse_{0.0f}, pressed_at_{0.0f};
   bool is_turning_ = false, is_settling_ = true;
   int64_t drawn_ = -1;  // version
@@ -176,27 +173,83 @@ class Show {
 class ShowCommand final : public Command {
  public:
   void add_options(CLI::App& command) override {
-    command.add_option("--size", size_, "the window's size in pixels")
-        ->type_name("WIDTHxHEIGHT")
-        ->capture_default_str();
+    size_option_ = command.add_option("--size", size_, "the window's size in pixels");
+    size_option_->type_name("WIDTHxHEIGHT")->capture_default_str();
     look_.add_to(command);
+    command
+        .add_flag("--remember", remembers_,
+                  "go on with scene, options and view of the last `show --remember`, and keep them")
+        ->disable_flag_override();
     arguments_.add_to(command);
   }
 
   void run() override {
+    parse_size(size_);
+    (void)look_.view();  // a mistake is told before anything else
+    const std::filesystem::path file = remembers_ ? remembered_file() : "";
+    const std::unique_ptr<Demo> demo = start(recall(file));
     const auto [width, height] = parse_size(size_);
-    Demo demo(arguments_.scene(), arguments_.given());
-    demo.view = look_.view();
-    demo.touch();
     catch_interrupts();
     Window window(width, height, "Ballpit");
-    Show(window, demo).run();
+    Show(window, *demo).run();
+    if (!remembers_) return;
+    const Session& session = demo->session;
+    write_remembered(file, {session.scene_name(), session.given(), demo->view, size_of(window)});
   }
 
  private:
+  /// What cannot be read is not worth a demonstration: it is told, and started without.
+  static std::optional<Remembered> recall(const std::filesystem::path& file) {
+    if (file.empty()) return std::nullopt;
+    try {
+      return read_remembered(file);
+    } catch (const UserError& error) {
+      tell_forgotten(error);
+      return std::nullopt;
+    }
+  }
+
+  static void tell_forgotten(const UserError& error) {
+    std::cerr << "ballpit: note: nothing is remembered: " << error.what() << "\n";
+  }
+
+  /// What is on the command line goes before what is remembered; options are those of the scene remembered.
+  std::unique_ptr<Demo> start(const std::optional<Remembered>& last) {
+    const bool is_same_scene = last && (!arguments_.names_scene() || arguments_.scene() == last->scene);
+    std::unique_ptr<Demo> demo;
+    if (is_same_scene) {
+      std::vector<GivenOption> given = last->given;
+      for (const GivenOption& option : arguments_.given()) {
+        std::erase_if(given, [&](const GivenOption& old) { return old.name == option.name; });
+        given.push_back(option);
+      }
+      try {
+        demo = std::make_unique<Demo>(last->scene, given);
+      } catch (const UserError& error) {  // a file that is gone, or an option that goes with nothing given now
+        tell_forgotten(error);
+      }
+    }
+    if (!demo) demo = std::make_unique<Demo>(arguments_.scene(), arguments_.given());
+    demo->view = look_.view(last ? last->view : View{});
+    demo->touch();
+    if (last && size_option_->count() == 0) size_ = last->size;
+    return demo;
+  }
+
+  /// As it is asked for: a display of more pixels to the inch makes more of them.
+  static std::string size_of(const Window& window) {
+    const auto side = [&](int pixels) {
+      const auto units = static_cast<int>(std::lround(static_cast<float>(pixels) / window.density()));
+      return std::to_string(std::clamp(units, 16, 16384));
+    };
+    return side(window.width()) + "x" + side(window.height());
+  }
+
   SceneArguments arguments_;
   LookArguments look_;
   std::string size_ = "1600x900";
+  CLI::Option* size_option_ = nullptr;
+  bool remembers_ = false;
 };
 
 }  // namespace

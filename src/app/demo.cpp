@@ -2,6 +2,7 @@
 #include "app/demo.h"
 
 #include <chrono>
+#include <cmath>
 
 #include "core/error.h"
 #include "render/overlays/overlay.h"
@@ -12,7 +13,13 @@ namespace {
 
 constexpr std::chrono::milliseconds kLongestReplay{500};
 constexpr int64_t kMostCandidates = 2'000'000;  // to be listed for an overlay
-constexpr int64_t kMostForOracle = 20'000;      // spheres among which brute force looks for missed contacts
+constexpr int64_t kMostForPicked = 100'000;     // candidates, and spheres, to be looked through for the picked sphere
+constexpr size_t kMostMoments = 240;
+constexpr int64_t kMostForOracle = 20'000;  // spheres among which brute force looks for missed contacts
+
+double energy_of(const Report& report) {
+  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
+}
 
 }  // namespace
 
@@ -20,11 +27,14 @@ Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : sess
 
 void Demo::begin_anew() {
   touch();
+  ++worlds_;
   player.forgive();
   trade_off.begin(session.given(), session.scene().physics);
   timeline = std::make_unique<Timeline>(session.world(), session.settings().dt);
   const Report& now = report();
-  energy_at_start_ = now.kinetic_energy + now.potential_energy + now.elastic_energy;
+  energy_at_start_ = energy_of(now);
+  history_.clear();
+  remember_moment();
   if (view.selected >= now.count) view.selected = -1;
 }
 
@@ -145,11 +155,15 @@ void Demo::perform(const Key& key) {
 }
 
 /// What the view shows of the inspection.
-Wanted Demo::wanted() const {
+Wanted Demo::wanted() {
   Wanted result = coloring_named(view.coloring).wanted;
   result.state |= view.selected >= 0;
   for (const OverlayEntry& overlay : overlay_table()) {
     if (view.shows(overlay.name)) result = result | overlay.wanted;
+  }
+  if (view.selected >= 0 && report().count <= kMostForPicked) {
+    result.candidates |= report().candidates <= kMostForPicked;
+    result.endpoints = true;
   }
   return result;
 }
@@ -191,8 +205,17 @@ const Report& Demo::report() {
     report_ = session.world().report();
     reported_ = version();
     trade_off.observe(report_);
+    remember_moment();
   }
   return report_;
+}
+
+void Demo::remember_moment() {
+  while (!history_.empty() && history_.back().step >= report_.steps) history_.pop_back();
+  const double drift =
+      energy_at_start_ != 0 ? (energy_of(report_) - energy_at_start_) / std::fabs(energy_at_start_) : 0;
+  history_.push_back({report_.steps, static_cast<float>(drift), static_cast<float>(report_.max_overlap)});
+  if (history_.size() > kMostMoments) history_.erase(history_.begin());
 }
 
 }  // namespace ballpit

@@ -17,6 +17,13 @@
 
 namespace ballpit {
 
+/// How exact the run was at a step.
+struct Moment {
+  int64_t step = 0;
+  float energy_drift = 0;  ///< of the energy at the start of this world; 0 where that is 0
+  float max_overlap = 0;   ///< of the smaller radius
+};
+
 class Demo {
  public:
   /// Throws UserError as Session does.
@@ -62,6 +69,12 @@ class Demo {
   /// [J] kinetic, potential and elastic, when this world began.
   double energy_at_start() const { return energy_at_start_; }
 
+  /// The latest reported steps up to the present one, oldest first.
+  const std::vector<Moment>& history() const { return history_; }
+
+  /// How many worlds there were: each change of a method makes another one, whose time begins at 0.
+  int64_t worlds() const { return worlds_; }
+
   /// Changes whenever anything that is shown may have: a window that has drawn this need not draw again.
   int64_t version() const { return (version_ << 36) + session.world().steps(); }
   void touch() { ++version_; }
@@ -71,16 +84,18 @@ class Demo {
   void attempt(const std::function<void()>& action);
   void begin_anew();
   const Inspection& look(Wanted wanted);
-  Wanted wanted() const;
+  void remember_moment();
+  Wanted wanted();
   Wanted too_much(const Wanted& wanted);
 
   std::string message_;
   double energy_at_start_ = 0;
-  int64_t version_ = 0;
+  int64_t version_ = 0, worlds_ = 0;
   int64_t looked_at_ = -1, reported_ = -1;
   Inspection inspection_;
   Wanted looked_for_, left_out_;
   Report report_;
+  std::vector<Moment> history_;
 };
 
 }  // namespace ballpit

@@ -22,6 +22,7 @@ constexpr std::array kKeys{
     Key{'L', "L", "lists: head and next", Action::toggle_overlay, "lists"},
     Key{'N', "N", "numbers of spheres and cells", Action::toggle_overlay, "labels"},
     Key{'V', "V", "velocities", Action::toggle_overlay, "velocity"},
+    Key{'W', "W", "swept ways", Action::toggle_overlay, "swept"},
     Key{'T', "T", "other theme", Action::change_theme, ""},
     Key{'H', "H", "view the whole domain again", Action::reset_view, ""},
     Key{'S', "S", "save a picture", Action::save_picture, ""},

@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
   } catch (const UserError& error) {
     return fail(2, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(1, "out of memory; fewer spheres (--count) need less");
+    return fail(1, "out of memory; fewer spheres (--count) or a smaller picture (--size) need less");
   } catch (const std::exception& error) {
     return fail(1, error.what());
   }

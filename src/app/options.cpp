@@ -59,7 +59,8 @@ std::vector<GivenOption> SettingOptions::given() const {
 
 void SceneArguments::add_to(CLI::App& command) {
   scene_ = kDefaultScene;
-  command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file")->capture_default_str();
+  option_ = command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file");
+  option_->capture_default_str();
   settings_.add_to(command, "Simulation (default: what the scene asks for)");
 }
 
@@ -92,29 +93,38 @@ const std::string& parse_path(std::string_view option, const std::string& text) 
   throw UserError(std::string(option) + ": found nothing, allowed a path");
 }
 
+std::vector<std::string> parse_overlays(std::string_view option, const std::string& text) {
+  const std::vector<std::string> known = names_in(overlay_table());
+  std::vector<std::string> overlays = text == "none" ? std::vector<std::string>{} : split_list(text);
+  for (const std::string& name : overlays) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw UserError(std::string(option) + ": found " + (name.empty() ? "nothing" : name) +
+                    ", allowed none alone, or some of " + join(known) + ", with commas between");
+  }
+  return overlays;
+}
+
 void LookArguments::add_to(CLI::App& command) {
   const auto add = [&](const char* name, std::string& text, const std::string& help, const char* type) {
-    command.add_option(name, text, help)->type_name(type)->capture_default_str();
+    options_[name] = command.add_option(name, text, help)->type_name(type)->capture_default_str();
   };
   add("--overlay", overlays_, "what to draw over the spheres: none, or some of " + join(names_in(overlay_table())),
       "A,B,…");
   add("--color", coloring_, "what a sphere's colour says: " + join(names_in(coloring_table())), "NAME");
   add("--theme", theme_, join(names_in(themes())), "NAME");
+  add("--ui-scale", ui_scale_, "size of the panel's text and widgets: 0.5 to 3", "FACTOR");
 }
 
-View LookArguments::view() const {
-  View result;
-  result.overlays.clear();
-  const std::vector<std::string> known = names_in(overlay_table());
-  for (const std::string& name : overlays_ == "none" ? std::vector<std::string>{} : split_list(overlays_)) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw UserError("--overlay: found " + (name.empty() ? "nothing" : name) + ", allowed none alone, or some of " +
-                      join(known) + ", with commas between");
-    }
-    result.overlays.push_back(name);
+View LookArguments::view(const View& base) const {
+  View result = base;
+  const auto is_given = [&](const char* name) { return options_.at(name)->count() > 0; };
+  if (is_given("--overlay")) result.overlays = parse_overlays("--overlay", overlays_);
+  if (is_given("--color")) result.coloring = parse_choice("--color", coloring_, names_in(coloring_table()));
+  if (is_given("--theme")) result.theme = parse_choice("--theme", theme_, names_in(themes()));
+  if (is_given("--ui-scale")) {
+    result.ui_scale = static_cast<float>(
+        parse_number("--ui-scale", ui_scale_, static_cast<double>(kSmallestUi), static_cast<double>(kLargestUi)));
   }
-  result.coloring = parse_choice("--color", coloring_, names_in(coloring_table()));
-  result.theme = parse_choice("--theme", theme_, names_in(themes()));
   return result;
 }
 

@@ -38,10 +38,12 @@ class SceneArguments {
   void add_to(CLI::App& command);
 
   const std::string& scene() const { return scene_; }
+  bool names_scene() const { return option_->count() > 0; }
   std::vector<GivenOption> given() const { return settings_.given(); }
 
  private:
   std::string scene_;
+  CLI::Option* option_ = nullptr;
   SettingOptions settings_;
 };
 
@@ -58,21 +60,28 @@ const std::string& parse_choice(std::string_view option, const std::string& text
 /// The items of a list "a,b,c"; an empty one is an item, too.
 std::vector<std::string> split_list(const std::string& text);
 
+/// Names of overlays, "a,b,c", or "none". Throws UserError naming the option.
+std::vector<std::string> parse_overlays(std::string_view option, const std::string& text);
+
 /// A path that is not empty. Throws UserError naming the option.
 const std::string& parse_path(std::string_view option, const std::string& text);
 
-/// How a scene is looked at, for the commands that draw: --overlay, --color, --theme.
+/// How a scene is looked at, for the commands that draw: --overlay, --color, --theme, --ui-scale.
 class LookArguments {
  public:
   /// Adds them to a command. The object must outlive the parsing.
   void add_to(CLI::App& command);
 
-  /// Throws UserError naming the option.
-  View view() const;
+  /// Throws UserError naming the option. What was not given is as in `base`.
+  View view(const View& base = {}) const;
+
+  bool scales_panel() const { return options_.at("--ui-scale")->count() > 0; }
 
  private:
   View default_;
-  std::string overlays_ = join(default_.overlays, ","), coloring_ = default_.coloring, theme_ = default_.theme;
+  std::map<std::string, CLI::Option*> options_;
+  std::string overlays_ = join(default_.overlays, ","), coloring_ = default_.coloring, theme_ = default_.theme,
+              ui_scale_ = "1";
 };
 
 struct PictureSize {

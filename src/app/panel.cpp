@@ -76,8 +76,9 @@ Panel::Panel(Sheet& sheet) : sheet_(sheet) {
   map_keys(io);
 }
 
-int Panel::width_in(int picture_width, int picture_height) {
-  return std::min(picture_width / 3, static_cast<int>(kWidth * static_cast<float>(picture_height) / 1080));
+int Panel::width_in(int picture_width, int picture_height, float scale) {
+  const float wanted = kWidth * scale * static_cast<float>(picture_height) / 1080;
+  return std::min(picture_width / (scale > 1 ? 2 : 3), static_cast<int>(wanted));
 }
 
 void Panel::note(const std::string& name) {
@@ -86,21 +87,16 @@ void Panel::note(const std::string& name) {
   if (name == revealed_) ImGui::SetScrollHereY();
 }
 
-bool Panel::button(const std::string& name, const std::string& label) {
-  const bool is_pressed = ImGui::Button((label + "##" + name).c_str());
-  note(name);
-  return is_pressed;
-}
-
 void Panel::draw(Demo& demo, const PanelInput& input) {
   ImGui::SetCurrentContext(sheet_.context());
+  sheet_.scale_panel(demo.view.ui_scale, density);
   feed(ImGui::GetIO(), input, sheet_);
-  style_for(theme_named(demo.view.theme), sheet_.unit());
+  style_for(theme_named(demo.view.theme), sheet_.unit() * demo.view.ui_scale);
   items_.clear();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   ImGui::SetNextWindowPos({0, 0});
-  const auto width = static_cast<float>(width_in(sheet_.picture_width(), sheet_.height()));
+  const auto width = static_cast<float>(width_in(sheet_.picture_width(), sheet_.height(), demo.view.ui_scale));
   ImGui::SetNextWindowSize({width, static_cast<float>(sheet_.height())});
   ImGui::Begin("Ballpit", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -110,11 +106,12 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   if (!trouble.empty()) ImGui::TextWrapped("%s", trouble.c_str());
   draw_detection(demo);
   draw_view(demo);
-  draw_selected(demo);
+  draw_picked(demo);
   draw_cost(demo);
   draw_accuracy(demo);
   draw_trade_off(demo);
   draw_response(demo);
+  draw_export();
   ImGui::End();
   draw_keys(demo);
   ImGui::Render();

@@ -58,7 +58,7 @@ void dotted(ImDrawList& lines, ImVec2 from, ImVec2 to, ImU32 color, float unit) 
 }  // namespace
 
 void Panel::draw_trade_off(Demo& demo) {
-  if (!ImGui::CollapsingHeader("Speed against accuracy", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!section("Speed against accuracy")) return;
   const auto errors = played_errors();
   for (size_t k = 0; k < errors.size(); ++k) {
     if (ImGui::RadioButton(std::string(errors[k].label).c_str(), k == charted_error_)) charted_error_ = k;

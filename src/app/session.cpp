@@ -117,7 +117,8 @@ FrameView Session::view_of(const Inspection& inspection, const View& view, float
   const Domain& domain = scene_.domain;
   const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top};
   const Camera camera = leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, inspection));
-  return {inspection, box, camera, view.overlays, view.selected, view.coloring};
+  const auto step = static_cast<float>(settings_.dt / settings_.substeps);
+  return {inspection, box, camera, view.overlays, view.selected, view.coloring, step};
 }
 
 std::string rescue(Session& session, const std::string& path) {

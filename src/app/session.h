@@ -56,7 +56,8 @@ class Session {
   FrameView view_of(const Inspection& inspection, const View& view, float aspect) const;
 
   const Scene& scene() const { return scene_; }
-  const std::vector<GivenOption>& given() const { return given_; }
+  const std::string& scene_name() const { return scene_name_; }     ///< as it was loaded: of a file, its path
+  const std::vector<GivenOption>& given() const { return given_; }  ///< options that override the scene's
   const Settings& settings() const { return settings_; }
   const std::string& backend() const { return backend_; }  ///< "cpu", also where settings ask for auto
   World& world() { return *world_; }

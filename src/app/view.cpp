@@ -48,7 +48,7 @@ void View::orbit(float right, float down) {
   elevation = std::clamp(elevation + down * kHalfTurn, -kSteepest, kSteepest);
 }
 
-void View::zoom_by(float clicks) { zoom = std::clamp(zoom * std::pow(kZoomPerClick, clicks), 0.25f, 50.0f); }
+void View::zoom_by(float clicks) { zoom = std::clamp(zoom * std::pow(kZoomPerClick, clicks), kFarthest, kClosest); }
 
 Camera camera_of(const View& view, const DomainBox& domain, float aspect) {
   Camera camera = domain.is_planar() ? frame_box(domain.min, domain.max, 2, aspect)

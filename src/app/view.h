@@ -12,6 +12,9 @@
 
 namespace ballpit {
 
+inline constexpr float kFarthest = 0.25f, kClosest = 50;  ///< zoom
+inline constexpr float kSmallestUi = 0.5f, kLargestUi = 3;
+
 struct View {
   float azimuth = kThreeQuarterAzimuth;      ///< [rad]
   float elevation = kThreeQuarterElevation;  ///< [rad]
@@ -20,6 +23,7 @@ struct View {
   std::string theme{themes().front().name};
   std::string coloring{coloring_table().front().name};
   int64_t selected = -1;  ///< a body, or −1
+  float ui_scale = 1;     ///< of the panel's text and widgets, from kSmallestUi to kLargestUi
 
   bool shows(std::string_view overlay) const;
   void toggle(std::string_view overlay);

@@ -33,14 +33,29 @@ void append_utf8(std::string& text, unsigned code) {
   }
 }
 
+/// A window much larger than its display was not meant, and would take memory that there may not be.
+void check_size(int width, int height) {
+  constexpr int kMostDisplays = 4;  // side by side
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (!mode) return;
+  const int most_wide = kMostDisplays * mode->width, most_high = kMostDisplays * mode->height;
+  if (width <= most_wide && height <= most_high) return;
+  glfwTerminate();
+  throw UserError("--size: found " + std::to_string(width) + "x" + std::to_string(height) + ", allowed at most " +
+                  std::to_string(most_wide) + "x" + std::to_string(most_high) + " on this display");
+}
+
 }  // namespace
 
 Window::Window(int width, int height, const std::string& title) {
   if (!glfwInit()) throw RunError("no window: " + glfw_reason() + "; ballpit render draws without a display");
+  check_size(width, height);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // so that a loss is told
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (!window_) {
@@ -125,6 +140,11 @@ int Window::height() const {
   int w = 0, h = 0;
   glfwGetFramebufferSize(window_, &w, &h);
   return h;
+}
+float Window::density() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return std::max(y, 1.0f);
 }
 void Window::show() { glfwSwapBuffers(window_); }
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }

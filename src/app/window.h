@@ -29,7 +29,7 @@ struct WindowEvents {
 
 class Window {
  public:
-  /// Throws RunError with GLFW's reason where there is no display or no OpenGL 4.5.
+  /// Throws UserError for a size beyond all displays, RunError with GLFW's reason where there is no display or no OpenGL 4.5.
   Window(int width, int height, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
@@ -42,7 +42,8 @@ class Window {
 
   int width() const;  ///< [pixel] of the framebuffer; 0 while the window is minimised
   int height() const;
-  void show();  ///< what was drawn
+  float density() const;  ///< pixels for each of an ordinary display's: 2 on many HiDPI ones
+  void show();            ///< what was drawn
   void set_title(const std::string& title);
 
  private:

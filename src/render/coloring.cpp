@@ -35,6 +35,11 @@ Colored on_scale(const std::vector<float>& values, const char* unit, bool starts
   return result;
 }
 
+/// All unmarked, since the method has nothing of the kind.
+Colored nothing_of(const Inspection& inspection, const char* lacking) {
+  return {std::vector<Mark>(static_cast<size_t>(inspection.bodies.count), Mark::none), "", "", lacking};
+}
+
 Colored by_contact(const Inspection& inspection) {
   return {contact_marks(inspection.bodies.count, inspection.contacts), "", ""};
 }
@@ -74,15 +79,27 @@ void for_each_listed(const Inspection& inspection, Visit&& visit) {
 }
 
 Colored by_cell(const Inspection& inspection) {
+  if (inspection.grids.empty()) return nothing_of(inspection, "this method has no cells");
   std::vector<float> shared(static_cast<size_t>(inspection.bodies.count), 0);
   for_each_listed(inspection, [&](size_t body, int, int count) { shared[body] = static_cast<float>(count); });
   return on_scale(shared, "", true);
 }
 
 Colored by_list(const Inspection& inspection) {
+  if (inspection.grids.empty()) return nothing_of(inspection, "this method has no cells");
   std::vector<float> place(static_cast<size_t>(inspection.bodies.count), 0);
   for_each_listed(inspection, [&](size_t body, int at, int) { place[body] = static_cast<float>(at); });
   return on_scale(place, "", true);
+}
+
+Colored by_work(const Inspection& inspection) {
+  if (inspection.work.empty()) return nothing_of(inspection, "this method has no thread for each sphere");
+  std::vector<float> work(static_cast<size_t>(inspection.bodies.count), 0);
+  for (size_t t = 0; t < inspection.work.size(); ++t) {
+    const int32_t body = inspection.worker[t];
+    if (body >= 0) work[static_cast<size_t>(body)] += static_cast<float>(inspection.work[t]);
+  }
+  return on_scale(work, "", true);
 }
 
 /// cividis at even distances.
@@ -103,11 +120,12 @@ Vec3 cividis(float part) {
 const std::vector<ColoringEntry>& coloring_table() {
   static const std::vector<ColoringEntry> table = {
       {"contact", "Contact: who touches", by_contact, {.state = false}},
-      {"speed", "Speed", by_speed},
-      {"size", "Radius", by_size},
-      {"contacts", "Number of contacts", by_touching},
-      {"cell", "Spheres in the same cell", by_cell},
-      {"list", "Place in the cell's list", by_list},
+      {"speed", "Speed", by_speed, {}},
+      {"size", "Radius", by_size, {}},
+      {"contacts", "Number of contacts", by_touching, {}},
+      {"cell", "Spheres in the same cell", by_cell, {}},
+      {"list", "Place in the cell's list", by_list, {}},
+      {"work", "Steps of the sphere's thread", by_work, {.work = true}},
   };
   return table;
 }
@@ -131,10 +149,16 @@ Vec3 color_of(const Theme& theme, int mark) {
 }
 
 void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter& painter) {
-  if (colored.low.empty()) return;
+  if (colored.low.empty() && colored.lacking.empty()) return;
   Sheet& sheet = painter.sheet;
   const float unit = sheet.unit(), width = 18 * unit, height = 26 * unit, margin = 24 * unit;
   const Rgba ink = to_rgba(painter.theme.text);
+  if (!colored.lacking.empty()) {
+    const Vec2 right(static_cast<float>(sheet.width()) - margin, margin);
+    sheet.text(right, kUpperRight, ink, coloring.label);
+    sheet.text(right + Vec2(0, sheet.size_of("0").y), kUpperRight, ink, colored.lacking, TextSize::small);
+    return;
+  }
   const Vec2 corner(static_cast<float>(sheet.width()) - margin - kScaleColors * width,
                     margin + sheet.size_of("0").y + 6 * unit);
   sheet.text(corner - Vec2(0, 6 * unit), kLowerLeft, ink, coloring.label);

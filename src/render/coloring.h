@@ -21,6 +21,7 @@ struct Painter;
 struct Colored {
   std::vector<Mark> marks;
   std::string low, high;
+  std::string lacking{};  ///< why there is nothing to show
 };
 
 struct ColoringEntry {
@@ -39,7 +40,7 @@ const ColoringEntry& coloring_named(std::string_view name);
 /// The colours of marks in their order.
 Vec3 color_of(const Theme& theme, int mark);
 
-/// The scale and what its ends mean, in the upper right corner.
+/// The scale and what its ends mean, or why there is none, in the upper right corner.
 void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter& painter);
 
 }  // namespace ballpit

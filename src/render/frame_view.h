@@ -29,6 +29,7 @@ struct FrameView {
   std::vector<std::string> overlays;  ///< names from overlay_table(), drawn in the table's order
   int64_t selected = -1;              ///< the body that the audience looks at, or −1
   std::string coloring = "contact";   ///< from coloring_table()
+  float step = 0;                     ///< [s] until contacts are sought again
   Wanted left_out{};        ///< what overlays want of the inspection, and it lacks, since it would be too much
   bool is_written = false;  ///< bodies and contact marks are in the renderer's buffer already; see body_writer.h
 };

@@ -109,6 +109,22 @@ std::vector<Candidate> candidates(int cuda_device) {
   return result;
 }
 
+/// `tells_loss`: whether a reset of the device is to be told by glGetGraphicsResetStatus(), which some drivers cannot do.
+EGLContext create_context(EGLDisplay display, EGLConfig config, bool tells_loss) {
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               4,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               5,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_CONTEXT_OPENGL_DEBUG,
+                               EGL_TRUE,
+                               tells_loss ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE,
+                               EGL_LOSE_CONTEXT_ON_RESET,
+                               EGL_NONE};
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+}
+
 /// The context, current; or EGL_NO_CONTEXT and the reason.
 EGLContext try_context(EGLDisplay display, std::string& reason) {
   const auto fail = [&reason](std::string why) {
@@ -129,16 +145,8 @@ EGLContext try_context(EGLDisplay display, std::string& reason) {
   if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count < 1) {
     return fail(egl_error("eglChooseConfig for OpenGL"));
   }
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                               4,
-                               EGL_CONTEXT_MINOR_VERSION,
-                               5,
-                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                               EGL_CONTEXT_OPENGL_DEBUG,
-                               EGL_TRUE,
-                               EGL_NONE};
-  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+  EGLContext context = create_context(display, config, true);
+  if (context == EGL_NO_CONTEXT) context = create_context(display, config, false);
   if (context == EGL_NO_CONTEXT) return fail(egl_error("eglCreateContext for OpenGL 4.5 core"));
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
     reason = egl_error("eglMakeCurrent");

@@ -39,6 +39,8 @@ const char* error_name(GLenum error) {
       return "GL_INVALID_FRAMEBUFFER_OPERATION";
     case GL_OUT_OF_MEMORY:
       return "GL_OUT_OF_MEMORY";
+    case GL_CONTEXT_LOST:
+      return "GL_CONTEXT_LOST";
     default:
       return "an unknown error";
   }
@@ -64,6 +66,9 @@ std::vector<std::string> GlDebug::take() {
 }
 
 void check_gl(const std::string& doing) {
+  if (glGetGraphicsResetStatus() != GL_NO_ERROR) {
+    throw RunError(doing + ": the OpenGL context is lost, since the driver has reset the graphics device; start again");
+  }
   std::vector<std::string> errors;
   // A lost context reports an error for ever.
   for (GLenum error = glGetError(); error != GL_NO_ERROR && errors.size() < 8; error = glGetError()) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
@@ -15,10 +17,12 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::array<float, 3> kSizes{22, 26, 38};  // [pixel] at 1080 lines
-constexpr float kSmallest = 9;                      // [pixel] below it letters are not read
-constexpr float kHead = 4.5f;                       // of an arrow, in widths of its line
-constexpr float kDots = 2.5f;                       // from one dot to the next, in widths
+constexpr std::array<float, 4> kSizes{22, 26, 38, 22};  // [pixel] at 1080 lines, as TextSize names them
+constexpr float kSmallest = 9;                          // [pixel] below it letters are not read
+constexpr float kLargest = 128;  // [pixel] larger letters are these, magnified: all of them take memory
+constexpr float kFine = 64;      // [pixel] up to it letters are sampled twice across
+constexpr float kHead = 4.5f;    // of an arrow, in widths of its line
+constexpr float kDots = 2.5f;    // from one dot to the next, in widths
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
@@ -35,9 +39,19 @@ const ImVector<ImWchar>& glyph_ranges() {
   return ranges;
 }
 
+/// ImGui uses what it allocates without a look; a lack of memory must not come that far.
+ImGuiContext* make_context() {
+  const auto allocate = [](size_t size, void*) {
+    if (void* const memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+  };
+  ImGui::SetAllocatorFunctions(allocate, [](void* memory, void*) { std::free(memory); });
+  return ImGui::CreateContext();
+}
+
 }  // namespace
 
-Sheet::Sheet() : context_(ImGui::CreateContext()) {
+Sheet::Sheet() : context_(make_context()) {
   ImGui::SetCurrentContext(context_);
   ImGui::GetIO().IniFilename = nullptr;  // a panel's state survives only if asked
   if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
@@ -61,16 +75,27 @@ void Sheet::load_fonts() {
   atlas.Clear();
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
-  config.OversampleH = 2;
   for (size_t k = 0; k < fonts_.size(); ++k) {
-    const float size = std::max(kSmallest, std::round(kSizes[k] * unit()));
-    fonts_[k] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(roboto()), static_cast<int>(roboto_size()), size,
+    const bool is_panel = k == static_cast<size_t>(TextSize::panel);
+    const float least = kSmallest * (is_panel ? panel_density_ : 1), scale = is_panel ? panel_scale_ : 1;
+    const float size = std::max(least, std::round(kSizes[k] * unit() * scale)), drawn = std::min(size, kLargest);
+    config.OversampleH = drawn <= kFine ? 2 : 1;
+    fonts_[k] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(roboto()), static_cast<int>(roboto_size()), drawn,
                                            &config, glyph_ranges().Data);
+    fonts_[k]->Scale = size / drawn;
   }
-  ImGui::GetIO().FontDefault = fonts_[0];
+  ImGui::GetIO().FontDefault = font(TextSize::panel);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   if (!ImGui_ImplOpenGL3_CreateFontsTexture()) throw RunError("OpenGL has no memory for the letters");
   font_height_ = height_;
+}
+
+void Sheet::scale_panel(float scale, float density) {
+  if (scale == panel_scale_ && density == panel_density_) return;
+  panel_scale_ = scale;
+  panel_density_ = density;
+  ImGui::SetCurrentContext(context_);
+  load_fonts();
 }
 
 /// What ImGui::NewFrame() tells draw lists; a sheet has no frame of ImGui's. Without it, lines have no colour.
@@ -116,14 +141,15 @@ void Sheet::draw() {
 
 Vec2 Sheet::size_of(std::string_view text, TextSize size) const {
   const ImFont* font = this->font(size);
-  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, INFINITY, 0, text.data(), text.data() + text.size());
+  const ImVec2 extent =
+      font->CalcTextSizeA(font->FontSize * font->Scale, INFINITY, 0, text.data(), text.data() + text.size());
   return {extent.x, extent.y};
 }
 
 void Sheet::text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size) {
   const Vec2 corner = at - Vec2(anchor.x, anchor.y) * size_of(text, size);
   const ImFont* font = this->font(size);
-  list_->AddText(font, font->FontSize, {std::round(corner.x), std::round(corner.y)}, color, text.data(),
+  list_->AddText(font, font->FontSize * font->Scale, {std::round(corner.x), std::round(corner.y)}, color, text.data(),
                  text.data() + text.size());
 }
 

@@ -21,8 +21,8 @@ struct ImFont;
 
 namespace ballpit {
 
-/// Sizes at 1080 lines: 22, 26 and 38 pixels; in proportion at others, and never below 9.
-enum class TextSize { small, normal, title };
+/// Sizes at 1080 lines: 22, 26 and 38 pixels, and a panel's, 22 unless scaled; in proportion at others, and never below 9.
+enum class TextSize { small, normal, title, panel };
 
 /// Which point of a text, or of anything with a width and a height, a place tells: fractions of both, from the upper left.
 struct Anchor {
@@ -61,6 +61,10 @@ class Sheet {
   void disc(Vec2 centre, float radius, Rgba fill);
   void ring(Vec2 centre, float radius, Rgba color, float width);
 
+  /// Makes a panel's text, ImGui's default, larger or smaller: `scale` times, and `density` pixels for each at the least that
+  /// a display with more of them to the inch needs. Not within a frame of ImGui's.
+  void scale_panel(float scale, float density = 1);
+
   /// For the panel: current while it is drawn.
   ImGuiContext* context() const { return context_; }
   ImFont* font(TextSize size) const { return fonts_[static_cast<size_t>(size)]; }
@@ -71,7 +75,8 @@ class Sheet {
 
   ImGuiContext* context_;
   std::unique_ptr<ImDrawList> list_;
-  std::array<ImFont*, 3> fonts_{};
+  std::array<ImFont*, 4> fonts_{};
+  float panel_scale_ = 1, panel_density_ = 1;
   int width_ = 0, height_ = 0, left_ = 0, font_height_ = 0;
 };
 

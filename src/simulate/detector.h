@@ -48,6 +48,18 @@ struct NearPairs {
   bool are_contacts;      ///< and nothing else
 };
 
+/// Kernel: the body that thread t walks for, or −1.
+template <class Candidates>
+struct NameWorker {
+  Candidates candidates;
+  Span<int> worker;
+
+  HOST_DEVICE void operator()(int t) const {
+    const int slot = candidates.slot_of(t);
+    worker[t] = slot >= 0 ? candidates.slots().body[slot] : -1;
+  }
+};
+
 template <class V, class Exec>
 class Detector {
   using BroadPhase = std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
@@ -152,6 +164,11 @@ class Detector {
     return std::visit([&](auto& method) { return work_of(exec, method); }, broad_phase_);
   }
 
+  /// The body that each thread of the last search walked for, or −1.
+  std::vector<int> body_per_thread(Exec& exec) const {
+    return std::visit([&](auto& method) { return workers_of(exec, method.candidates()); }, broad_phase_);
+  }
+
   int64_t bytes() const {
     return std::visit([](auto& method) { return method.bytes(); }, broad_phase_) + list_search_.bytes() +
            range_search_.bytes() + list_filter_.bytes() + rows_.bytes() + list_.bytes();
@@ -230,6 +247,21 @@ class Detector {
       return exec.download(work.span());
     } else {
       return exec.download(list_search_.tested());
+    }
+  }
+
+  /// A search without slots has a thread for each body, in their order.
+  template <class Candidates>
+  std::vector<int> workers_of(Exec& exec, const Candidates& candidates) const {
+    if constexpr (GivesRanges<Candidates>) {
+      typename Exec::template Buffer<int> worker;
+      worker.resize(candidates.threads());
+      exec.parallel_for("name workers", worker.size(), NameWorker<Candidates>{candidates, worker.span()});
+      return exec.download(worker.span());
+    } else {
+      std::vector<int> worker(static_cast<size_t>(list_search_.tested().size()));
+      std::iota(worker.begin(), worker.end(), 0);
+      return worker;
     }
   }
 

@@ -35,7 +35,10 @@ void inspect_more(StepState<V, Exec>& state, const Wanted& wanted, Inspection& s
     detector.find(exec, state.bodies());
     if (wanted.candidates) seen.candidates = detector.candidate_pairs(exec, state.bodies());
     if (wanted.endpoints) detector.inspect_sweep(exec, state.bodies(), seen);
-    if (wanted.work) seen.work = detector.work_per_thread(exec);
+    if (wanted.work) {
+      seen.work = detector.work_per_thread(exec);
+      seen.worker = detector.body_per_thread(exec);
+    }
   }
   if (wanted.missed) seen.missed = missed_pairs(state, seen.contacts);
   exec.stage_times() = times;

@@ -37,7 +37,8 @@ struct BodyShape {
   int64_t count = 0;
   int dimensions = 3;
   bool has_equal_radii = true;
-  float radius = 0;  ///< [m] of all, or the largest
+  float radius = 0;    ///< [m] of all, or the largest
+  float smallest = 0;  ///< [m] radius
 };
 
 /// Memory of a world's own processor that a vertex shader reads, for bodies in the order of their ids.
@@ -93,6 +94,7 @@ struct Inspection {
   int axis = -1;                    ///< along which sort-and-sweep sorts: 0, 1, 2; −1 for other methods
   std::vector<Endpoint> endpoints;  ///< its sorted list, by `at`
   std::vector<int> work;            ///< candidates that each thread walks over
+  std::vector<int32_t> worker;      ///< the body that each thread walks for; −1 for one that has nothing to do
 };
 
 }  // namespace ballpit

@@ -140,6 +140,7 @@ inline void name_by_id(Inspection& inspection, const std::vector<int>& id_at) {
   for (auto* const pairs : {&inspection.contacts, &inspection.candidates, &inspection.missed})
     name_by_id(*pairs, id_at);
   for (Endpoint& endpoint : inspection.endpoints) endpoint.body = id(endpoint.body);
+  for (int32_t& body : inspection.worker) body = id(body);
   for (GridInspection& grid : inspection.grids) {
     for (int32_t& head : grid.head) head = id(head);
     std::vector<int32_t> next(grid.next.size());

@@ -189,7 +189,7 @@ class StepState {
 
   std::vector<Real> radii() const { return downloaded(radius_); }
 
-  BodyShape shape() const { return {count(), kDimensions<V>, radius_.size() == 1, largest_radius_}; }
+  BodyShape shape() const { return {count(), kDimensions<V>, radius_.size() == 1, largest_radius_, smallest_radius_}; }
 
   /// Memory of the bodies themselves.
   int64_t bytes() const { return position.bytes() + velocity.bytes() + radius_.bytes() + inverse_mass_.bytes(); }
@@ -222,8 +222,11 @@ class StepState {
     std::vector<double> inverse_mass;
     for (const double mass : bodies.mass) inverse_mass.push_back(1.0 / mass);
     upload_per_body(radius_, bodies.radius);
-    for (const double radius : bodies.radius) largest_radius_ = std::max(largest_radius_, static_cast<float>(radius));
     upload_per_body(inverse_mass_, inverse_mass);
+    if (bodies.radius.empty()) return;
+    const auto [least, most] = std::minmax_element(bodies.radius.begin(), bodies.radius.end());
+    smallest_radius_ = static_cast<float>(*least);
+    largest_radius_ = static_cast<float>(*most);
   }
 
   /// One number where all are equal, else one each.
@@ -260,8 +263,8 @@ class StepState {
   SpatialOrder<V, Exec> order_;
   ContactList<V, Exec> list_;
   Buffer<Real> radius_, inverse_mass_, scalar_spare_, grown_;
-  float largest_radius_ = 0;  // [m]
-  Buffer<V> spare_;           // for sorting
+  float largest_radius_ = 0, smallest_radius_ = 0;  // [m]
+  Buffer<V> spare_;                                 // for sorting
   ContactList<V, Exec> near_list_;
   NearPairs near_pairs_;
   int64_t linked_version_ = -1;

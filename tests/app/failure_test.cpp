@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "render/gl_context.h"
 #include "tests/app/run_program.h"
 
 using namespace ballpit;
@@ -88,6 +89,19 @@ TEST_CASE("a lack of memory is told, with what needs less") {
     CHECK_THAT(failure_of({"simulate", scratch / "many.toml", "--time", "0"}, {megabytes * 1'000'000, ""}),
                Contains("out of memory") && Contains("--count"));
   }
+}
+
+TEST_CASE("a picture that there is no memory for is told, whether OpenGL lacks it or the program") {
+  if (is_sanitized() || !GlContext().info().software) return;  // a graphics device has memory of its own
+  const Scratch scratch;
+  const std::vector<std::string> huge{"render",   "two-spheres", "--size", "16384x16384",
+                                      "--frames", "1",           "--out",  scratch / "film"};
+  CHECK_THAT(failure_of(huge, {1'200'000'000, ""}), Contains("16384x16384") && Contains("GL_OUT_OF_MEMORY"));
+  CHECK_THAT(failure_of(huge, {3'400'000'000, ""}), Contains("out of memory") && Contains("--size"));
+  const Outcome larger = run_program({"render", "two-spheres", "--size", "16384x16384", "--supersample", "4",
+                                      "--frames", "1", "--out", scratch / "film"});
+  CHECK(larger.status == 2);
+  CHECK_THAT(larger.err, Contains("cannot draw a picture of 65536x65536 pixels; each side may be 1 to "));
 }
 
 TEST_CASE("a sphere that leaves the domain stops the run with its number and the step") {

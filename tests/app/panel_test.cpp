@@ -4,50 +4,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/random.h"
-#include "render/gl_context.h"
-#include "render/renderer.h"
+#include "tests/app/desk.h"
+#include "tests/render/picture_compare.h"
 
 using namespace ballpit;
-
-namespace {
-
-/// A panel over a small picture, and a hand.
-class Desk {
- public:
-  explicit Desk(const std::string& scene = "lecture-grid") : demo(scene, {{"threads", "1"}}) { rest(); }
-
-  void frame(const PanelInput& input) {
-    renderer.set_options({theme_named(demo.view.theme), 1, Panel::width_in(kWidth, kHeight)});
-    renderer.draw(demo.frame_view(1));
-    panel.draw(demo, input);
-  }
-  void rest() {
-    frame(PanelInput{});
-    frame(PanelInput{});
-  }
-  bool has(const std::string& name) const { return panel.items().count(name) > 0; }
-  void click_at(Vec2 at) {
-    for (const bool is_down : {false, true, false}) frame(PanelInput{.mouse = at, .is_down = is_down});
-    rest();
-  }
-  void click(const std::string& name) {
-    INFO(name);
-    REQUIRE(has(name));
-    panel.reveal(name);
-    rest();
-    click_at(panel.items().at(name).middle());
-  }
-
-  static constexpr int kWidth = 1280, kHeight = 720;
-
-  GlContext context;
-  Demo demo;
-  Renderer renderer{kWidth, kHeight};
-  Panel panel{renderer.sheet()};
-};
-
-}  // namespace
 
 TEST_CASE("a click on a method's name switches to it, and shows its options alone") {
   Desk desk;
@@ -108,6 +68,78 @@ TEST_CASE("a slider that is dragged takes effect when it is let go") {
   CHECK(desk.demo.session.settings().cell_size.value() < 1);
 }
 
+TEST_CASE("of the picked sphere the panel tells what its method keeps of it") {
+  Desk desk;
+  CHECK_FALSE(desk.has("row place"));
+  desk.demo.view.selected = 0;
+  desk.demo.touch();
+  desk.rest();
+  for (const char* row :
+       {"row place", "row touches", "row candidates", "row cell", "row its list", "row place in it"}) {
+    CHECK(desk.has(row));
+  }
+  CHECK_FALSE(desk.has("row interval"));
+  desk.click("broadphase sort-and-sweep");
+  CHECK(desk.has("row interval"));
+  CHECK(desk.has("row in the sorted list"));
+  CHECK_FALSE(desk.has("row cell"));
+  desk.click("broadphase brute-force");
+  CHECK_FALSE(desk.has("row interval"));
+  CHECK_FALSE(desk.has("row cell"));
+  CHECK(desk.has("row candidates"));
+}
+
+TEST_CASE("what is to be exported is asked for by clicks") {
+  Desk desk;
+  desk.click("save state");
+  CHECK(desk.panel.wishes.state);
+  CHECK_FALSE(desk.panel.wishes.picture);
+  desk.click("save");
+  CHECK(desk.panel.wishes.picture);
+  desk.click("film size");
+  desk.click("film size 640x360");
+  CHECK(desk.panel.wishes.film_size == "640x360");
+  CHECK_FALSE(desk.panel.wishes.film);
+  desk.click("film");
+  CHECK(desk.panel.wishes.film);
+}
+
+TEST_CASE("the history is that of the steps up to the present one, also after going back") {
+  Desk desk;
+  for (int k = 0; k < 30; ++k) {
+    desk.demo.step();
+    desk.rest();
+  }
+  REQUIRE(desk.demo.history().size() == 31);
+  CHECK(desk.demo.history().back().step == 30);
+  CHECK(desk.demo.history().front().energy_drift == 0);
+  desk.demo.go_to(12);
+  desk.rest();
+  CHECK(desk.demo.history().size() == 13);
+  CHECK(desk.demo.history().back().step == 12);
+  desk.click("broadphase brute-force");
+  CHECK(desk.demo.history().size() == 1);
+}
+
+TEST_CASE("the panel grows with its scale, and leaves half of a picture to the scene at least") {
+  Desk desk;
+  const auto height = [&] {
+    const ItemRect rect = desk.panel.items().at("pause");
+    return rect.high.y - rect.low.y;
+  };
+  const float before = height();
+  desk.demo.view.ui_scale = 2;
+  desk.rest();
+  CHECK(height() == Approx(2 * before).epsilon(0.1));
+  desk.click("broadphase brute-force");  // items lie where they are drawn
+  CHECK(desk.demo.session.settings().broadphase == "brute-force");
+  desk.demo.view.ui_scale = 0.5f;
+  desk.rest();
+  CHECK(height() < 0.8f * before);
+  CHECK(Panel::width_in(1920, 1080, 3) == 960);
+  CHECK(Panel::width_in(1920, 1080, 0.5f) == 235);
+}
+
 TEST_CASE("another scene is chosen from the list") {
   Desk desk;
   desk.click("scene");
@@ -120,32 +152,29 @@ TEST_CASE("the panel leaves two thirds of a picture to the scene") {
   CHECK(Panel::width_in(300, 1080) == 100);
 }
 
-TEST_CASE("no sequence of clicks and keys at random ends the demonstration") {
-  Desk desk;
-  Random random(7);
-  for (int k = 0; k < 300; ++k) {
-    if (random.uniform(0, 1) < 0.3) {
-      const auto keys = key_table();
-      desk.demo.perform(keys[static_cast<size_t>(random.uniform(0, double(keys.size()) - 1e-9))]);
-    } else {
-      const auto& items = desk.panel.items();
-      auto item = items.begin();
-      std::advance(item, static_cast<long>(random.uniform(0, double(items.size()) - 1e-9)));
-      const std::string name = item->first;
-      if (name == "scene" || name.rfind("scene ", 0) == 0) continue;  // some take long to fill
-      desk.panel.reveal(name);
-      desk.rest();
-      if (!desk.has(name)) continue;
-      const ItemRect rect = desk.panel.items().at(name);
-      const auto part = [&] { return static_cast<float>(random.uniform(0.02, 0.98)); };
-      const Vec2 at = rect.low + Vec2(part(), part()) * (rect.high - rect.low);
-      for (const bool is_down : {false, true, false}) desk.frame(PanelInput{.mouse = at, .is_down = is_down});
-    }
-    desk.demo.advance(0.01, 0.02);
-    CAPTURE(k, desk.demo.message());
+TEST_CASE("golden: the panel in both themes, as it begins and with a picked sphere") {
+  Desk desk("lecture-grid", 1024, 720);
+  for (int k = 0; k < 60; ++k) {
+    desk.demo.step();
+    (void)desk.demo.report();  // a point of the histories each
   }
-  desk.rest();
-  CHECK(desk.has("pause"));
+  desk.click("section Cost");  // fold times, which no two runs have alike
+  for (const char* theme : {"projector", "dark"}) {
+    desk.demo.view.theme = theme;
+    desk.demo.view.selected = -1;
+    desk.demo.touch();
+    desk.panel.reveal("scene");
+    desk.rest();
+    desk.rest();
+    CHECK(compare_with_golden(std::string("panel_").append(theme), desk.renderer.read_pixels()) == "");
+    desk.demo.view.selected = 9;
+    desk.demo.touch();
+    desk.rest();
+    desk.panel.reveal("row place");
+    desk.rest();
+    desk.rest();
+    CHECK(compare_with_golden(std::string("panel_picked_").append(theme), desk.renderer.read_pixels()) == "");
+  }
 }
 
 TEST_CASE("a click on a point of the chart returns to its settings") {

@@ -26,6 +26,20 @@ class Scratch {
   std::filesystem::path path_;
 };
 
+/// The current folder, until its end.
+class Within {
+ public:
+  explicit Within(const std::filesystem::path& folder) : before_(std::filesystem::current_path()) {
+    std::filesystem::current_path(folder);
+  }
+  ~Within() { std::filesystem::current_path(before_); }
+  Within(const Within&) = delete;
+  Within& operator=(const Within&) = delete;
+
+ private:
+  std::filesystem::path before_;
+};
+
 struct Outcome {
   int status = 0;  ///< exit status, or 128 + the signal that ended it
   std::string out, err;

@@ -57,6 +57,31 @@ kill -0 $show || fail "the program ended"
 kill -INT $show
 wait $show || fail "exit status $?"
 [[ ! -s log ]] || fail "it said something"
+
+# Anew, with what was remembered; a file that cannot be read is told, and nothing else happens.
+program=$1
+export XDG_CONFIG_HOME=$PWD/config
+begin() {
+  "$program" show --threads 2 "$@" 2> log &
+  show=$!
+  for _ in $(seq 100); do
+    window=$(xdotool search --onlyvisible --pid $show 2> /dev/null | tail -1) && [[ -n $window ]] && break
+    kill -0 $show 2> /dev/null || fail "the program ended"
+    sleep 0.1
+  done
+  xdotool windowfocus "$window"
+}
+end() { kill -INT $show; wait $show || fail "exit status $?"; }
+begin lecture-grid --remember --size 640x480; expect_title "linked-cell"; xdotool key 2 t; expect_title "sort-and-sweep"; end
+grep -q '"broadphase": "sort-and-sweep"' config/ballpit/show.json && grep -q '"theme": "dark"' config/ballpit/show.json || fail "not remembered"
+begin --remember; expect_title "20 spheres, sort-and-sweep"; end
+[[ ! -s log ]] || fail "it said something"
+begin lecture-grid; expect_title "linked-cell"; end
+echo "{" > config/ballpit/show.json
+begin lecture-grid --remember --size 640x480; expect_title "linked-cell"; end
+[[ $(wc -l < log) == 1 ]] && grep -q "note: nothing is remembered: .*show.json" log || fail "no note"
+status=0; "$program" show --size 16384x16384 2> log || status=$?
+[[ $status == 2 && $(wc -l < log) == 1 ]] && grep -q -- "--size: found 16384x16384, allowed at most 5120x4096 on this display" log || fail "no line of the size"
 HANDS
 timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24" bash hands.sh "$program" || { echo "status $?"; exit 1; }
 

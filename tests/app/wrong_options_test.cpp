@@ -201,6 +201,12 @@ TEST_CASE("overlays and themes that do not exist are refused with those that do"
              Contains("--theme: found magic, allowed projector, dark"));
   CHECK_THAT(error_of(with(valid("render"), {"--theme", ""})),
              Contains("--theme: found nothing, allowed projector, dark"));
+  CHECK_THAT(error_of(with(valid("render"), {"--panel", "--ui-scale", "9"})),
+             Contains("--ui-scale: found 9, allowed a number from 0.5 to 3"));
+  CHECK_THAT(error_of({"show", "--ui-scale", "nan"}),
+             Contains("--ui-scale: found nan, allowed a number from 0.5 to 3"));
+  CHECK_THAT(error_of(with(valid("render"), {"--ui-scale", "2"})),
+             Contains("--ui-scale: found without --panel, allowed together with it"));
 }
 
 TEST_CASE("observables that do not exist are refused with those that do") {

@@ -112,6 +112,7 @@ TEST_CASE("CUDA shows the candidates, missed pairs, endpoints and work that the 
     CHECK(cuda.endpoints[p].is_end == cpu.endpoints[p].is_end);
   }
   CHECK(cuda.work == cpu.work);
+  CHECK(cuda.worker == cpu.worker);
 }
 
 TEST_CASE("the state on CUDA has the bits that it has on the CPU, by every broad phase, with a skin and without") {

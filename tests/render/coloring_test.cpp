@@ -25,6 +25,8 @@ Inspection four() {
   grid.head = {3, 2};
   grid.next = {-1, 0, -1, 1};
   inspection.grids = {grid};
+  inspection.work = {2, 0, 8, 0, 4};  // as the sweep's threads: one that has nothing to do among them
+  inspection.worker = {1, 0, 3, -1, 2};
   return inspection;
 }
 
@@ -42,6 +44,7 @@ TEST_CASE("a quantity's least and largest values have the ends of the scale") {
   CHECK(steps("contacts") == std::vector<int>{15, 8, 0, 8});
   CHECK(steps("cell") == std::vector<int>{15, 15, 5, 15});
   CHECK(steps("list") == std::vector<int>{15, 8, 0, 0});
+  CHECK(steps("work") == std::vector<int>{0, 4, 8, 15});
   const Colored speed = coloring_named("speed").color(four());
   CHECK(speed.low == "0 m/s");
   CHECK(speed.high == "4 m/s");
@@ -54,6 +57,18 @@ TEST_CASE("spheres at rest, of one size, or none at all have a colour") {
   for (const ColoringEntry& entry : coloring_table()) {
     CHECK(entry.color(still).marks.size() == 4);
     CHECK(entry.color(Inspection{}).marks.empty());
+  }
+}
+
+TEST_CASE("where a method has no cells or threads, no sphere is coloured by them, and the legend says so") {
+  Inspection bare = four();
+  bare.grids.clear();
+  bare.work.clear();
+  for (const char* name : {"cell", "list", "work"}) {
+    const Colored colored = coloring_named(name).color(bare);
+    CHECK(colored.marks == std::vector<Mark>(4, Mark::none));
+    CHECK_THAT(colored.lacking, Catch::Contains("this method has no"));
+    CHECK(coloring_named(name).color(four()).lacking.empty());
   }
 }
 
@@ -75,10 +90,10 @@ TEST_CASE("the scale grows lighter from step to step, in both themes") {
 }
 
 TEST_CASE("a colouring that does not exist is refused with those that do") {
-  CHECK_THROWS_WITH(coloring_named("mood"), Catch::Contains("contact, speed, size, contacts, cell, list"));
+  CHECK_THROWS_WITH(coloring_named("mood"), Catch::Contains("contact, speed, size, contacts, cell, list, work"));
 }
 
-TEST_CASE("golden: a cloud coloured by radius, with its legend, and on dark by speed") {
+TEST_CASE("golden: a cloud coloured by radius, speed and work, with legends, and by what a method does not have") {
   const DomainBox box;
   Inspection cloud = inspect(read_spheres(BALLPIT_GOLDEN_FOLDER "/cloud.csv"), box);
   FrameView view = view_of(cloud, box, 16.0f / 9);
@@ -87,4 +102,12 @@ TEST_CASE("golden: a cloud coloured by radius, with its legend, and on dark by s
   cloud.bodies.velocity = cloud.bodies.position;
   view.coloring = "speed";
   CHECK(compare_with_golden("color_speed_dark", draw(view, 640, 360, {theme_named("dark"), 1})) == "");
+  for (int32_t i = 0; i < static_cast<int32_t>(cloud.bodies.count); ++i) {  // as brute force: 0 walks furthest
+    cloud.work.push_back(static_cast<int>(cloud.bodies.count) - 1 - i);
+    cloud.worker.push_back(i);
+  }
+  view.coloring = "work";
+  CHECK(compare_with_golden("color_work", draw(view, 640, 360)) == "");
+  cloud.work.clear();
+  CHECK(compare_with_golden("color_lacking_dark", draw(view, 640, 360, {theme_named("dark"), 1})) == "");
 }

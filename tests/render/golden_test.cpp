@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pictures of stored states against tests/golden. After a change that is meant to show:
 //     BALLPIT_BLESS=1 ctest --test-dir build/release -R golden
+#include <algorithm>
+#include <filesystem>
+
 #include <catch2/catch.hpp>
 
 #include "picture_compare.h"
@@ -56,4 +59,28 @@ TEST_CASE("the comparison of pictures sees a missing sphere, but not rounding") 
   spheres.erase(nearest);
   const Inspection fewer = inspect(spheres, kBox);
   CHECK(worst_block(draw(view_of(fewer, kBox, kAspect), kWidth, kHeight), whole) > 8);
+}
+
+TEST_CASE("the comparison of pictures sees a grid line that is shifted by a twentieth of a cell") {
+  const Inspection plane = stored("plane", kPlane, 1);
+  Inspection shifted = plane;
+  shifted.grids[0].origin.x += 0.05f;
+  const Image expected = draw(view_of(plane, kPlane, kAspect, {"grid"}), kWidth, kHeight);
+  CHECK(worst_block(draw(view_of(shifted, kPlane, kAspect, {"grid"}), kWidth, kHeight), expected) > 8);
+}
+
+TEST_CASE("pictures that differ are written side by side: actual, expected, and where they differ in red") {
+  Image expected{4, 3, std::vector<uint8_t>(4 * 3 * 4, 200)}, actual = expected;
+  std::fill_n(actual.pixels.begin(), 3 * 4 * 3, uint8_t{0});
+  CHECK(compare_pictures("side-by-side", expected, expected) == "");
+  const std::string file = (std::filesystem::current_path() / "golden-failures" / "side-by-side.png").string();
+  CHECK_THAT(compare_pictures("side-by-side", actual, expected), Catch::Contains(file));
+  const Image row = read_png(file);
+  REQUIRE(row.width == 3 * 4 + 2 * 8);
+  CHECK(row.pixel(0, 0)[0] == 0);
+  CHECK(row.pixel(12, 0)[0] == 200);
+  CHECK(row.pixel(24, 0)[0] == 255);
+  CHECK(row.pixel(24, 0)[1] == 0);
+  CHECK(row.pixel(27, 2)[1] == 192 + 200 / 4);
+  std::filesystem::remove(file);
 }

@@ -112,6 +112,22 @@ TEST_CASE("golden: velocities, on both grounds") {
   CHECK(compare("velocity_cloud_dark", stored("cloud", kBox, 0), kBox, {"velocity"}, "dark") == "");
 }
 
+TEST_CASE("golden: swept ways that lead past others, planar and spatial") {
+  const auto compare_swept = [](const std::string& name, const std::vector<Sphere>& spheres, const DomainBox& domain,
+                                const std::vector<float>& velocity, const char* theme) {
+    Inspection inspection = inspect(spheres, domain);
+    inspection.bodies.velocity = velocity;
+    FrameView view = view_of(inspection, domain, kAspect, {"swept"});
+    view.step = 0.5f;
+    return compare_with_golden(name, draw(view, kWidth, kHeight, {theme_named(theme), 1}));
+  };
+  CHECK(compare_swept("swept_plane", {{{0.7f, 2.6f, 0}, 0.3f}, {{2.5f, 2.5f, 0}, 0.5f}, {{4, 1, 0}, 0.4f}}, kPlane,
+                      {7, 0, 0, 0, -1, 2}, "projector") == "");
+  CHECK(compare_swept("swept_box_dark",
+                      {{{0.2f, 0.5f, 0.5f}, 0.06f}, {{0.5f, 0.5f, 0.5f}, 0.12f}, {{0.7f, 0.8f, 0.3f}, 0.1f}}, kBox,
+                      {1.2f, 0, 0, 0, 0, 0, 0.2f, -0.9f, 0.4f}, "dark") == "");
+}
+
 TEST_CASE("the comparison of pictures sees a label that is missing or moved, and a shifted line") {
   const Inspection plane = stored("plane", kPlane, 1);
   const FrameView view = view_of(plane, kPlane, kAspect, {"grid", "labels"});

@@ -8,6 +8,7 @@
 #include "render/overlays/lists.h"
 #include "render/overlays/pairs.h"
 #include "render/overlays/selection.h"
+#include "render/overlays/swept.h"
 #include "render/overlays/velocity.h"
 #include "render/painter.h"
 #include "test_scenes.h"
@@ -131,6 +132,31 @@ TEST_CASE("the fastest sphere's arrow is a twelfth of the picture long and ends 
   CHECK_FALSE(is_drawn(centre.x - 3));
 }
 
+TEST_CASE("a swept way runs beside the sphere's path, and ends with a ring where the step ends") {
+  Inspection inspection = three();
+  inspection.contacts.clear();
+  inspection.bodies.velocity = {0, 0, 0, 0, -8, 0};
+  FrameView view = view_of(inspection, kPlane, 1, {"swept"});
+  const Image plain = draw(view, kSize, kSize);
+  view.step = 0.2f;
+  const Image image = draw(view, kSize, kSize);
+  CHECK(longest_way(view) == Approx(2));
+  const auto is_drawn = [&](float x, float y) {
+    const Vec2 at = place(view, {x, y, 0});
+    const Vec3& ink = kTheme.text;  // of a line about a pixel wide
+    return nearest_difference(image, at, ink, 1) < 120 && nearest_difference(plain, at, ink, 1) > 120;
+  };
+  for (const float y : {3.9f, 4.7f}) {  // 1.6 m to the left of (2.5, 4.3), 0.4 m on both sides
+    CHECK(is_drawn(2.0f, y));
+    CHECK(is_drawn(1.2f, y));
+    CHECK_FALSE(is_drawn(0.3f, y));
+    CHECK_FALSE(is_drawn(2.9f, y));
+  }
+  CHECK(is_drawn(0.5f, 4.3f));
+  CHECK(is_drawn(1.3f, 4.3f));
+  CHECK_FALSE(is_drawn(0.3f, 4.3f));
+}
+
 TEST_CASE("the block of a sphere are the 3 x 3 cells around its own, as far as the grid goes") {
   const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}, {{0.5f, 4.5f, 0}, 0.1f}}, kPlane, 1);
   const GridInspection& grid = inspection.grids[0];
@@ -165,7 +191,7 @@ TEST_CASE("a block ends with the list: a sphere that no cell lists has none") {
 TEST_CASE("overlays without their data draw nothing") {
   const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane);
   const Image plain = draw(view_of(inspection, kPlane, 1), 90, 90);
-  for (const char* name : {"intervals", "lists", "velocity", "grid"}) {
+  for (const char* name : {"intervals", "lists", "velocity", "swept", "grid"}) {
     CHECK(draw(view_of(inspection, kPlane, 1, {name}), 90, 90).pixels == plain.pixels);
   }
 }

@@ -48,6 +48,23 @@ Image difference_picture(const Image& actual, const Image& expected) {
   return diff;
 }
 
+/// Pictures of one size in a row, with a gap between.
+Image side_by_side(const std::vector<Image>& pictures) {
+  constexpr int kGap = 8;
+  Image row;
+  row.height = pictures.front().height;
+  row.width = static_cast<int>(pictures.size()) * (pictures.front().width + kGap) - kGap;
+  row.pixels.assign(static_cast<size_t>(row.width) * static_cast<size_t>(row.height) * 4, 128);
+  int left = 0;
+  for (const Image& picture : pictures) {
+    for (int y = 0; y < row.height; ++y) {
+      std::copy_n(picture.pixel(0, y), picture.width * 4, row.pixels.data() + (y * row.width + left) * 4);
+    }
+    left += picture.width + kGap;
+  }
+  return row;
+}
+
 }  // namespace
 
 int worst_block(const Image& actual, const Image& expected) {
@@ -82,16 +99,18 @@ std::string compare_with_golden(const std::string& name, const Image& actual) {
     write_png(golden, actual);
     return "";
   }
-  const Image expected = read_png(golden);
-  if (expected.width != actual.width || expected.height != actual.height) return name + ": other size than " + golden;
+  return compare_pictures(name, actual, read_png(golden));
+}
+
+std::string compare_pictures(const std::string& name, const Image& actual, const Image& expected) {
+  if (expected.width != actual.width || expected.height != actual.height) return name + ": of another size";
   const int worst = worst_block(actual, expected);
   if (worst <= 8) return "";
   const std::filesystem::path folder = std::filesystem::current_path() / "golden-failures";
   std::filesystem::create_directories(folder);
-  write_png(folder / (name + ".actual.png"), actual);
-  write_png(folder / (name + ".expected.png"), expected);
-  write_png(folder / (name + ".diff.png"), difference_picture(actual, expected));
-  return name + ": " + std::to_string(worst) + " of 64 pixels of a block differ (8 may); see " + folder.string();
+  const std::string file = (folder / (name + ".png")).string();
+  write_png(file, side_by_side({actual, expected, difference_picture(actual, expected)}));
+  return name + ": " + std::to_string(worst) + " of 64 pixels of a block differ (8 may); see " + file;
 }
 
 }  // namespace ballpit

@@ -13,9 +13,12 @@ namespace ballpit {
 /// pictures differ.
 int worst_block(const Image& actual, const Image& expected);
 
-/// Compares with tests/golden/<name>.png and returns "" if they look the same. Otherwise writes
-/// <name>.actual.png, .expected.png and .diff.png into golden-failures/ and says so. With BALLPIT_BLESS set,
-/// `actual` becomes the golden picture instead: look at it before committing it.
+/// Returns "" if both look the same. Otherwise writes golden-failures/<name>.png, actual, expected and difference side by side,
+/// and says so.
+std::string compare_pictures(const std::string& name, const Image& actual, const Image& expected);
+
+/// The same with tests/golden/<name>.png. With BALLPIT_BLESS set, `actual` becomes the golden picture instead: look at it before
+/// committing it.
 std::string compare_with_golden(const std::string& name, const Image& actual);
 
 /// Decodes a PNG file; throws what read_file() throws, and RunError for what is no picture.

@@ -31,6 +31,26 @@ TEST_CASE("this machine has a context, and says what it is") {
   for (const EglDeviceInfo& device : list_egl_devices()) CHECK(!device.name.empty());
 }
 
+TEST_CASE("a context that the driver has reset is told in words") {
+  const GlContext context;
+  const Inspection inspection = inspect(some_spheres(), kBox);
+  Renderer renderer(64, 36);
+  struct Reset {
+    decltype(epoxy_glGetGraphicsResetStatus) own = epoxy_glGetGraphicsResetStatus;
+    Reset() {
+      epoxy_glGetGraphicsResetStatus = [] { return GLenum{GL_INNOCENT_CONTEXT_RESET}; };
+    }
+    ~Reset() { epoxy_glGetGraphicsResetStatus = own; }
+  };
+  {
+    const Reset reset;
+    CHECK_THROWS_WITH(
+        renderer.draw(view_of(inspection, kBox, 16.0f / 9)),
+        "drawing a frame: the OpenGL context is lost, since the driver has reset the graphics device; start again");
+  }
+  CHECK_NOTHROW(renderer.draw(view_of(inspection, kBox, 16.0f / 9)));
+}
+
 TEST_CASE("contexts live side by side, and one outlives the other") {
   GlContext first;
   { const GlContext second; }

@@ -105,6 +105,15 @@ std::vector<std::pair<std::string, int64_t>> counts_of(const Report& report) {
   return counts;
 }
 
+/// What the threads of each body walk.
+std::vector<int> work_of(const Inspection& seen) {
+  std::vector<int> work(static_cast<size_t>(seen.bodies.count), 0);
+  for (size_t t = 0; t < seen.work.size(); ++t) {
+    if (seen.worker[t] >= 0) work[static_cast<size_t>(seen.worker[t])] += seen.work[t];
+  }
+  return work;
+}
+
 /// Pairs of bodies in cells that are neighbours, as an inspected grid lists them, in a domain with walls.
 std::vector<Pair> pairs_in_neighbouring_cells(const GridInspection& grid, int count) {
   std::vector<IVec3> cell(static_cast<size_t>(count));
@@ -215,6 +224,7 @@ TEST_CASE("sort and sweep shows the list of slide 3") {
   const std::vector<float> expected{1, 2, 3, 4, 5, 6};
   for (size_t p = 0; p < 6; ++p) CHECK(seen.endpoints[p].at == Approx(expected[p]));
   CHECK(seen.work == std::vector<int>{2, 3, 0, 2, 0, 0});  // steps along the list
+  CHECK(seen.worker == std::vector<int32_t>{0, 2, -1, 1, -1, -1});
   CHECK(seen_in(scene, {.broadphase = "sort-and-sweep", .axis = "y"}).axis == 1);
   CHECK(seen_in(scene, {.broadphase = "linked-cell"}).axis == -1);
   CHECK(seen_in(scene, {.broadphase = "linked-cell"}).endpoints.empty());
@@ -256,6 +266,27 @@ TEST_CASE("the work of all threads adds up to the candidates, but for the sweep"
     CHECK(std::accumulate(work.begin(), work.end(), int64_t{0}) == world->report().candidates);
   }
   CHECK(seen_in(make_cloud({.count = 5}, 1), {.broadphase = "brute-force"}).work == std::vector<int>{4, 3, 2, 1, 0});
+}
+
+TEST_CASE("each body has one thread that walks for it, and meets what the body is a candidate with") {
+  const Scene scene = make_cloud({.count = 200, .smallest = 0.1, .largest = 0.1}, 24);
+  for (const Way& way : methods()) {
+    INFO(way);
+    const Inspection seen = seen_in(scene, way);
+    REQUIRE(seen.worker.size() == seen.work.size());
+    std::vector<int> threads(200, 0), candidates(200, 0);
+    for (const Pair& pair : seen.candidates) {
+      for (const int i : {pair.i, pair.j}) ++candidates[size_t(i)];
+    }
+    for (size_t t = 0; t < seen.worker.size(); ++t) {
+      if (seen.worker[t] < 0) continue;
+      const auto body = static_cast<size_t>(seen.worker[t]);
+      ++threads[body];
+      // The sweep's walk also passes ends; in shared places of a hashed grid are strangers.
+      if (way.broadphase != "sort-and-sweep" && way.table != "hashed") CHECK(seen.work[t] <= candidates[body]);
+    }
+    CHECK(threads == std::vector<int>(200, 1));
+  }
 }
 
 TEST_CASE("what is not wanted is not there") {
@@ -353,6 +384,7 @@ TEST_CASE("worlds that sorted their bodies show candidates, missed pairs and end
     CHECK(difference(seen.missed, expected.missed) == "");
     CHECK((way.cell_size == 0 || seen.missed.size() > 10));
     CHECK((places_of(seen.endpoints) == places_of(expected.endpoints)));
+    if (way.broadphase == "sort-and-sweep") CHECK((work_of(seen) == work_of(expected)));
     if (way.broadphase == "sort-and-sweep") check_endpoints(seen);
   }
 }

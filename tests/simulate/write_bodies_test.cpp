@@ -36,6 +36,7 @@ int check_written(World& world) {
   CHECK(shape.count == seen.bodies.count);
   CHECK(shape.dimensions == seen.bodies.dimensions);
   CHECK(shape.radius == *std::max_element(seen.bodies.radius.begin(), seen.bodies.radius.end()));
+  CHECK(shape.smallest == *std::min_element(seen.bodies.radius.begin(), seen.bodies.radius.end()));
   if (!shape.has_equal_radii) CHECK(written.radius == seen.bodies.radius);
   std::vector<uint8_t> touching(static_cast<size_t>(shape.count), 0);
   for (const Pair& pair : seen.contacts)

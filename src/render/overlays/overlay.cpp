@@ -9,6 +9,7 @@
 #include "render/overlays/labels.h"
 #include "render/overlays/lists.h"
 #include "render/overlays/pairs.h"
+#include "render/overlays/swept.h"
 #include "render/overlays/velocity.h"
 
 namespace ballpit {
@@ -27,6 +28,7 @@ const std::vector<OverlayEntry>& overlay_table() {
       {"grid", "Grid cells", make<GridOverlay>, {}, nullptr},
       {"pairs", "Pairs", make<PairsOverlay>, {.candidates = true, .missed = true}, nullptr},
       {"velocity", "Velocities", make<VelocityOverlay>, {}, nullptr},
+      {"swept", "Swept ways", make<SweptOverlay>, {}, nullptr},
       {"labels", "Numbers", make<LabelsOverlay>, {}, nullptr},
       {"lists", "Lists", make<ListsOverlay>, {}, lists_room},
       {"intervals", "Intervals", make<IntervalsOverlay>, {.endpoints = true}, intervals_room},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "simulate/event_driven/event_driven.h"
 #include "simulate/measure.h"
@@ -68,9 +69,12 @@ class EventDrivenWorld final : public World {
   }
 
   BodyShape shape() const override {
-    float largest = 0;
-    for (int i = 0; i < motion_.size(); ++i) largest = std::max(largest, static_cast<float>(motion_.radius(i)));
-    return {motion_.size(), kDimensions<V>, false, largest};
+    float largest = 0, smallest = INFINITY;
+    for (int i = 0; i < motion_.size(); ++i) {
+      largest = std::max(largest, static_cast<float>(motion_.radius(i)));
+      smallest = std::min(smallest, static_cast<float>(motion_.radius(i)));
+    }
+    return {motion_.size(), kDimensions<V>, false, largest, smallest};
   }
 
   void write_bodies(const BodyTarget& target) override {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "app/remembered.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <nlohmann/json.hpp>
+
+#include "app/options.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace ballpit {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr int kVersion = 1;  // of the file; another one is not read
+
+/// A finite number from low to high.
+float bounded(const Json& value, float low, float high) {
+  const float number = value.get<float>();
+  if (number >= low && number <= high) return number;
+  throw UserError("found the number " + value.dump() + ", which is never written");
+}
+
+View view_from(const Json& json) {
+  constexpr float kTurn = 6.2832f;
+  View view;
+  view.azimuth = bounded(json.at("azimuth"), -kTurn, kTurn);
+  view.elevation = bounded(json.at("elevation"), -kTurn, kTurn);
+  view.zoom = bounded(json.at("zoom"), kFarthest, kClosest);
+  view.ui_scale = bounded(json.at("ui_scale"), kSmallestUi, kLargestUi);
+  view.overlays = parse_overlays("overlays", json.at("overlays").get<std::string>());
+  view.coloring = coloring_named(json.at("color").get<std::string>()).name;
+  view.theme = theme_named(json.at("theme").get<std::string>()).name;
+  return view;
+}
+
+Remembered remembered_from(const Json& json) {
+  if (json.at("version") != kVersion) throw UserError("found version " + json.at("version").dump());
+  Remembered result;
+  result.scene = json.at("scene").get<std::string>();
+  for (const auto& [name, value] : json.at("options").items()) {
+    result.given.push_back({name, value.get<std::string>()});
+    Settings settings;
+    apply_setting(settings, name, result.given.back().value, name);
+  }
+  result.view = view_from(json.at("view"));
+  result.size = json.at("size").get<std::string>();
+  parse_size(result.size);
+  return result;
+}
+
+}  // namespace
+
+std::filesystem::path remembered_file() {
+  const auto folder = [](const char* variable) {
+    const char* const value = std::getenv(variable);
+    return std::filesystem::path(value ? value : "");
+  };
+  const std::filesystem::path config = folder("XDG_CONFIG_HOME"), home = folder("HOME");
+  if (config.is_absolute()) return config / "ballpit" / "show.json";  // the standard ignores other ones
+  if (!home.empty()) return home / ".config" / "ballpit" / "show.json";
+  throw UserError("--remember: found neither XDG_CONFIG_HOME nor HOME, which tell where to keep it");
+}
+
+std::optional<Remembered> read_remembered(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    return remembered_from(Json::parse(read_file(file)));
+  } catch (const Json::exception&) {
+    throw UserError(file.string() + ": is not what `ballpit show --remember` writes");
+  } catch (const UserError& error) {
+    throw UserError(file.string() + ": " + error.what());
+  }
+}
+
+void write_remembered(const std::filesystem::path& file, const Remembered& remembered) {
+  const View& view = remembered.view;
+  Json options = Json::object();
+  for (const GivenOption& option : remembered.given) options[option.name] = option.value;
+  const Json json{{"version", kVersion},
+                  {"scene", remembered.scene},
+                  {"options", options},
+                  {"view",
+                   {{"azimuth", view.azimuth},
+                    {"elevation", view.elevation},
+                    {"zoom", view.zoom},
+                    {"ui_scale", view.ui_scale},
+                    {"overlays", view.overlays.empty() ? "none" : join(view.overlays, ",")},
+                    {"color", view.coloring},
+                    {"theme", view.theme}}},
+                  {"size", remembered.size}};
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);  // write_file() tells what it led to
+  write_file(file, json.dump(2) + "\n");
+}
+
+}  // namespace ballpit
