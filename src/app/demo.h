@@ -72,7 +72,7 @@ class Demo {
   /// The latest reported steps up to the present one, oldest first.
   const std::vector<Moment>& history() const { return history_; }
 
-  /// How many worlds there were: each change of a method makes another one, whose time begins at 0.
+  /// How many timelines there were; a change of anything but the detection makes another world, whose time begins at 0.
   int64_t worlds() const { return worlds_; }
 
   /// Changes whenever anything that is shown may have: a window that has drawn this need not draw again.

@@ -27,10 +27,9 @@ std::string free_name(const std::string& stem, const std::string& ending) {
   }
 }
 
-Image draw(Renderer& renderer, Demo& demo, const RenderOptions& options) {
-  renderer.set_options(options);
-  renderer.draw(demo.frame_view(static_cast<float>(renderer.width()) / static_cast<float>(renderer.height())));
-  return renderer.read_pixels();
+Image draw(DemoRenderer& drawing, Demo& demo, const RenderOptions& options) {
+  drawing.draw(demo, options);
+  return drawing.renderer().read_pixels();
 }
 
 }  // namespace
@@ -42,7 +41,7 @@ void Saver::attempt(const Action& action) {
     action();
   } catch (const std::exception& error) {
     film_.reset();
-    renderer_.reset();
+    drawing_.reset();
     demo_.say(error.what());
   }
   demo_.touch();
@@ -50,10 +49,11 @@ void Saver::attempt(const Action& action) {
 
 void Saver::save_picture(PictureSize size) {
   attempt([&] {
-    const RenderOptions options{theme_named(demo_.view.theme), 2};
-    Renderer renderer(size.width, size.height, options);
+    RenderOptions options;
+    options.supersample = 2;
+    DemoRenderer drawing(size.width, size.height, options);
     const std::string name = free_name("picture_", ".png");
-    write_png(name, draw(renderer, demo_, options));
+    write_png(name, draw(drawing, demo_, options));
     demo_.say("saved " + name);
   });
 }
@@ -69,7 +69,7 @@ void Saver::save_state() {
 void Saver::start_film(PictureSize size, int frames) {
   attempt([&] {
     demo_.player.is_running = false;
-    renderer_ = std::make_unique<Renderer>(size.width, size.height);
+    drawing_ = std::make_unique<DemoRenderer>(size.width, size.height, RenderOptions{});
     FilmPlan plan;
     plan.folder = free_name("frames_", "");
     plan.frames = frames;
@@ -89,7 +89,7 @@ void Saver::go_on() {
   attempt([&] {
     const auto start = std::chrono::steady_clock::now();
     if (!film_->advance([&] { return std::chrono::steady_clock::now() - start > kLongestTurn; })) return;
-    film_->push(draw(*renderer_, demo_, {theme_named(demo_.view.theme), 1}));
+    film_->push(draw(*drawing_, demo_, {}));
     demo_.say("frame " + std::to_string(film_->next()) + " of " + std::to_string(film_->plan().frames) + " in " +
               film_->plan().folder);
     if (film_->is_done()) stop_film();
@@ -103,7 +103,7 @@ void Saver::stop_film() {
     const std::string done = counted(film_->next(), "frame") + " in " + film_->plan().folder;
     demo_.say(done);
     film_.reset();
-    renderer_.reset();
+    drawing_.reset();
   });
 }
 

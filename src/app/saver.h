@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "app/demo.h"
+#include "app/demo_renderer.h"
 #include "app/film.h"
 #include "app/options.h"
-#include "render/renderer.h"
 
 namespace ballpit {
 
@@ -35,8 +35,8 @@ class Saver {
 
   Demo& demo_;
   std::unique_ptr<Film> film_;
-  std::unique_ptr<Renderer> renderer_;  // of the film
-  int64_t world_ = 0;                   // that is filmed
+  std::unique_ptr<DemoRenderer> drawing_;  // of the film
+  int64_t world_ = 0;                      // that is filmed
 };
 
 }  // namespace ballpit
