@@ -88,7 +88,7 @@ class Panel {
   bool slider(const std::string& name, const std::string& label, float& value, const SliderLook& look);
   void draw_marks(const SliderLook& look, float width);
   void row(const char* what, const std::string& value);
-  void plot(const char* name, const char* title, const float* values, size_t count, int stride, float from);
+  void plot(const char* name, const float* values, size_t count, int stride, float from);
 
   void draw_time(Demo& demo);
   void draw_detection(Demo& demo);

@@ -48,11 +48,11 @@ std::string printed(const char* format, float a, float b, float c) {
 
 }  // namespace
 
-/// A history beside the present figure, as wide as the panel.
-void Panel::plot(const char* name, const char* title, const float* values, size_t count, int stride, float from) {
+/// A history below the present figure, which says what it is of; as wide as the panel.
+void Panel::plot(const char* name, const float* values, size_t count, int stride, float from) {
   const ImVec2 size{ImGui::GetContentRegionAvail().x, 2.6f * ImGui::GetTextLineHeight()};
   const std::string label = std::string("##").append(name);
-  ImGui::PlotLines(label.c_str(), values, static_cast<int>(count), 0, title, from, FLT_MAX, size, stride);
+  ImGui::PlotLines(label.c_str(), values, static_cast<int>(count), 0, nullptr, from, FLT_MAX, size, stride);
   note(name);
 }
 
@@ -103,11 +103,11 @@ void Panel::draw_cost(Demo& demo) {
   const double mean =
       is_played ? demo.player.mean_step_time() : 1e3 * report.seconds / double(std::max<int64_t>(report.steps, 1));
   row("a step", three_digits(mean) + " ms");
+  if (is_played) plot("times", times.data(), times.size(), sizeof(float), 0);
   row("candidates", grouped(report.candidates));
   row("contacts", grouped(report.contacts));
   if (demo.view.shows("pairs")) row("missed", grouped(static_cast<int64_t>(demo.inspection().missed.size())));
   row("by", report.broadphase + ", " + demo.session.backend());
-  plot("times", "ms a step", times.data(), times.size(), sizeof(float), 0);
   double sum = 0;
   for (const Stage& stage : report.stages) sum += stage.seconds;
   for (const Stage& stage : report.stages) {
@@ -123,9 +123,9 @@ void Panel::draw_accuracy(Demo& demo) {
   const Moment& now = history.back();
   row("energy", three_digits(report.kinetic_energy + report.potential_energy + report.elastic_energy) + " J");
   row("since its start", (now.energy_drift >= 0 ? "+" : "−") + scientific(std::fabs(double(now.energy_drift))));
-  plot("drift", "energy since its start", &history[0].energy_drift, history.size(), sizeof(Moment), FLT_MAX);
+  plot("drift", &history[0].energy_drift, history.size(), sizeof(Moment), FLT_MAX);
   row("largest overlap", scientific(report.max_overlap) + " r");
-  plot("overlap", "largest overlap [r]", &history[0].max_overlap, history.size(), sizeof(Moment), 0);
+  plot("overlap", &history[0].max_overlap, history.size(), sizeof(Moment), 0);
   row("momentum", scientific(length(report.momentum)) + " kg·m/s");
 }
 

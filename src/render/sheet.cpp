@@ -31,7 +31,7 @@ const ImVector<ImWchar>& glyph_ranges() {
   static const ImVector<ImWchar> ranges = [] {
     ImFontGlyphRangesBuilder builder;
     builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
-    builder.AddText(" –—…·×√≤≥≈→∞∂Δ°²³⁻⁴µ‘’“”„ αβγδεζλμπρστω");
+    builder.AddText(" −–—…·×√≤≥≈→∞∂Δ°²³⁻⁴µ‘’“”„ αβγδεζλμπρστω");
     ImVector<ImWchar> result;
     builder.BuildRanges(&result);
     return result;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Thousands of keys, clicks, drags, turns of the wheel, letters and sizes at random: whatever hands do, the demonstration goes on.
+// Thousands of keys, clicks, drags, turns of the wheel, letters and sizes at random: whatever hands do, the demonstration goes on. The
+// acts are the same each time; how many steps a world makes between them depends on the machine, as it does in a window.
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <ctime>
 
 #include <catch2/catch.hpp>
 
@@ -14,8 +15,6 @@
 using namespace ballpit;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Those that are filled within a moment.
 constexpr std::array kScenes{"lecture-grid", "lecture-sweep", "two-spheres", "oblique-pair", "bouncing-ball",
@@ -147,21 +146,22 @@ class Monkey {
 
 TEST_CASE("three thousand acts at random end no demonstration, and none takes long") {
   constexpr int kActs = 3000;
-  constexpr double kLongest = 10;  // [s] for one act, also under sanitizers; a tenth of a second is usual
+  constexpr double kLongest = 20;  // [s] of processors for one act, also under sanitizers; a fiftieth is usual
   const Scratch scratch;
   const Within within(scratch.path());
   Monkey monkey(7);
   for (int k = 0; k < kActs; ++k) {
-    const auto start = Clock::now();
+    const std::clock_t start = std::clock();
     CAPTURE(k, monkey.desk().demo.message(), monkey.desk().demo.session.scene().name);
     REQUIRE_NOTHROW(monkey.act());
-    REQUIRE(std::chrono::duration<double>(Clock::now() - start).count() < kLongest);
+    REQUIRE(double(std::clock() - start) / CLOCKS_PER_SEC < kLongest);
   }
   Desk& desk = monkey.desk();
   desk.demo.view.ui_scale = 1;
   desk.renderer.resize(Desk::kWidth, Desk::kHeight);
   desk.demo.load("lecture-grid");
   desk.click_at({1200, 700});  // beside whatever list is open
-  desk.click("broadphase brute-force");
-  CHECK(desk.demo.session.settings().broadphase == "brute-force");
+  const bool was_running = desk.demo.player.is_running;
+  desk.click("pause");
+  CHECK(desk.demo.player.is_running != was_running);
 }
