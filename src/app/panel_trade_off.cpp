@@ -42,8 +42,9 @@ LogAxis axis_of(const std::vector<Played>& trials, double least, const Value& va
 }
 
 std::string power_of_ten(int power) {
-  if (-3 <= power && power <= 3) return three_digits(std::pow(10.0, power));
-  return "1e" + std::to_string(power);
+  if (power < -3 || power > 3) return "1e" + std::to_string(power);
+  return power < 0 ? std::string("0.").append(static_cast<size_t>(-power - 1), '0').append("1")
+                   : std::string("1").append(static_cast<size_t>(power), '0');
 }
 
 void dotted(ImDrawList& lines, ImVec2 from, ImVec2 to, ImU32 color, float unit) {
@@ -67,7 +68,7 @@ void Panel::draw_trade_off(Demo& demo) {
   const PlayedError& error = errors[charted_error_];
   const std::vector<Played>& trials = demo.trade_off.trials();
   const float unit = sheet_.unit(), text = ImGui::GetTextLineHeight(), margin = 3.2f * text;
-  const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, 11 * text};
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size{std::max(ImGui::GetContentRegionAvail().x, 1.0f), 11 * text};
   const ImVec2 inner_low{low.x + margin, low.y + text / 2},
       inner_high{low.x + size.x - text, low.y + size.y - 2.4f * text};
   ImGui::InvisibleButton("##trade-off", size);

@@ -118,6 +118,8 @@ TEST_CASE("the history is that of the steps up to the present one, also after go
   CHECK(desk.demo.history().size() == 13);
   CHECK(desk.demo.history().back().step == 12);
   desk.click("broadphase brute-force");
+  CHECK(desk.demo.history().size() == 13);  // the motion goes on
+  desk.demo.set("dt", "0.001");
   CHECK(desk.demo.history().size() == 1);
 }
 

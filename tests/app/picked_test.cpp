@@ -12,7 +12,7 @@ namespace {
 
 Inspection lecture(const char* method) {
   Session session("lecture-grid", {{"threads", "1"}, {"broadphase", method}});
-  return session.world().inspect({true, false, true, false});
+  return session.world().inspect({.candidates = true, .endpoints = true});
 }
 
 }  // namespace
