@@ -14,7 +14,7 @@
 namespace ballpit {
 
 /// What an experiment found.
-struct Outcome {
+struct Findings {
   std::vector<Table> tables;
   std::vector<Chart> charts;
   std::string answer;  ///< one sentence with its number, made of the data
@@ -28,7 +28,7 @@ struct Experiment {
   double quick_seconds;                    ///< [s] on two cores, about
   double full_seconds;                     ///< [s]
   int64_t (*measurements)(bool is_quick);  ///< how many it asks its laboratory for
-  Outcome (*run)(Lab& lab);
+  Findings (*run)(Lab& lab);
 };
 
 /// All, in the order in which they tell their story.

@@ -8,7 +8,7 @@ namespace {
 
 int64_t measurements(bool) { return 0; }
 
-Outcome run(Lab&) { return {}; }
+Findings run(Lab&) { return {}; }
 
 }  // namespace
 
