@@ -12,12 +12,12 @@
 #include "app/commands.h"
 #include "app/demo.h"
 #include "app/interrupt.h"
-#include "app/numbers.h"
 #include "app/options.h"
 #include "app/panel.h"
 #include "app/window.h"
 #include "core/error.h"
 #include "export/png.h"
+#include "lab/numbers.h"
 #include "render/painter.h"
 #include "render/renderer.h"
 

@@ -9,8 +9,8 @@
 #include <imgui_stdlib.h>
 
 #include "app/keys.h"
-#include "app/numbers.h"
 #include "app/panel.h"
+#include "lab/numbers.h"
 #include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "scene/catalog.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/step_timing.h"
+#include "lab/step_timing.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,8 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/gas.h"
-#include "app/spread.h"
+#include "lab/gas.h"
+#include "lab/spread.h"
 
 namespace ballpit {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/spread.h"
+#include "lab/spread.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,6 +2,8 @@
 // The machine and the build that measured times depend on.
 #pragma once
 
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 namespace ballpit {
@@ -11,5 +13,8 @@ int thread_count(int threads);
 
 /// CPU, cores, CUDA device where one answers, compiler, build type, version.
 nlohmann::ordered_json describe_machine();
+
+/// The same on one line: "Xeon, 2 cores; GNU 12.2.0, Release; ballpit 0.1.0".
+std::string machine_line();
 
 }  // namespace ballpit

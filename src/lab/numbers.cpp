@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/numbers.h"
+#include "lab/numbers.h"
 
 #include <array>
 #include <cmath>

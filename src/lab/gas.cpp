@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/gas.h"
+#include "lab/gas.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/exact_pairs.h"
+#include "lab/exact_pairs.h"
 
 #include <algorithm>
 #include <array>

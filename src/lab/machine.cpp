@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/machine.h"
+#include "lab/machine.h"
 
 #include <algorithm>
 #include <fstream>
@@ -37,6 +37,14 @@ nlohmann::ordered_json describe_machine() {
   machine["build_type"] = kBuildType;
   machine["version"] = kVersion;
   return machine;
+}
+
+std::string machine_line() {
+  const nlohmann::ordered_json machine = describe_machine();
+  const auto text = [&](const char* key) { return machine[key].get<std::string>(); };
+  std::string line = text("cpu") + ", " + machine["cores"].dump() + " cores; ";
+  if (machine.contains("cuda")) line += text("cuda") + "; ";
+  return line + text("compiler") + ", " + text("build_type") + "; ballpit " + text("version");
 }
 
 }  // namespace ballpit

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/spread.h"
-#include "app/work_profile.h"
+#include "lab/spread.h"
+#include "lab/work_profile.h"
 
 using namespace ballpit;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/work_profile.h"
+#include "lab/work_profile.h"
 
 #include <algorithm>
 #include <bit>

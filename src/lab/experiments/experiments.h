@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Each experiment's entry in the table; the file of that name has the rest.
+#pragma once
+
+#include "lab/experiment.h"
+
+namespace ballpit {
+
+Experiment divergence_experiment();
+
+}  // namespace ballpit
