@@ -104,7 +104,7 @@ double cell_recall(double edge) {
 
 double stack_sweeps(double n) { return 1.866 * n * n; }
 
-double ratio_sweeps(double ratio) { return 4.6 * (ratio + 1); }
+double ratio_sweeps(double ratio) { return std::log(100.0) / std::log1p(1 / ratio); }
 
 double frozen_step(double x) {
   const auto at = static_cast<float>(x);

@@ -7,5 +7,9 @@
 namespace ballpit {
 
 Experiment divergence_experiment();
+Experiment cooling_experiment();
+Experiment drift_experiment();
+Experiment equation_of_state_experiment();
+Experiment stability_experiment();
 
 }  // namespace ballpit

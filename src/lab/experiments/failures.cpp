@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "core/random.h"
 #include "lab/made_scenes.h"
@@ -61,9 +62,9 @@ double spring_growth(double dt, double stiffness) {
 }
 
 double part_of_hits_seen(double step, double impact, int phases, bool is_swept) {
-  constexpr int kSteps = 6;
-  const double lane = 10;  // [m] from pair to pair
-  const double half = std::max(lane * (phases + 1) / 2.0, 10 + kSteps * step);
+  const int steps = static_cast<int>(2 / step) + 4;  // from before the other to behind it
+  const double lane = 3;                             // [m] from pair to pair
+  const double half = std::max(lane * (phases + 1) / 2.0, 2 + steps * step);
   Scene scene = wide_box(half);
   for (int k = 0; k < phases; ++k) {
     const double y = lane * (k - (phases - 1) / 2.0), start = -1 - (1.5 + (k + 0.5) / phases) * step;
@@ -73,11 +74,16 @@ double part_of_hits_seen(double step, double impact, int phases, bool is_swept) 
   Settings settings = settings_of("impulse", step);
   settings.is_swept = is_swept;
   const auto world = make_cpu_world(scene, settings);
-  for (int k = 0; k < kSteps; ++k) world->step();
+  std::set<int> seen;  // the second of each pair; what touches while it parts is seen as well, but not thrown back
+  for (int k = 0; k < steps; ++k) {
+    for (const Pair& pair : world->inspect().contacts) seen.insert(pair.j);
+    world->step();
+  }
   const Bodies bodies = world->bodies();
-  int seen = 0;
-  for (size_t k = 1; k < bodies.velocity.size(); k += 2) seen += length(bodies.velocity[k]) > 0;
-  return static_cast<double>(seen) / phases;
+  for (int j = 1; j < 2 * phases; j += 2) {
+    if (length(bodies.velocity[static_cast<size_t>(j)]) > 0) seen.insert(j);
+  }
+  return static_cast<double>(seen.size()) / phases;
 }
 
 double recall_of_cells(double edge, int pairs, uint64_t seed) {
@@ -123,8 +129,9 @@ double part_of_way(double x, double step) {
   Settings settings = settings_of("impulse", 1);
   settings.precision = "float";
   const auto world = make_cpu_world(scene, settings);
+  const double start = world->bodies().position[0].x;  // x, rounded
   for (int k = 0; k < kSteps; ++k) world->step();
-  return (world->bodies().position[0].x - x) / (kSteps * step);
+  return (world->bodies().position[0].x - start) / (kSteps * step);
 }
 
 bool passes_through(double step, bool is_swept) {
