@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "lab/experiments/timed_run.h"
 #include "lab/made_scenes.h"
 #include "lab/theory.h"
 #include "simulate/response/damping.h"
@@ -14,7 +14,7 @@ namespace ballpit {
 namespace {
 
 constexpr double kStepsOfContact = 20;  // of springs, where their stiffness follows from the step
-constexpr double kOut = std::numeric_limits<double>::infinity();
+constexpr double kFailed = std::numeric_limits<double>::infinity();
 
 Settings with_step(const ContactMethod& method, double dt) {
   Settings settings = method.settings;
@@ -42,20 +42,20 @@ Trial mean_of_hits(const SpringHit& hit, const Settings& settings, int phases) {
     scene.physics.law = hit.law;
     scene.physics.stiffness = hit.stiffness;
     scene.physics.restitution = hit.restitution;
-    const auto world = make_cpu_world(scene, settings);
-    step_until(*world, 2 * hit.duration + 4 * settings.dt, settings.dt);
-    const Bodies bodies = world->bodies();
+    TimedRun run(scene, settings);
+    if (!run.reach(2 * hit.duration + 4 * settings.dt)) return {kFailed, run.seconds()};
+    const Bodies bodies = run.world().bodies();
     const double parting = bodies.velocity[1].x - bodies.velocity[0].x;
     trial.off += std::fabs(parting / hit.speed - hit.restitution) / phases;
-    trial.seconds += world->report().seconds / world->time() / phases;
+    trial.seconds += run.seconds() / phases;
   }
   return trial;
 }
 
-const double kDamped = restitution_to_overlap_end(0.1);
+double damped() { return restitution_to_overlap_end(0.1); }
 
 Trial run_springs(const ContactMethod& method, double dt, uint64_t, bool) {
-  return mean_of_hits(spring_hit("linear", kDamped), with_step(method, dt), 16);
+  return mean_of_hits(spring_hit("linear", damped()), with_step(method, dt), 16);
 }
 
 /// A light sphere meets a heavy one, 0.6 m off its centre: n = (0.8, −0.6), Δp = (1 + e)·μ·(v·n) along it.
@@ -70,10 +70,10 @@ Trial run_hit(const ContactMethod& method, double dt, uint64_t, bool) {
     scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, kMu, kRestitution);
     add_sphere(scene, {-1.3 - (k + 0.5) / kPhases * kSpeed * dt, 0.6, 0}, {kSpeed, 0, 0}, 0.4, 1);
     add_sphere(scene, {0, 0, 0}, Vec3d(0.0), 0.6, 3);
-    const auto world = make_cpu_world(scene, with_step(method, dt));
-    step_until(*world, kTime, dt);
-    trial.off += length(world->bodies().velocity[0] - end) / kSpeed / kPhases;
-    trial.seconds += world->report().seconds / world->time() / kPhases;
+    TimedRun run(scene, with_step(method, dt));
+    if (!run.reach(kTime)) return {kFailed, run.seconds()};
+    trial.off += length(run.world().bodies().velocity[0] - end) / kSpeed / kPhases;
+    trial.seconds += run.seconds() / kPhases;
   }
   return trial;
 }
@@ -87,17 +87,17 @@ Trial run_stack(const ContactMethod& method, double dt, uint64_t, bool) {
   scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, kMass / 2, 0);
   Settings settings = with_step(method, dt);
   settings.keeps_tally = true;
-  const auto world = make_cpu_world(scene, settings);
+  TimedRun run(scene, settings);
   for (const double until : {0.01, kRest}) {
-    step_until(*world, until, dt);
-    if (world->report().events > kMostEvents) return {};  // collisions without end
+    if (!run.reach(until)) return {kFailed, run.seconds()};
+    if (run.world().report().events > kMostEvents) return {kFailed, run.seconds()};  // collisions without end
   }
-  const double before = world->report().tally.floor_impulse;
-  step_until(*world, kRest + kWeighing, dt);
-  const Report report = world->report();
+  const double before = run.world().report().tally.floor_impulse;
+  if (!run.reach(kRest + kWeighing)) return {kFailed, run.seconds()};
+  const Report report = run.world().report();
   const double weight = (report.tally.floor_impulse - before) / kWeighing;
   const bool is_carried = std::fabs(weight / (kSpheres * kMass * -scene.physics.gravity.y) - 1) < kTolerance;
-  return {is_carried ? report.max_overlap : kOut, report.seconds / report.time};
+  return {is_carried ? report.max_overlap : kFailed, run.seconds()};
 }
 
 /// Z of 256 hard spheres at the density 0.5.
@@ -109,16 +109,16 @@ Trial run_gas(const ContactMethod& method, double dt, uint64_t seed, bool is_qui
   scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, 1);
   Settings settings = with_step(method, dt);
   settings.keeps_tally = true;
-  const auto world = make_cpu_world(scene, settings);
+  TimedRun run(scene, settings);
   double kt = 0;  // the mean, over looks
   constexpr int kLooks = 20;
   for (int k = 1; k <= kLooks; ++k) {
-    step_until(*world, time * k / kLooks, dt);
-    kt += 2 * world->report().kinetic_energy / (3 * (kCount - 1)) / kLooks;
+    if (!run.reach(time * k / kLooks)) return {kFailed, run.seconds()};
+    kt += 2 * run.world().report().kinetic_energy / (3 * (kCount - 1)) / kLooks;
   }
-  const Report report = world->report();
-  const double z = 1 + report.tally.virial / (3 * kCount * kt * report.time), truth = finite_z(kRho, kCount);
-  return {(z - truth) / truth, report.seconds / report.time};
+  const double simulated = run.world().time(), virial = run.world().report().tally.virial;
+  const double z = 1 + virial / (3 * kCount * kt * simulated), truth = finite_z(kRho, kCount);
+  return {(z - truth) / truth, run.seconds()};
 }
 
 /// Where 108 spheres at the density 0.1 are after a collision each, against exact motion: the median distance.
@@ -130,9 +130,9 @@ Trial run_paths(const ContactMethod& method, double dt, uint64_t seed, bool) {
   exact->step();
   Settings settings = with_step(method, dt);
   if (settings.response == "event-driven") settings.dt = kTime / 16;
-  const auto world = make_cpu_world(scene, settings);
-  step_until(*world, kTime, settings.dt);
-  const Bodies truth = exact->bodies(), end = world->bodies();
+  TimedRun run(scene, settings);
+  if (!run.reach(kTime)) return {kFailed, run.seconds()};
+  const Bodies truth = exact->bodies(), end = run.world().bodies();
   const Vec3d period = scene.domain.max - scene.domain.min;
   std::vector<double> distances;
   for (size_t i = 0; i < end.position.size(); ++i) {
@@ -141,7 +141,7 @@ Trial run_paths(const ContactMethod& method, double dt, uint64_t seed, bool) {
   }
   const auto middle = distances.begin() + static_cast<int64_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
-  return {*middle, world->report().seconds / world->time()};
+  return {*middle, run.seconds()};
 }
 
 bool is_of_springs(const ContactMethod& method) { return method.settings.response == "penalty"; }
@@ -152,7 +152,7 @@ bool is_any(const ContactMethod&) { return true; }
 const std::vector<Task>& tasks() {
   static const std::vector<Task> table{
       {"springs", "A hit of damped springs: half of the order is lost where the contact begins",
-       "error of restitution", "closed form of the spring-dashpot", spring_hit("linear", kDamped).duration / 5, 4, 9,
+       "error of restitution", "closed form of the spring-dashpot", spring_hit("linear", damped()).duration / 5, 4, 9,
        false, is_of_springs, run_springs},
       {"hit", "An oblique hit of rigid spheres", "error of velocity / speed", "closed form of rigid spheres", 0.1, 7, 10,
        false, is_any, run_hit},

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// What accuracy costs: time per simulated second against error, of every response, integrator, step and precision.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lab/experiments/accuracy.h"
+#include "lab/experiments/experiments.h"
+#include "lab/key.h"
+#include "lab/mean.h"
+#include "lab/numbers.h"
+#include "lab/spread.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kTolerances[] = {0.1, 0.01, 0.001};
+constexpr double kLeastError = 1e-16;
+
+int repeats(bool is_quick) { return is_quick ? 3 : 5; }
+
+bool has_steps(const ContactMethod& method) { return method.settings.response != "event-driven"; }
+
+/// The steps at which a method does a task: the coarsest alone where it has none.
+std::vector<double> steps_of(const Task& task, const ContactMethod& method, bool is_quick) {
+  const int halvings = has_steps(method) ? (is_quick ? task.quick_halvings : task.full_halvings) : 0;
+  std::vector<double> steps;
+  for (int k = 0; k <= halvings; ++k) steps.push_back(std::ldexp(task.coarsest, -k));
+  return steps;
+}
+
+/// A method at one step.
+struct Result {
+  const ContactMethod* method;
+  double dt;
+  double error;   ///< infinite where it failed
+  double floor;   ///< standard error, where errors are of random runs
+  Spread seconds;
+  bool has_failed() const { return !std::isfinite(error); }
+};
+
+/// All trials of a task: of each repeat all methods at all steps, so that what else the machine does falls on all alike.
+std::vector<std::vector<Trial>> trials_of(Lab& lab, const Task& task) {
+  std::vector<std::vector<Trial>> trials;  // of each method and step, in turns
+  for (int repeat = 0; repeat < repeats(lab.is_quick()); ++repeat) {
+    size_t which = 0;
+    for (const ContactMethod& method : contact_methods()) {
+      if (!task.serves(method)) continue;
+      for (const double dt : steps_of(task, method, lab.is_quick())) {
+        const uint64_t seed = lab.seed() * 100 + static_cast<uint64_t>(repeat);
+        const auto key = key_of({task.name, method.name, dt, double(seed), lab.is_quick() ? "quick" : "full"});
+        const auto values = lab.time(key, [&] {
+          const Trial trial = task.run(method, dt, seed, lab.is_quick());
+          return std::vector<double>{trial.off, trial.seconds};
+        });
+        if (repeat == 0) trials.emplace_back();
+        trials[which++].push_back({values[0], values[1]});
+      }
+    }
+  }
+  return trials;
+}
+
+Result result_of(const ContactMethod& method, double dt, const std::vector<Trial>& trials) {
+  std::vector<double> off, seconds;
+  for (const Trial& trial : trials) {
+    off.push_back(trial.off);
+    seconds.push_back(trial.seconds);
+  }
+  const Mean mean = mean_of(off);
+  const double error = std::isfinite(mean.value) ? std::max(std::fabs(mean.value), kLeastError)
+                                                 : std::numeric_limits<double>::infinity();
+  return {&method, dt, error, mean.error, spread_of(seconds)};
+}
+
+std::vector<Result> results_of(Lab& lab, const Task& task) {
+  const auto trials = trials_of(lab, task);
+  std::vector<Result> results;
+  for (const ContactMethod& method : contact_methods()) {
+    if (!task.serves(method)) continue;
+    for (const double dt : steps_of(task, method, lab.is_quick())) {
+      results.push_back(result_of(method, dt, trials[results.size()]));
+    }
+  }
+  return results;
+}
+
+/// Those that nobody beats in both error and time, fastest first.
+std::vector<Result> front_of(std::vector<Result> results) {
+  std::sort(results.begin(), results.end(),
+            [](const Result& a, const Result& b) { return a.seconds.median < b.seconds.median; });
+  std::vector<Result> front;
+  for (const Result& result : results) {
+    if (result.has_failed() || (!front.empty() && result.error >= front.back().error)) continue;
+    front.push_back(result);
+  }
+  return front;
+}
+
+/// The largest standard error of a method that did not fail: what is below it is chance.
+double floor_of(const Task& task, const std::vector<Result>& results) {
+  if (!task.is_random || task.name == "paths") return 0;
+  std::vector<double> floors;
+  for (const Result& result : results) {
+    if (!result.has_failed()) floors.push_back(result.floor);
+  }
+  return spread_of(floors).median;
+}
+
+Table table_of(const Task& task, const std::vector<Result>& results) {
+  Table table{task.name,
+              {{"method"},
+               {"step", "s"},
+               {task.error},
+               {"standard error"},
+               {"time per simulated second", "s"},
+               {"lower quartile", "s"},
+               {"upper quartile", "s"}},
+              {}};
+  for (const Result& r : results) {
+    const Cell step = has_steps(*r.method) ? Cell(r.dt) : Cell("none"), error = r.has_failed() ? Cell("failed") : Cell(r.error);
+    table.rows.push_back({r.method->name, step, error, r.floor, r.seconds.median, r.seconds.lower, r.seconds.upper});
+  }
+  return table;
+}
+
+/// Where failed runs stand.
+double edge_of(const std::vector<Result>& results) {
+  double largest = 0.1;
+  for (const Result& result : results) {
+    if (!result.has_failed()) largest = std::max(largest, result.error);
+  }
+  return 3 * largest;
+}
+
+Chart chart_of(const Task& task, const std::vector<Result>& results) {
+  const double edge = edge_of(results), floor = floor_of(task, results);
+  Chart chart{task.name,
+              task.title,
+              {task.error, "", Scale::log, {}, edge},
+              {"time per simulated second", "s", Scale::log},
+              {},
+              {},
+              {}};
+  Series failed{"failed", "failed", {}, Mark::points};
+  for (size_t k = 0; k < results.size();) {
+    const ContactMethod* method = results[k].method;
+    Series series = series_of(*method);
+    if (series.is_dashed) series.label.clear();  // beside its double
+    for (; k < results.size() && results[k].method == method; ++k) {
+      const Result& r = results[k];
+      if (r.has_failed()) {
+        failed.points.push_back({edge, r.seconds.median});
+      } else {
+        series.points.push_back({r.error, r.seconds.median, r.seconds.lower, r.seconds.upper});
+      }
+    }
+    if (!series.points.empty()) chart.series.push_back(series);
+  }
+  Series front{"Pareto front", "bound", {}, Mark::line};
+  for (const Result& result : front_of(results)) front.points.push_back({result.error, result.seconds.median});
+  chart.series.push_back(front);
+  if (!failed.points.empty()) chart.series.push_back(failed);
+  if (floor > 0) chart.bounds.push_back({floor, "chance"});
+  return chart;
+}
+
+/// Of each task, who holds a tolerance in the least time.
+void add_fastest(const Task& task, const std::vector<Result>& results, Table& table) {
+  for (const double tolerance : kTolerances) {
+    std::vector<Cell> row{task.name, tolerance, "none", kNoNumberCell(), kNoNumberCell()};
+    for (const Result& result : front_of(results)) {
+      if (result.error > tolerance) continue;
+      row = {task.name, tolerance, result.method->name, result.dt, result.seconds.median};
+      break;
+    }
+    table.rows.push_back(row);
+  }
+}
+
+}  // namespace
+
+}  // namespace ballpit
