@@ -16,8 +16,8 @@
 #include "app/panel.h"
 #include "app/window.h"
 #include "core/error.h"
+#include "core/numbers.h"
 #include "export/png.h"
-#include "lab/numbers.h"
 #include "render/painter.h"
 #include "render/renderer.h"
 

@@ -10,7 +10,7 @@
 
 #include "app/keys.h"
 #include "app/panel.h"
-#include "lab/numbers.h"
+#include "core/numbers.h"
 #include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "scene/catalog.h"

@@ -33,14 +33,14 @@ struct Point {
   double high = kNoNumber;
 };
 
-enum class Mark { line, points, line_and_points, steps };
+enum class Stroke { line, points, line_and_points, steps };
 
 /// What belongs together. Its role gives colour, marker and dashes, see roles(); every label is drawn at the line's end.
 struct Series {
   std::string label;  ///< empty: none is drawn
   std::string role;   ///< a method's name, "theory", "bound", "failed", or one of "first" to "sixth"
   std::vector<Point> points;
-  Mark mark = Mark::line_and_points;
+  Stroke stroke = Stroke::line_and_points;
   bool is_dashed = false;  ///< CUDA, or the second of two kinds
   bool is_thin = false;    ///< one of many, beside what matters
 };

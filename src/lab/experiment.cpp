@@ -9,6 +9,7 @@ namespace ballpit {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> table{
       divergence_experiment(),
+      work_precision_experiment(),
       stability_experiment(),
       equation_of_state_experiment(),
       cooling_experiment(),

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lab/lab.h"
 
-#include <cassert>
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -38,10 +39,16 @@ void append_line(const std::filesystem::path& path, std::string_view line) {
   throw RunError(path.string() + ": cannot write: " + std::strerror(reason));
 }
 
+double load_average() {
+  double load = 0;
+  return ::getloadavg(&load, 1) == 1 ? load : 0;
+}
+
 }  // namespace
 
 Lab::Lab(LabOptions options) : options_(std::move(options)) {
-  if (options_.cache.empty() || !std::filesystem::exists(options_.cache)) return;
+  if (options_.cache.empty()) return;
+  append_line(options_.cache, "");  // what cannot be written is told before anything is measured
   const std::string text = read_file(options_.cache);
   size_t start = 0;
   for (size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1) {
@@ -73,7 +80,14 @@ std::vector<double> Lab::measure(const std::string& key, const std::function<std
 }
 
 std::vector<double> Lab::time(const std::string& key, const std::function<std::vector<double>()>& function) {
-  return measure(key + "; " + machine_line(), function);
+  std::vector<double> values = measure(key + "; " + machine_line(), [&] {
+    std::vector<double> seconds = function();
+    seconds.push_back(load_average());
+    return seconds;
+  });
+  load_ = std::max(load_, values.back());
+  values.pop_back();
+  return values;
 }
 
 void Lab::keep(const std::string& key, const std::vector<double>& values) {

@@ -32,11 +32,14 @@ class Lab {
   /// interrupted, or the cache cannot be written.
   std::vector<double> measure(const std::string& key, const std::function<std::vector<double>()>& function);
 
-  /// The same for seconds, which depend on the machine and the build too.
+  /// The same for seconds, which depend on the machine and the build too; the machine's load is noted.
   std::vector<double> time(const std::string& key, const std::function<std::vector<double>()>& function);
 
   int64_t measured() const { return measured_; }  ///< by a function, not read from the cache
   int64_t asked() const { return asked_; }
+
+  /// The highest load average over a minute at the end of a timing, our own threads included; 0 where nothing was timed.
+  double load() const { return load_; }
 
  private:
   void keep(const std::string& key, const std::vector<double>& values);
@@ -45,6 +48,7 @@ class Lab {
   std::map<std::string, std::vector<double>> kept_;
   int64_t measured_ = 0;
   int64_t asked_ = 0;
+  double load_ = 0;
 };
 
 }  // namespace ballpit

@@ -25,6 +25,10 @@ void append_text(std::string& line, const std::string& text) {
 
 }  // namespace
 
+std::string header_of(const Column& column) {
+  return column.unit.empty() ? column.name : column.name + " [" + column.unit + ']';
+}
+
 std::string csv_line(const std::vector<Cell>& cells) {
   std::string line;
   for (size_t k = 0; k < cells.size(); ++k) {
@@ -62,7 +66,7 @@ std::string csv_of(const Table& table, const std::vector<std::string>& comments)
   for (const std::string& comment : comments) text += "# " + comment + '\n';
   std::vector<Cell> header;
   for (const Column& column : table.columns) {
-    header.emplace_back(column.unit.empty() ? column.name : column.name + " [" + column.unit + ']');
+    header.emplace_back(header_of(column));
   }
   text += csv_line(header);
   for (const std::vector<Cell>& row : table.rows) {

@@ -21,7 +21,11 @@ struct Table {
   std::string name;  ///< the file's stem: "times"
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;  ///< each as long as `columns`
+  bool is_shown = false;                ///< in the report, as well as in its file
 };
+
+/// "time [ms]"
+std::string header_of(const Column& column);
 
 /// One line, with its end. Texts with commas or quotes are quoted; numbers read back as the same doubles.
 std::string csv_line(const std::vector<Cell>& cells);

@@ -89,7 +89,7 @@ const std::vector<ContactMethod>& contact_methods() {
 }
 
 Series series_of(const ContactMethod& method) {
-  return {method.name, method.role, {}, Mark::line_and_points, method.settings.precision == "float",
+  return {method.name, method.role, {}, Stroke::line_and_points, method.settings.precision == "float",
           !method.is_main};
 }
 

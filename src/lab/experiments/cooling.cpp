@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numbers.h"
 #include "lab/boundary.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/gas.h"
 #include "lab/key.h"
 #include "lab/mean.h"
-#include "lab/numbers.h"
 
 namespace ballpit {
 
@@ -77,7 +77,7 @@ std::vector<Chart> charts_of(const std::vector<Course>& courses) {
   const Axis time{"time t/τ", "", Scale::log};
   Chart whole{"temperature", "A gas cools by (1 + t/τ)⁻²", time, {"T/T₀", "", Scale::log}, {}, {}, {}};
   Chart detail{"deviation", "How far from Haff's law", time, {"T over Haff's − 1", "%"}, {}, {}, {}};
-  Series law{"Haff's law", "theory", {}, Mark::line}, zero = law;
+  Series law{"Haff's law", "theory", {}, Stroke::line}, zero = law;
   for (const double t : spaced(at.front(), at.back(), 60, Scale::log)) {
     law.points.push_back({t, std::pow(1 + t, -2)});
     zero.points.push_back({t, 0});
@@ -85,8 +85,8 @@ std::vector<Chart> charts_of(const std::vector<Course>& courses) {
   whole.series = {law};
   detail.series = {zero};
   for (size_t k = 0; k < courses.size(); ++k) {
-    Series points{label_of(courses[k]), kRoles[k], {}, Mark::points}, off = points;
-    off.mark = Mark::line_and_points;
+    Series points{label_of(courses[k]), kRoles[k], {}, Stroke::points}, off = points;
+    off.stroke = Stroke::line_and_points;
     for (size_t t = 0; t < at.size(); ++t) {
       const Mean& mean = courses[k].temperature[t];
       const double haff = std::pow(1 + at[t], -2);

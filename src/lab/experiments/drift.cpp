@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numbers.h"
 #include "lab/boundary.h"
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/long_runs.h"
 #include "lab/key.h"
 #include "lab/made_scenes.h"
-#include "lab/numbers.h"
 
 namespace ballpit {
 
@@ -105,7 +105,7 @@ Findings oscillator(Lab& lab) {
   for (const std::string& name : integrators()) {
     const auto drifts = lab.measure(key_of({"oscillator", name, kOmegaStep, double(kDoublings)}),
                                     [&] { return oscillator_drift(name, kOmegaStep, kDoublings); });
-    Series measured{name, kRoles[role++], {}, Mark::points}, theory{"", "theory", {}, Mark::line};
+    Series measured{name, kRoles[role++], {}, Stroke::points}, theory{"", "theory", {}, Stroke::line};
     for (int k = 0; k < kDoublings; ++k) {
       const double steps = std::pow(2, k), expected = oscillator_theory(name, kOmegaStep, steps);
       if (expected > kOscillatorLeaves) break;

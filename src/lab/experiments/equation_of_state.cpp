@@ -4,13 +4,13 @@
 #include <cmath>
 #include <functional>
 
+#include "core/numbers.h"
 #include "lab/boundary.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/gas.h"
 #include "lab/key.h"
 #include "lab/made_scenes.h"
 #include "lab/mean.h"
-#include "lab/numbers.h"
 #include "lab/theory.h"
 
 namespace ballpit {
@@ -50,7 +50,7 @@ Point with_error(double x, const Mean& mean) {
 }
 
 Series theory_line(const std::string& label, const std::vector<double>& xs, const std::function<double(double)>& y) {
-  Series line{label, "theory", {}, Mark::line};
+  Series line{label, "theory", {}, Stroke::line};
   for (const double x : xs) line.points.push_back({x, y(x)});
   return line;
 }
@@ -80,7 +80,7 @@ std::vector<Chart> charts_of(const std::vector<ExactPoint>& points) {
   const Axis density{"density N·D³/V"};
   const std::vector<double> xs = spaced(points.front().rho, points.back().rho, 100, Scale::linear);
   const auto percent = [](double z, double rho) { return 100 * (z / reference_z(rho) - 1); };
-  Series measured{"event-driven", "first", {}, Mark::points}, off = measured;
+  Series measured{"event-driven", "first", {}, Stroke::points}, off = measured;
   for (const ExactPoint& p : points) {
     measured.points.push_back(with_error(p.rho, p.z));
     const double size = reference_z(p.rho) - p.expected;  // taken off: what so few spheres make of it
@@ -120,8 +120,8 @@ Table table_of(const std::vector<SteppedPoint>& points) {
 Chart chart_of(const std::vector<SteppedPoint>& points, double count) {
   Chart chart{"late-contacts", "A fixed step sees each hit late, and the pressure falls",
               {"step dt", "D/√(kT/m)"}, {"Z − Z of exact motion"}, {}, {}, {}};
-  Series discrete{"contacts at the end of a step", "first", {}, Mark::points},
-      swept{"swept contacts", "second", {}, Mark::points};
+  Series discrete{"contacts at the end of a step", "first", {}, Stroke::points},
+      swept{"swept contacts", "second", {}, Stroke::points};
   for (const SteppedPoint& p : points) {
     discrete.points.push_back(with_error(p.dt, p.discrete));
     swept.points.push_back(with_error(p.dt, p.swept));

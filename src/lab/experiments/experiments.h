@@ -11,5 +11,6 @@ Experiment cooling_experiment();
 Experiment drift_experiment();
 Experiment equation_of_state_experiment();
 Experiment stability_experiment();
+Experiment work_precision_experiment();
 
 }  // namespace ballpit

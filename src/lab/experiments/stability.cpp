@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where methods fail, mapped: what is measured as colour, and the formula's line.
+#include "core/numbers.h"
 #include "lab/experiments/stability.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/failures.h"
 #include "lab/key.h"
-#include "lab/numbers.h"
 #include "lab/theory.h"
 
 namespace ballpit {
@@ -36,12 +36,12 @@ Table table_of(const FailureMap& which, const Map& map) {
 
 Chart chart_of(const FailureMap& which, const Map& map, const MapBoundary& boundary) {
   Chart chart{which.name, which.title, which.x.axis, which.y.axis, {}, map, {}};
-  Series theory{which.formula, "theory", {}, Mark::line};
+  Series theory{which.formula, "theory", {}, Stroke::line};
   for (const double x : spaced(map.x.front(), map.x.back(), 100, which.x.axis.scale)) {
     const double y = which.theory(x);
     if (y >= map.y.front() && y <= map.y.back()) theory.points.push_back({x, y});
   }
-  Series measured{"measured", "first", {}, Mark::points};
+  Series measured{"", "first", {}, Stroke::points};
   for (size_t column = 0; column < map.x.size(); ++column) {
     if (boundary.y[column] == boundary.y[column]) measured.points.push_back({map.x[column], boundary.y[column]});
   }

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numbers.h"
 #include "lab/experiments/accuracy.h"
 #include "lab/experiments/experiments.h"
 #include "lab/key.h"
 #include "lab/mean.h"
-#include "lab/numbers.h"
 #include "lab/spread.h"
+#include "simulate/response/damping.h"
 
 namespace ballpit {
 
@@ -143,7 +144,7 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
               {},
               {},
               {}};
-  Series failed{"failed", "failed", {}, Mark::points};
+  Series failed{"failed", "failed", {}, Stroke::points};
   for (size_t k = 0; k < results.size();) {
     const ContactMethod* method = results[k].method;
     Series series = series_of(*method);
@@ -158,7 +159,7 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
     }
     if (!series.points.empty()) chart.series.push_back(series);
   }
-  Series front{"Pareto front", "bound", {}, Mark::line};
+  Series front{"Pareto front", "front", {}, Stroke::line};
   for (const Result& result : front_of(results)) front.points.push_back({result.error, result.seconds.median});
   chart.series.push_back(front);
   if (!failed.points.empty()) chart.series.push_back(failed);
@@ -166,19 +167,82 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
   return chart;
 }
 
-/// Of each task, who holds a tolerance in the least time.
-void add_fastest(const Task& task, const std::vector<Result>& results, Table& table) {
-  for (const double tolerance : kTolerances) {
-    std::vector<Cell> row{task.name, tolerance, "none", kNoNumberCell(), kNoNumberCell()};
-    for (const Result& result : front_of(results)) {
-      if (result.error > tolerance) continue;
-      row = {task.name, tolerance, result.method->name, result.dt, result.seconds.median};
-      break;
-    }
-    table.rows.push_back(row);
+/// At what order in the step restitution converges: the force begins with a kink, with a dashpot by a jump.
+struct Order {
+  const char *integrator, *law;
+  double restitution, expected;
+};
+
+std::vector<Order> orders() {
+  const double damped = restitution_to_overlap_end(0.1);
+  return {{"velocity-verlet", "linear", 1, 3},
+          {"velocity-verlet", "hertz", 1, 2.5},
+          {"velocity-verlet", "linear", damped, 1},
+          {"rk4", "hertz", 1, 2.5},
+          {"rk4", "linear", damped, 2}};
+}
+
+Table order_table(Lab& lab) {
+  Table table{"orders", {{"integrator"}, {"law"}, {"restitution"}, {"order measured"}, {"order expected"}}, {}};
+  for (const Order& order : orders()) {
+    const auto measured = lab.measure(key_of({"order", order.integrator, order.law, order.restitution}), [&] {
+      return std::vector<double>{order_of_restitution(order.integrator, order.law, order.restitution)};
+    });
+    table.rows.push_back({order.integrator, order.law, order.restitution, measured[0], order.expected});
   }
+  return table;
+}
+
+int64_t measurements(bool is_quick) {
+  size_t count = 0;
+  for (const Task& task : tasks()) {
+    for (const ContactMethod& method : contact_methods()) {
+      if (task.serves(method)) count += steps_of(task, method, is_quick).size();
+    }
+  }
+  return static_cast<int64_t>(count) * repeats(is_quick) + static_cast<int64_t>(orders().size());
+}
+
+/// The fastest of a task that holds a tolerance; nullptr where none does.
+const Result* fastest(const std::vector<Result>& front, double tolerance) {
+  const auto found = std::find_if(front.begin(), front.end(), [&](const Result& r) { return r.error <= tolerance; });
+  return found == front.end() ? nullptr : &*found;
+}
+
+Findings run(Lab& lab) {
+  Findings findings;
+  Table best{"fastest", {{"task"}, {"tolerance"}, {"method"}, {"step", "s"}, {"time per simulated second", "s"}}, {}};
+  for (const Task& task : tasks()) {
+    const std::vector<Result> results = results_of(lab, task), front = front_of(results);
+    findings.tables.push_back(table_of(task, results));
+    findings.charts.push_back(chart_of(task, results));
+    for (const double tolerance : kTolerances) {
+      const Result* result = fastest(front, tolerance);
+      best.rows.push_back({task.name, tolerance, result ? result->method->name : "none",
+                           result ? result->dt : kNoNumber, result ? result->seconds.median : kNoNumber});
+    }
+    const Result* percent = fastest(front, 0.01);
+    findings.answer += findings.answer.empty() ? "A percent is had in the least time " : "; ";
+    findings.answer += "in " + task.name + " by " + (percent ? percent->method->name : "nobody");
+    findings.see += task.title + ": errors are against " + task.truth + ". ";
+  }
+  findings.answer += ".";
+  findings.see += "";
+  findings.tables.push_back(best);
+  findings.tables.push_back(order_table(lab));
+  return findings;
 }
 
 }  // namespace
+
+Experiment work_precision_experiment() {
+  return {"work-precision",
+          "Speed against accuracy",
+          "Which method, integrator, step and precision gives the least error in the least time?",
+          80,
+          2400,
+          measurements,
+          run};
+}
 
 }  // namespace ballpit

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lab/numbers.h"
+#include "core/numbers.h"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 
 namespace ballpit {
@@ -17,6 +18,15 @@ std::string three_digits(double value) {
     std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
   }
   return text.data();
+}
+
+std::string grouped(int64_t number) {
+  std::string digits = std::to_string(number);
+  const std::ptrdiff_t sign = number < 0;
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > sign; at -= 3) {
+    digits.insert(static_cast<size_t>(at), "\u2009");
+  }
+  return digits;
 }
 
 }  // namespace ballpit
