@@ -26,7 +26,7 @@ struct Task {
   double coarsest;     ///< [s] dt0; steps are dt0·2^−k
   int quick_halvings;  ///< k of the finest step
   int full_halvings;
-  bool is_random;  ///< each repeat is of another seed, and there is a statistical floor
+  bool is_mean;  ///< of many collisions: there is a statistical floor, and what the repeats are off has signs
   bool (*serves)(const ContactMethod&);
   Trial (*run)(const ContactMethod&, double dt, uint64_t seed, bool is_quick);
 };
@@ -35,10 +35,10 @@ const std::vector<Task>& tasks();
 
 /// The mean error of restitution, |v'/v − e|, of head-on hits of springs that begin at different parts of a step, `steps` steps a
 /// contact, against the closed form.
-double restitution_error(const std::string& integrator, const std::string& precision, const std::string& law, double restitution,
-                         double steps, int phases);
+double restitution_error(const std::string& integrator, const std::string& precision, const std::string& law,
+                         double restitution, double steps, int phases);
 
-/// log2 of how much the error falls when steps are halved, between 10 and 40 steps a contact.
+/// log2 of how much the error falls when steps are halved, between 40 and 160 steps a contact.
 double order_of_restitution(const std::string& integrator, const std::string& law, double restitution);
 
 }  // namespace ballpit

@@ -18,14 +18,14 @@ struct Look {
 constexpr Look kLooks[] = {{"event-driven", "first"},
                            {"impulse", "second"},
                            {"penalty", "third"},
-                           {"position-based", "fourth"},
+                           {"position-based", "sixth"},
                            {"kinematic", "fifth"}};
 
 std::string role_of(std::string_view response) {
   for (const Look& look : kLooks) {
     if (look.response == response) return std::string(look.role);
   }
-  return "sixth";
+  return "fourth";
 }
 
 /// What else than the integrator makes a method of its own.
@@ -45,12 +45,19 @@ std::vector<Variant> variants_of(std::string_view response) {
   return variants;
 }
 
-std::string name_of(const Settings& settings, const Variant& variant, bool is_only_integrator) {
+/// "penalty, rk4, float": what differs among those of the response.
+std::string name_of(const Settings& settings, const Variant& variant, bool has_integrators) {
   std::string name = settings.response;
-  if (!is_only_integrator) name += ", " + settings.integrator;
+  if (has_integrators) name += ", " + settings.integrator;
   if (!variant.words.empty()) name += ", " + variant.words;
   if (settings.precision == "float") name += ", float";
   return name;
+}
+
+/// The response's own integrator and solver go by its name, the others by what they have instead.
+std::string label_of(const Settings& settings, const Variant& variant, bool is_own) {
+  if (!variant.words.empty()) return "+ " + variant.words;
+  return is_own ? settings.response : "+ " + settings.integrator;
 }
 
 void add_methods(std::string_view response, std::vector<ContactMethod>& list) {
@@ -70,8 +77,10 @@ void add_methods(std::string_view response, std::vector<ContactMethod>& list) {
         settings.integrator = integrator;
         settings.precision = precision;
         variant.apply(settings);
-        const bool is_main = integrator == own.integrator && variant.words.empty() && precision == "double";
-        list.push_back({name_of(settings, variant, integrators.size() == 1), role_of(response), is_main, settings});
+        const bool is_own = integrator == own.integrator;
+        const bool is_main = is_own && variant.words.empty() && precision == "double";
+        list.push_back({name_of(settings, variant, integrators.size() > 1), label_of(settings, variant, is_own),
+                        role_of(response), is_main, settings});
       }
     }
   }
@@ -89,8 +98,8 @@ const std::vector<ContactMethod>& contact_methods() {
 }
 
 Series series_of(const ContactMethod& method) {
-  return {method.name, method.role, {}, Stroke::line_and_points, method.settings.precision == "float",
-          !method.is_main};
+  const bool is_float = method.settings.precision == "float";
+  return {is_float ? "" : method.label, method.role, {}, Stroke::line_and_points, is_float, !method.is_main};
 }
 
 double stiffness_for(double dt, double steps, double mu, double restitution) {

@@ -13,6 +13,7 @@ namespace ballpit {
 
 struct ContactMethod {
   std::string name;   ///< of its options: "penalty, rk4, float"
+  std::string label;  ///< in charts, where its role tells the response: "penalty", and "+ rk4" of its others
   std::string role;   ///< the response's colour
   bool is_main;       ///< the response's own integrator and solver, in double precision
   Settings settings;  ///< one thread; its step is still to be set
@@ -20,7 +21,7 @@ struct ContactMethod {
 
 const std::vector<ContactMethod>& contact_methods();
 
-/// Its line in a chart, thin where it is not a main one, dashed in single precision.
+/// Its line in a chart: thin where it is not a main one; dashed and without a label, beside its double's, in single precision.
 Series series_of(const ContactMethod& method);
 
 /// Springs whose contacts last `steps` steps, as accuracy asks for at least 20: N/m for spheres of reduced mass mu [kg].

@@ -69,14 +69,14 @@ Table tau_table(const std::vector<Course>& courses) {
   return table;
 }
 
-std::string label_of(const Course& course) { return "e = " + three_digits(course.restitution); }
+std::string label_of(const Course& course) { return "e = " + key_of({course.restitution}); }
 
 std::vector<Chart> charts_of(const std::vector<Course>& courses) {
   constexpr const char* kRoles[] = {"first", "second", "third"};
   const std::vector<double> at = times();
   const Axis time{"time t/τ", "", Scale::log};
   Chart whole{"temperature", "A gas cools by (1 + t/τ)⁻²", time, {"T/T₀", "", Scale::log}, {}, {}, {}};
-  Chart detail{"deviation", "How far from Haff's law", time, {"T over Haff's − 1", "%"}, {}, {}, {}};
+  Chart detail{"deviation", "How far the temperature is from Haff's law", time, {"deviation of T", "%"}, {}, {}, {}};
   Series law{"Haff's law", "theory", {}, Stroke::line}, zero = law;
   for (const double t : spaced(at.front(), at.back(), 60, Scale::log)) {
     law.points.push_back({t, std::pow(1 + t, -2)});
@@ -114,7 +114,8 @@ Findings run(Lab& lab) {
                     " % from that of kinetic theory.";
   findings.see =
       "T/T₀ of gases of 256 spheres by exact motion, means over seeds with their standard errors; time in units of "
-      "τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start. Nothing is fitted. The second chart magnifies "
+      "τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start. Nothing is fitted. The second chart "
+      "magnifies "
       "the first: the more a collision takes, the less the speeds are Maxwell's, and the law is a little off.";
   return findings;
 }

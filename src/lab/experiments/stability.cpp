@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Where methods fail, mapped: what is measured as colour, and the formula's line.
-#include "core/numbers.h"
 #include "lab/experiments/stability.h"
 
 #include <algorithm>
 
+#include "core/numbers.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/failures.h"
 #include "lab/key.h"
@@ -24,8 +24,9 @@ std::vector<double> centres_of(const MapAxis& axis, bool is_quick) {
 }
 
 Table table_of(const FailureMap& which, const Map& map) {
-  Table table{
-      which.name, {{which.x.axis.label, which.x.axis.unit}, {which.y.axis.label, which.y.axis.unit}, {which.label}}, {}};
+  Table table{which.name,
+              {{which.x.axis.label, which.x.axis.unit}, {which.y.axis.label, which.y.axis.unit}, {which.label}},
+              {}};
   for (size_t column = 0; column < map.x.size(); ++column) {
     for (size_t row = 0; row < map.y.size(); ++row) {
       table.rows.push_back({map.x[column], map.y[row], map.values[row][column]});
@@ -51,9 +52,8 @@ Chart chart_of(const FailureMap& which, const Map& map, const MapBoundary& bound
 
 /// Methods that are known to be wrong, seen failing.
 Table broken(Lab& lab) {
-  const auto recall = lab.measure(key_of({"broken cells", double(kPairs), "seed", double(lab.seed())}), [&] {
-    return std::vector<double>{recall_of_cells(0.5, kPairs, lab.seed())};
-  });
+  const auto recall = lab.measure(key_of({"broken cells", double(kPairs), "seed", double(lab.seed())}),
+                                  [&] { return std::vector<double>{recall_of_cells(0.5, kPairs, lab.seed())}; });
   const auto bullet = lab.measure(key_of({"broken bullet", kBulletStep}), [] {
     return std::vector<double>{double(passes_through(kBulletStep, false)), double(passes_through(kBulletStep, true))};
   });
@@ -87,7 +87,11 @@ Findings run(Lab& lab) {
   findings.tables.push_back(lines);
   findings.tables.push_back(broken(lab));
   findings.see +=
-      "Colours are measured, points are where what is measured changes sides, dotted lines are formulas; none is fitted.";
+      "Colours are measured: by which factor motion grows in a step; the part of hits that is seen; the part of "
+      "searches that find "
+      "at least that recall; what is left of the speed that gravity gave in a step; the part of its way that a sphere "
+      "makes. "
+      "Triangles are where what is measured changes sides, dotted lines are formulas; nothing is fitted.";
   findings.answer = "Methods fail where their formulas say: in all " + std::to_string(failure_maps().size()) +
                     " maps the measured boundary lies within " + three_digits(farthest) + " of a cell from the line.";
   return findings;
