@@ -8,7 +8,8 @@ namespace ballpit {
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> table{
-      divergence_experiment(),
+      scaling_experiment(),    cell_size_experiment(), density_experiment(),
+      size_ratio_experiment(), axis_experiment(),      divergence_experiment(),
   };
   return table;
 }
