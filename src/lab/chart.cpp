@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/append_number.h"
 #include "lab/chart_axis.h"
 #include "lab/chart_style.h"
+#include "scene/input_error.h"
 
 namespace ballpit {
 
@@ -27,12 +27,6 @@ std::string quoted(const std::string& text) {
     if (c == '\'') result += c;
   }
   return result + '\'';
-}
-
-std::string number(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
 }
 
 std::string rgb(Rgb color) { return "rgb '" + hex(color) + "'"; }
@@ -93,11 +87,11 @@ class Script {
   void line(const std::string& text) { text_ += text + '\n'; }
 
   void begin() {
-    line("set terminal svg size " + number(kWidth) + "," + number(kHeight) +
+    line("set terminal svg size " + number_text(kWidth) + "," + number_text(kHeight) +
          " dynamic noenhanced font 'sans-serif,19' background '" + hex(style_.background) + "' linewidth 1");
     line("set encoding utf8\nset key off\nset border 3 linewidth 1.5 linecolor " + rgb(style_.theory));
-    line("set lmargin at screen " + number(kLeft) + "\nset rmargin at screen " + number(kRight));
-    line("set bmargin at screen " + number(kBottom) + "\nset tmargin at screen " + number(kTop));
+    line("set lmargin at screen " + number_text(kLeft) + "\nset rmargin at screen " + number_text(kRight));
+    line("set bmargin at screen " + number_text(kBottom) + "\nset tmargin at screen " + number_text(kTop));
     axis("x", x_);
     axis("y", y_);
     if (!chart_.map) line("set grid xtics ytics linetype 1 linewidth 1 linecolor " + rgb(style_.faint));
@@ -108,24 +102,24 @@ class Script {
 
   void axis(const std::string& name, const Range& range) {
     if (range.scale == Scale::log) line("set logscale " + name);
-    line("set " + name + "range [" + number(range.low) + ":" + number(range.high) + "]");
+    line("set " + name + "range [" + number_text(range.low) + ":" + number_text(range.high) + "]");
     std::string ticks;
     for (const Tick& tick : ticks_of(range)) {
       if (!ticks.empty()) ticks += ", ";
-      ticks += quoted(tick.text) + ' ' + number(tick.at);
+      ticks += quoted(tick.text) + ' ' + number_text(tick.at);
     }
     line("set " + name + "tics scale 0.5 nomirror out textcolor " + rgb(style_.text) + " (" + ticks + ")");
   }
 
   void write_text(double x, double y, const std::string& text, Rgb color, const std::string& where = "left",
                   int size = 19) {
-    line("set label " + quoted(text) + " at screen " + number(x) + ", screen " + number(y) + ' ' + where + " font '," +
-         std::to_string(size) + "' textcolor " + rgb(color));
+    line("set label " + quoted(text) + " at screen " + number_text(x) + ", screen " + number_text(y) + ' ' + where +
+         " font '," + std::to_string(size) + "' textcolor " + rgb(color));
   }
 
   void draw_bounds() {
     for (const Bound& bound : chart_.bounds) {
-      const std::string x = "first " + number(bound.x);
+      const std::string x = "first " + number_text(bound.x);
       line("set arrow from " + x + ", graph 0 to " + x + ", graph 1 nohead dashtype 2 linewidth 1.5 linecolor " +
            rgb(style_.theory));
       line("set label " + quoted(bound.label) + " at " + x + ", graph 1.025 center font ',16' textcolor " +
@@ -150,17 +144,17 @@ class Script {
     const Point* last = nullptr;
     for (const Point& point : series.points) {
       if (std::isinf(point.y)) {
-        failed += number(point.x) + ' ' + number(y_.high) + '\n';
+        failed += number_text(point.x) + ' ' + number_text(y_.high) + '\n';
         continue;
       }
       if (std::isnan(point.y)) {
         points += '\n';
         continue;
       }
-      points += number(point.x) + ' ' + number(point.y) + '\n';
+      points += number_text(point.x) + ' ' + number_text(point.y) + '\n';
       if (!std::isnan(point.low) && !std::isnan(point.high)) {
-        spreads += number(point.x) + ' ' + number(point.y) + ' ' + number(std::max(point.low, y_.low)) + ' ' +
-                   number(std::min(point.high, y_.high)) + '\n';
+        spreads += number_text(point.x) + ' ' + number_text(point.y) + ' ' + number_text(std::max(point.low, y_.low)) +
+                   ' ' + number_text(std::min(point.high, y_.high)) + '\n';
       }
       if (!std::isnan(point.left) && !std::isnan(point.right)) {
         x_spreads += number(point.x) + ' ' + number(point.y) + ' ' + number(std::max(point.left, x_.low)) + ' ' +
@@ -218,11 +212,11 @@ class Script {
       for (size_t column = 0; column < map.x.size(); ++column) {
         const double value = map.values[row][column];
         if (std::isnan(value)) continue;
-        const std::string center = number(map.x[column]) + ' ' + number(map.y[row]);
+        const std::string center = number_text(map.x[column]) + ' ' + number_text(map.y[row]);
         if (std::isinf(value)) failed += center + '\n';
         if (!map.categories.empty() && std::isfinite(value)) markers[static_cast<size_t>(value)] += center + '\n';
-        cells += center + ' ' + number(x[column]) + ' ' + number(x[column + 1]) + ' ' + number(y[row]) + ' ' +
-                 number(y[row + 1]) + ' ' + std::to_string(cell_color(map, colors, value)) + '\n';
+        cells += center + ' ' + number_text(x[column]) + ' ' + number_text(x[column + 1]) + ' ' + number_text(y[row]) +
+                 ' ' + number_text(y[row + 1]) + ' ' + std::to_string(cell_color(map, colors, value)) + '\n';
       }
     }
     if (!cells.empty()) {
@@ -261,9 +255,9 @@ class Script {
     constexpr double kBarLeft = 0.79, kBarRight = 0.815, kBarTop = 0.72;
     for (int k = 0; k < kSteps; ++k) {
       const auto height = [&](int step) { return kBottom + (kBarTop - kBottom) * step / kSteps; };
-      line("set object rectangle from screen " + number(kBarLeft) + ", screen " + number(height(k)) + " to screen " +
-           number(kBarRight) + ", screen " + number(height(k + 1)) + " fillcolor " + rgb(gradient((k + 0.5) / kSteps)) +
-           " fillstyle solid 1 noborder");
+      line("set object rectangle from screen " + number_text(kBarLeft) + ", screen " + number_text(height(k)) +
+           " to screen " + number_text(kBarRight) + ", screen " + number_text(height(k + 1)) + " fillcolor " +
+           rgb(gradient((k + 0.5) / kSteps)) + " fillstyle solid 1 noborder");
     }
     for (const Tick& tick : ticks_of(colors)) {
       write_text(kBarRight + 0.012, kBottom + (kBarTop - kBottom) * colors.share_of(tick.at), tick.text, style_.text);

@@ -6,7 +6,7 @@
 #include "core/numbers.h"
 #include "lab/boundary.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/gas.h"
+#include "lab/experiments/hard_spheres.h"
 #include "lab/key.h"
 #include "lab/mean.h"
 

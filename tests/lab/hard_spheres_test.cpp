@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pressure and cooling of gases, as the experiments measure them, against theory.
-#include "lab/experiments/gas.h"
+#include "lab/experiments/hard_spheres.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lab/experiments/gas.h"
+#include "lab/experiments/hard_spheres.h"
 
 #include <algorithm>
 #include <cmath>
