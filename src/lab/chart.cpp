@@ -157,8 +157,9 @@ class Script {
                    ' ' + number_text(std::min(point.high, y_.high)) + '\n';
       }
       if (!std::isnan(point.left) && !std::isnan(point.right)) {
-        x_spreads += number(point.x) + ' ' + number(point.y) + ' ' + number(std::max(point.left, x_.low)) + ' ' +
-                     number(std::min(point.right, x_.high)) + '\n';
+        x_spreads += number_text(point.x) + ' ' + number_text(point.y) + ' ' +
+                     number_text(std::max(point.left, x_.low)) + ' ' + number_text(std::min(point.right, x_.high)) +
+                     '\n';
       }
       if (x_.shows(point.x) && y_.shows(point.y)) last = &point;
     }
