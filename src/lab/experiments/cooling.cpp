@@ -114,16 +114,16 @@ Findings run(Lab& lab) {
                     " % from that of kinetic theory.";
   findings.see =
       "T/T₀ of gases of 256 spheres by exact motion, means over seeds with their standard errors; time in units of "
-      "τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start. Nothing is fitted. The second chart "
-      "magnifies "
-      "the first: the more a collision takes, the less the speeds are Maxwell's, and the law is a little off.";
+      "τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start. Nothing is fitted. The second "
+      "chart magnifies the first: the more a collision takes, the less the speeds are Maxwell's, and the law is a "
+      "little off.";
   return findings;
 }
 
 }  // namespace
 
 Experiment cooling_experiment() {
-  return {"cooling", "Cooling", "Does a gas that loses energy cool by Haff's law?", 10, 100, measurements, run};
+  return {"cooling", "Cooling", "Does a gas that loses energy cool by Haff's law?", 5, 50, measurements, run};
 }
 
 }  // namespace ballpit

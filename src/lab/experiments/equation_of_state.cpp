@@ -166,13 +166,11 @@ Findings run(Lab& lab) {
                     " takes " + three_digits(-100 * coarse.discrete.value / truth) +
                     " % from it, where late contacts predict " + three_digits(-100 * coarse.expected / truth) + " %.";
   findings.see =
-      "Points are means over blocks of many collisions, with their standard errors; dotted lines are the literature's. "
-      "The "
-      "second chart magnifies the first: Carnahan and Starling's formula is off by up to 0.3 %, and the measured "
-      "points "
-      "follow the reference instead. In the third, contacts found at the end of a step are half a step late on "
-      "average, as "
-      "if spheres were smaller; swept contacts are on time. The number of spheres is accounted for in all three.";
+      "Points are means over blocks of many collisions, with their standard errors; dotted lines are the "
+      "literature's. The second chart magnifies the first: Carnahan and Starling's formula is off by up to 0.3 %, "
+      "and the measured points follow the reference instead. In the third, contacts found at the end of a step are "
+      "half a step late on average, as if spheres were smaller; swept contacts are on time. The number of spheres "
+      "is accounted for in all three.";
   return findings;
 }
 
@@ -182,8 +180,8 @@ Experiment equation_of_state_experiment() {
   return {"equation-of-state",
           "Equation of state",
           "Is the pressure of a gas of hard spheres that of the literature, and what does a fixed step make of it?",
-          30,
-          900,
+          25,
+          500,
           measurements,
           run};
 }

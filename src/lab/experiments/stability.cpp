@@ -88,10 +88,9 @@ Findings run(Lab& lab) {
   findings.tables.push_back(broken(lab));
   findings.see +=
       "Colours are measured: by which factor motion grows in a step; the part of hits that is seen; the part of "
-      "searches that find "
-      "at least that recall; what is left of the speed that gravity gave in a step; the part of its way that a sphere "
-      "makes. "
-      "Triangles are where what is measured changes sides, dotted lines are formulas; nothing is fitted.";
+      "searches that find at least that recall; what is left of the speed that gravity gave in a step; the part of "
+      "its way that a sphere makes. Triangles are where what is measured changes sides, dotted lines are formulas; "
+      "nothing is fitted.";
   findings.answer = "Methods fail where their formulas say: in all " + std::to_string(failure_maps().size()) +
                     " maps the measured boundary lies within " + three_digits(farthest) + " of a cell from the line.";
   return findings;
@@ -124,8 +123,8 @@ Experiment stability_experiment() {
   return {"stability",
           "Where methods fail",
           "Does each method fail where its formula says, and nowhere else?",
-          30,
-          300,
+          15,
+          150,
           measurements,
           run};
 }
