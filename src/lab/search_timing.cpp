@@ -12,7 +12,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr int kRepeats = 5;
+constexpr int kRepeats = 9;
 constexpr double kLongEnough = 0.002;  // [s] for the clock
 constexpr int kMostSearches = 200;     // in a repeat
 

@@ -108,7 +108,7 @@ Chart time_chart(const std::vector<Row>& rows, int64_t count) {
 Chart recall_chart(const std::vector<Row>& rows) {
   Chart chart{"recall", "Contacts found against cell size", cells_axis(), {"contacts found", "%"}, {}, {}, bounds()};
   chart.x.high = 8.5;
-  Series theory{"", "theory", {}, Stroke::line};
+  Series theory{"formula", "theory", {}, Stroke::line};
   for (const Row& row : rows) theory.points.push_back({row.size, 100 * row.recall[2]});
   chart.series.push_back(std::move(theory));
   for (size_t k = 0; k < kGrids.size(); ++k) {

@@ -42,7 +42,7 @@ Findings run(Lab& lab) {
       "force's plain "
       "loop wins. Many: cells win, whatever the density. Thin gases have many empty cells, which cost time to clear; "
       "dense heaps have many real "
-      "contacts, which every method must find. A cell of the map belongs to the method with the least median of five, "
+      "contacts, which every method must find. A cell of the map belongs to the method with the least median of nine, "
       "in turns, unless its upper "
       "quartile reaches the next one's lower: such cells are grey. Brute force was not tried beyond 30 000 spheres.";
   return findings;
