@@ -76,6 +76,7 @@ std::vector<SearchTiming> time_searches(Lab& lab, const std::string& key, const 
 Settings search_by(std::string_view broadphase) {
   Settings settings;
   settings.broadphase = broadphase;
+  settings.threads = 1;
   return settings;
 }
 

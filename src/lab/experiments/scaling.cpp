@@ -236,19 +236,14 @@ Findings run(Lab& lab) {
   findings.answer = answer_of(curves);
   findings.see =
       "Whole steps of a gas of equal elastic spheres that fill 30 % of a box: detection, response, motion. Both axes "
-      "are "
-      "logarithmic, so a power of n is a straight line; dotted, what O(n²), O(n log n) and O(n) look like. Points are "
-      "medians "
-      "of five blocks of steps, bars their quartiles; all methods are measured in turns. Exponents are least squares "
-      "in the "
-      "logarithms, over the upper part of each curve (a thirtieth of its most spheres, or more): below that, what a "
-      "step costs "
-      "however few spheres there are hides the growth. Brute force ends where a block would take too long. In a cube "
-      "sort and "
-      "sweep walks n to the power of 5/3 entries, since an interval's share of the axis shrinks only as the cube root "
-      "of n; its "
-      "time follows that where walking outweighs sorting: the table gives the exponent of what is counted, the "
-      "candidates, beside that of what is timed.";
+      "are logarithmic, so a power of n is a straight line; dotted, what O(n²), O(n log n) and O(n) look like. "
+      "Points are medians of five blocks of steps, bars their quartiles; all methods are measured in turns. "
+      "Exponents are least squares in the logarithms, over the upper part of each curve (a thirtieth of its most "
+      "spheres, or more): below that, what a step costs however few spheres there are hides the growth. Brute force "
+      "ends where a block would take too long. In a cube sort and sweep walks n to the power of 5/3 entries, since "
+      "an interval's share of the axis shrinks only as the cube root of n; its time follows that where walking "
+      "outweighs sorting: the table gives the exponent of what is counted, the candidates, beside that of what is "
+      "timed.";
   return findings;
 }
 
