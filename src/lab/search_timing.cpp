@@ -12,7 +12,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr int kRepeats = 5;
+constexpr int kRepeats = 9;
 constexpr double kLongEnough = 0.002;  // [s] for the clock
 constexpr int kMostSearches = 200;     // in a repeat
 
@@ -76,6 +76,7 @@ std::vector<SearchTiming> time_searches(Lab& lab, const std::string& key, const 
 Settings search_by(std::string_view broadphase) {
   Settings settings;
   settings.broadphase = broadphase;
+  settings.threads = 1;
   return settings;
 }
 

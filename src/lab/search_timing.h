@@ -27,7 +27,8 @@ struct SearchTiming {
 std::vector<SearchTiming> time_searches(Lab& lab, const std::string& key, const std::vector<Settings>& ways,
                                         const std::function<SphereSet()>& make_spheres);
 
-/// A broad phase by name, else as the program has it.
+/// A broad phase by name on one thread, so that what is compared are methods, not how they share a busy machine; else as the
+/// program has it.
 Settings search_by(std::string_view broadphase);
 
 /// Names of all broad phases but auto.

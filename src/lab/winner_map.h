@@ -49,6 +49,9 @@ Table winner_table(const WinnerPlan& plan, const std::vector<WinnerCell>& cells)
 /// "the sorted grid wins 20 of 30 cases, the linked cell 5, too close to tell 5"
 std::string tally_of(const std::vector<WinnerCell>& cells);
 
+/// How cells of the map are won, in words.
+std::string winning_rule();
+
 /// Of each method that was tried: its time over the winner's where it loses most. In the order of broad_phases().
 std::vector<double> worst_losses(const std::vector<WinnerCell>& cells);
 

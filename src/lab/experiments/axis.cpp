@@ -123,19 +123,17 @@ Findings run(Lab& lab) {
   findings.tables = {winner_table(plan, cells), sweep_table(sweeps, count)};
   findings.charts = {sweep_chart(plan, sweeps, count),
                      winner_chart(plan, cells, "Fastest broad phase by the box’s shape")};
-  findings.answer = "In a box " + three_digits(tallest.aspect) + " times as tall as wide, sort and sweep tests " +
+  findings.answer = "In a box " + number_text(tallest.aspect) + " times as tall as wide, sort and sweep tests " +
                     three_digits(tallest.candidates[0] / tallest.candidates[1]) +
                     " times as many pairs along x as along z; auto makes " +
                     three_digits(tallest.candidates[2] / tallest.candidates[1]) + " times the fewest.";
   findings.see =
-      "Equal spheres, 30 % of the box, from a flat plate to a tall column. Dotted: the expected overlaps of intervals, "
-      "n(n−1)/2 · (2D/L − D²/L²) for centres drawn evenly along a length L, D being a diameter; all pairs where L is "
-      "less than D. Sort and sweep along "
-      "the long way leaves few candidates; across it, it is brute force with a sort. Auto takes the axis along which "
-      "positions vary most. The map tells which broad phase is fastest in such boxes (sort and sweep by auto); grey "
-      "cells are "
-      "too close to tell, and brute force was not tried beyond 30 000 spheres. " +
-      tally_of(cells) + ".";
+      "Equal spheres, 30 % of the box, from a flat plate to a tall column. Dotted: the expected overlaps of "
+      "intervals, n(n−1)/2 · (2D/L − D²/L²) for centres drawn evenly along a length L, D being a diameter; all pairs "
+      "where L is less than D. Sort and sweep along the long way leaves few candidates; across it, it is brute force "
+      "with a sort. Auto takes the axis along which positions vary most. The map tells which broad phase is fastest "
+      "in such boxes (sort and sweep by auto). " +
+      winning_rule() + " " + tally_of(cells) + ".";
   return findings;
 }
 

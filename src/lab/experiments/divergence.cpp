@@ -99,14 +99,11 @@ Findings run(Lab& lab) {
                     " % of the lanes of a warp busy; least does " + worst + ": " + three_digits(100 * least) + " %.";
   findings.see =
       "A GPU's threads walk in warps of 32, in lockstep: a warp takes as long as its longest thread. SIMD efficiency "
-      "is the "
-      "work of all threads over 32 times the longest of each warp. In sort and sweep, half of the threads hold an end "
-      "and "
-      "return at once (work 0, drawn at a half); the walks of the others are as long as the spheres they meet. A "
-      "linked "
-      "cell's thread reads the lists of its block, whose lengths chance decides. Brute force, not drawn, gives each "
-      "thread all spheres after its own: neighbours differ by one, so warps lose next to nothing, at the price of the "
-      "most work.";
+      "is the work of all threads over 32 times the longest of each warp. In sort and sweep, half of the threads "
+      "hold an end and return at once (work 0, drawn at a half); the walks of the others are as long as the spheres "
+      "they meet. A linked cell's thread reads the lists of its block, whose lengths chance decides. Brute force, "
+      "not drawn, gives each thread all spheres after its own: neighbours differ by one, so warps lose next to "
+      "nothing, at the price of the most work.";
   return findings;
 }
 

@@ -54,7 +54,7 @@ struct Curve {
   StepCase which;
   std::vector<Point> points;  ///< milliseconds a step: median and quartiles
   std::vector<double> candidates;
-  PowerFit fit;
+  PowerFit fit, candidates_fit;  ///< of milliseconds, of candidates
 };
 
 /// Of each case: its blocks [s a step], then its candidates; not a number where it was skipped.
@@ -75,19 +75,27 @@ std::vector<double> measure_count(int64_t count, bool is_quick) {
   return flat;
 }
 
-PowerFit fit_upper(const Curve& curve) {
+/// Of the upper part: `values` belong to the curve's points.
+PowerFit fit_upper(const Curve& curve, const std::vector<double>& values) {
   std::vector<double> x, y;
-  for (const Point& point : curve.points) {
-    if (point.x < kFittedFrom * curve.points.back().x) continue;
-    x.push_back(point.x);
-    y.push_back(point.y);
+  for (size_t k = 0; k < curve.points.size(); ++k) {
+    if (curve.points[k].x < kFittedFrom * curve.points.back().x || values[k] <= 0) continue;
+    x.push_back(curve.points[k].x);
+    y.push_back(values[k]);
   }
   return x.size() < 2 ? PowerFit{kNoNumber, kNoNumber, kNoNumber} : fit_power(x, y);
 }
 
+void fit(Curve& curve) {
+  std::vector<double> milliseconds;
+  for (const Point& point : curve.points) milliseconds.push_back(point.y);
+  curve.fit = fit_upper(curve, milliseconds);
+  curve.candidates_fit = fit_upper(curve, curve.candidates);
+}
+
 std::vector<Curve> measure_all(Lab& lab) {
   std::vector<Curve> curves;
-  for (const StepCase& which : cases()) curves.push_back({which, {}, {}, {}});
+  for (const StepCase& which : cases()) curves.push_back({which, {}, {}, {}, {}});
   for (const int64_t count : counts(lab.is_quick())) {
     const std::string key = "ms a step; gas of " + std::to_string(count) + (lab.is_quick() ? "; quick" : "; full");
     const std::vector<double> flat = lab.time(key, [&] { return measure_count(count, lab.is_quick()); });
@@ -100,7 +108,7 @@ std::vector<Curve> measure_all(Lab& lab) {
       curves[k].candidates.push_back(first[kBlocks]);
     }
   }
-  for (Curve& curve : curves) curve.fit = fit_upper(curve);
+  for (Curve& curve : curves) fit(curve);
   return curves;
 }
 
@@ -186,13 +194,18 @@ Table times_of(const std::vector<Curve>& curves) {
 
 Table exponents_of(const std::vector<Curve>& curves) {
   Table table{"exponents",
-              {{"broad phase"}, {"exponent of time"}, {"standard error"}, {"most spheres"}, {"time a step", "ms"}},
+              {{"broad phase"},
+               {"exponent of time"},
+               {"standard error"},
+               {"exponent of candidates"},
+               {"most spheres"},
+               {"time a step", "ms"}},
               {},
               true};
   for (const Curve& curve : curves) {
     if (curve.points.empty()) continue;
-    table.rows.push_back(
-        {name_of(curve.which), curve.fit.exponent, curve.fit.error, curve.points.back().x, curve.points.back().y});
+    table.rows.push_back({name_of(curve.which), curve.fit.exponent, curve.fit.error, curve.candidates_fit.exponent,
+                          curve.points.back().x, curve.points.back().y});
   }
   return table;
 }
@@ -223,18 +236,14 @@ Findings run(Lab& lab) {
   findings.answer = answer_of(curves);
   findings.see =
       "Whole steps of a gas of equal elastic spheres that fill 30 % of a box: detection, response, motion. Both axes "
-      "are "
-      "logarithmic, so a power of n is a straight line; dotted, what O(n²), O(n log n) and O(n) look like. Points are "
-      "medians "
-      "of five blocks of steps, bars their quartiles; all methods are measured in turns. Exponents are least squares "
-      "in the "
-      "logarithms, over the upper part of each curve (a thirtieth of its most spheres, or more): below that, what a "
-      "step costs "
-      "however few spheres there are hides the growth. Brute force ends where a block would take too long. In a cube "
-      "sort and "
-      "sweep walks n to the power of 5/3 entries, since an interval's share of the axis shrinks only as the cube root "
-      "of n; its "
-      "time follows that where walking outweighs sorting.";
+      "are logarithmic, so a power of n is a straight line; dotted, what O(n²), O(n log n) and O(n) look like. "
+      "Points are medians of five blocks of steps, bars their quartiles; all methods are measured in turns. "
+      "Exponents are least squares in the logarithms, over the upper part of each curve (a thirtieth of its most "
+      "spheres, or more): below that, what a step costs however few spheres there are hides the growth. Brute force "
+      "ends where a block would take too long. In a cube sort and sweep walks n to the power of 5/3 entries, since "
+      "an interval's share of the axis shrinks only as the cube root of n; its time follows that where walking "
+      "outweighs sorting: the table gives the exponent of what is counted, the candidates, beside that of what is "
+      "timed.";
   return findings;
 }
 

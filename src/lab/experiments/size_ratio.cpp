@@ -6,6 +6,7 @@
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
 #include "lab/winner_map.h"
+#include "scene/input_error.h"
 
 namespace ballpit {
 
@@ -59,22 +60,16 @@ Findings run(Lab& lab) {
   findings.tables = {winner_table(plan, cells)};
   findings.charts = {winner_chart(plan, cells, "Fastest broad phase, spheres of different sizes"),
                      candidates_chart(plan, cells)};
-  findings.answer = "Of radii 1 : " + three_digits(last.value) + ", " + grouped(static_cast<int64_t>(last.count)) +
+  findings.answer = "Of radii 1 : " + number_text(last.value) + ", " + grouped(static_cast<int64_t>(last.count)) +
                     " spheres take the linked cell's single grid " +
                     three_digits(time("linked-cell") / time("sorted-grid")) +
                     " times as long as the sorted grid with its grid for each size class.";
   findings.see =
       "Centres drawn evenly, 30 % of the volume; between the smallest and the largest, the density of radii goes as "
-      "r⁻³, so most "
-      "spheres are small. One grid must have cells as wide as the largest sphere: each then holds many small ones, and "
-      "candidates grow with a "
-      "power of the ratio. Grids for each size class keep them few. Sort and sweep does not mind sizes as such: an "
-      "interval is as long as its sphere is wide. A cell of the map belongs to the method with the least median of "
-      "five, "
-      "in turns, unless its upper quartile reaches the next one's lower: such cells are grey. Brute force was not "
-      "tried beyond "
-      "30 000 spheres, where it needs half a billion tests. " +
-      tally_of(cells) + ".";
+      "r⁻³, so most spheres are small. One grid must have cells as wide as the largest sphere: each then holds many "
+      "small ones, and candidates grow with a power of the ratio. Grids for each size class keep them few. Sort and "
+      "sweep does not mind sizes as such: an interval is as long as its sphere is wide. " +
+      winning_rule() + " " + tally_of(cells) + ".";
   return findings;
 }
 
