@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/experiment.h"
 #include "lab/experiments/failures.h"
 #include "lab/theory.h"
 
@@ -34,6 +35,16 @@ TEST_CASE("the measured boundary of every map lies within one cell of the formul
     formula = which.theory;
     which.theory = [](double x) { return formula(x) / 4; };
     CHECK(boundary_of(which, map).distance > 1);
+  }
+}
+
+TEST_CASE("the physics experiments ask for as many measurements as they announce") {
+  for (const char* const name : {"stability", "cooling"}) {
+    Lab lab = quick_lab();
+    const Experiment& experiment = find_experiment(name);
+    const Findings findings = experiment.run(lab);
+    CHECK(lab.asked() == experiment.measurements(true));
+    CHECK_FALSE(findings.charts.empty());
   }
 }
 

@@ -64,7 +64,7 @@ Table table_of(const std::vector<Course>& courses) {
 }
 
 Table tau_table(const std::vector<Course>& courses) {
-  Table table{"tau", {{"restitution"}, {"τ of Haff's"}, {"standard error"}}, {}};
+  Table table{"tau", {{"restitution"}, {"τ, of Haff's"}, {"standard error"}}, {}, true};
   for (const Course& course : courses) table.rows.push_back({course.restitution, course.tau.value, course.tau.error});
   return table;
 }

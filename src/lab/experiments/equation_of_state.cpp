@@ -158,6 +158,7 @@ Findings run(Lab& lab) {
   }
   Findings findings;
   findings.tables = {table_of(exact), table_of(stepped)};
+  for (Table& table : findings.tables) table.is_shown = true;
   findings.charts = charts_of(exact);
   findings.charts.push_back(chart_of(stepped, count));
   const SteppedPoint& coarse = stepped.back();
