@@ -80,7 +80,7 @@ Chart chart_of(const std::string& name, const std::string& title, const std::vec
   Chart chart{name,
               title,
               {"time", "D/√(kT/m)", Scale::log},
-              {name + ": largest change so far", "", Scale::log, kLeast, 100},
+              {name + ": largest change so far", "", Scale::log, kLeast / 3, 100},
               {},
               {},
               {}};

@@ -170,11 +170,13 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
   drop_equal_labels(chart.series);
   Series front{"Pareto front", "front", {}, Stroke::line}, chance{"chance", "theory", {}, Stroke::line};
   for (const Result& result : front_of(results, floor)) front.points.push_back({result.seconds.median, result.error});
-  chart.series.push_back(front);
   const auto [least, most] = std::minmax_element(results.begin(), results.end(), [](const Result& a, const Result& b) {
     return a.seconds.median < b.seconds.median;
   });
   chance.points = {{least->seconds.median, floor}, {most->seconds.median, floor}};
+  if (!front.points.empty())
+    front.points.push_back({most->seconds.median, front.points.back().y});  // more time buys no more
+  chart.series.push_back(front);
   if (floor > 0) chart.series.push_back(chance);
   return chart;
 }
