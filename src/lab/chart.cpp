@@ -68,7 +68,7 @@ class Script {
   Range range_of_x() const {
     std::vector<double> values;
     for (const Series& series : chart_.series) {
-      for (const Point& point : series.points) values.push_back(point.x);
+      for (const Point& point : series.points) values.insert(values.end(), {point.x, point.left, point.right});
     }
     for (const Bound& bound : chart_.bounds) values.push_back(bound.x);
     if (chart_.map) values = edges_of(chart_.map->x, chart_.x.scale);
@@ -140,7 +140,7 @@ class Script {
     const RoleStyle& role = style_of(series.role);
     const bool is_theory = series.role == "theory";
     const Rgb color = is_theory && chart_.map ? style_.text : color_of(series.role, ground_);
-    std::string points, spreads, failed;
+    std::string points, spreads, x_spreads, failed;
     const Point* last = nullptr;
     for (const Point& point : series.points) {
       if (std::isinf(point.y)) {
@@ -156,7 +156,15 @@ class Script {
         spreads += number_text(point.x) + ' ' + number_text(point.y) + ' ' + number_text(std::max(point.low, y_.low)) +
                    ' ' + number_text(std::min(point.high, y_.high)) + '\n';
       }
+      if (!std::isnan(point.left) && !std::isnan(point.right)) {
+        x_spreads += number_text(point.x) + ' ' + number_text(point.y) + ' ' +
+                     number_text(std::max(point.left, x_.low)) + ' ' + number_text(std::min(point.right, x_.high)) +
+                     '\n';
+      }
       if (x_.shows(point.x) && y_.shows(point.y)) last = &point;
+    }
+    if (!x_spreads.empty()) {
+      plot(block(x_spreads) + " with xerrorbars pointtype 0 linewidth 1.5 linecolor " + rgb(color));
     }
     if (!spreads.empty()) {
       plot(block(spreads) + " with yerrorbars pointtype 0 linewidth 1.5 linecolor " + rgb(color));

@@ -31,6 +31,7 @@ struct Point {
   double y;  ///< a failed run stands at infinity
   double low = kNoNumber;
   double high = kNoNumber;
+  double left = kNoNumber, right = kNoNumber;  ///< the same in x
 };
 
 enum class Stroke { line, points, line_and_points, steps };

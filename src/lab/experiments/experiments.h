@@ -14,6 +14,11 @@ Experiment size_ratio_experiment();
 Experiment density_experiment();
 Experiment axis_experiment();
 Experiment divergence_experiment();
+Experiment cooling_experiment();
+Experiment drift_experiment();
+Experiment equation_of_state_experiment();
+Experiment stability_experiment();
+Experiment work_precision_experiment();
 
 /// Pairs of intervals of length 1 that overlap, of `count` whose middles are drawn evenly along a length:
 /// n(n−1)/2 · (2/L − 1/L²), all of them where L is less than 1.
