@@ -18,7 +18,7 @@ struct MapBoundary {
 
 /// `theory` gives y for x; outside the map it counts as the map's edge, as does a column that does not cross.
 MapBoundary find_boundary(const Map& map, Scale y_scale, const std::function<bool(double)>& has_crossed,
-                       const std::function<double(double)>& theory);
+                          const std::function<double(double)>& theory);
 
 /// `count` centres from `low` to `high`, both included: evenly spaced, or by equal factors.
 std::vector<double> spaced(double low, double high, int count, Scale scale);

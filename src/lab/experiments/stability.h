@@ -24,11 +24,11 @@ struct FailureMap {
   std::string name;   ///< the chart's file: "springs"
   std::string title;  ///< a sentence
   MapAxis x, y;
-  std::string label;    ///< of what is measured
-  double low, high;     ///< of its colours
-  bool is_log;          ///< as the colours go
-  std::string formula;  ///< beside its line
-  std::string where;    ///< what changes at the line
+  std::string label;                                                                     ///< of what is measured
+  double low, high;                                                                      ///< of its colours
+  bool is_log;                                                                           ///< as the colours go
+  std::string formula;                                                                   ///< beside its line
+  std::string where;                                                                     ///< what changes at the line
   std::vector<double> (*column)(double x, const std::vector<double>& y, uint64_t seed);  ///< a value for each y
   bool (*has_crossed)(double value);
   double (*theory)(double x);  ///< the y of the line
