@@ -141,9 +141,11 @@ class Script {
     const bool is_theory = series.role == "theory";
     const Rgb color = is_theory && chart_.map ? style_.text : color_of(series.role, ground_);
     std::string points, spreads, x_spreads, failed;
+    double failed_at = 0;
     const Point* last = nullptr;
     for (const Point& point : series.points) {
       if (std::isinf(point.y)) {
+        failed_at = point.x;
         failed += number_text(point.x) + ' ' + number_text(y_.high) + '\n';
         continue;
       }
@@ -173,6 +175,7 @@ class Script {
     if (!failed.empty()) {
       plot(block(failed) + " with points pointtype 2 pointsize 1.2 linewidth 3 linecolor " +
            rgb(color_of("failed", ground_)));
+      label_failed(failed_at);
     }
     if (last == nullptr || series.label.empty()) return;
     const bool has_marker = series.stroke == Stroke::points || series.stroke == Stroke::line_and_points;
@@ -184,6 +187,18 @@ class Script {
                        kBottom + y_.share_of(last->y) * (kTop - kBottom),
                        has_marker && !is_theory ? std::string(role.glyph) + ' ' + series.label : series.label,
                        is_theory ? style_.theory : text_color_of(series.role, ground_)});
+  }
+
+  /// Once, beside a cross at the edge: what crosses are.
+  void label_failed(double x) {
+    const double place = kLeft + x_.share_of(x) * (kRight - kLeft) + 0.014;
+    const auto is_failed = [](const Label& label) { return label.text == "failed"; };
+    const auto found = std::find_if(labels_.begin(), labels_.end(), is_failed);
+    if (found != labels_.end()) {
+      found->x = std::max(found->x, place);
+    } else {
+      labels_.push_back({place, kTop, "failed", text_color_of("failed", ground_)});
+    }
   }
 
   void draw_points(const Series& series, const RoleStyle& role, Rgb color, const std::string& data) {

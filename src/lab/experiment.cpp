@@ -8,10 +8,9 @@ namespace ballpit {
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> table{
-      scaling_experiment(),        cell_size_experiment(), density_experiment(),
-      size_ratio_experiment(),     axis_experiment(),      divergence_experiment(),
-      work_precision_experiment(), stability_experiment(), equation_of_state_experiment(),
-      cooling_experiment(),        drift_experiment(),
+      scaling_experiment(),   cell_size_experiment(),         density_experiment(),        size_ratio_experiment(),
+      axis_experiment(),      divergence_experiment(),        work_precision_experiment(), crossover_experiment(),
+      stability_experiment(), equation_of_state_experiment(), cooling_experiment(),        drift_experiment(),
   };
   return table;
 }

@@ -27,7 +27,7 @@ struct Experiment {
   std::string_view question;               ///< that it answers
   double quick_seconds;                    ///< [s] on two cores, about
   double full_seconds;                     ///< [s]
-  int64_t (*measurements)(bool is_quick);  ///< how many it asks its laboratory for
+  int64_t (*measurements)(bool is_quick);  ///< that it asks its laboratory for, at most
   Findings (*run)(Lab& lab);
 };
 

@@ -74,6 +74,15 @@ TEST_CASE("a failed run is a cross at the upper edge; spreads are bars") {
   CHECK_THAT(script, Contains("100 1 0.9 1.2\n") && Contains("yerrorbars"));
 }
 
+TEST_CASE("crosses are named once, beside the last of them") {
+  Chart chart = lines();
+  chart.series.push_back({"other", "first", {{100, 1}, {1000, INFINITY}}});
+  const std::string script = gnuplot_script(chart, Ground::light);
+  const size_t first = script.find("'failed'");
+  REQUIRE(first != std::string::npos);
+  CHECK(script.find("'failed'", first + 1) == std::string::npos);
+}
+
 TEST_CASE("cells of a map reach half way to their neighbours, and hold their colour") {
   const std::string script = gnuplot_script(map(), Ground::light);
   CHECK_THAT(script, Contains("1 10 0.5 1.5 5 15 " + std::to_string(color_of("first", Ground::light))));

@@ -14,6 +14,7 @@ Experiment size_ratio_experiment();
 Experiment density_experiment();
 Experiment axis_experiment();
 Experiment divergence_experiment();
+Experiment crossover_experiment();
 Experiment cooling_experiment();
 Experiment drift_experiment();
 Experiment equation_of_state_experiment();

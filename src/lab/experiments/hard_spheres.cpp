@@ -12,12 +12,16 @@ namespace ballpit {
 double count_of(const GasRun& run) { return 4.0 * run.cells * run.cells * run.cells; }
 
 std::vector<double> block_z(const GasRun& run, const Settings& settings) {
+  return block_z(run, settings, equilibrium_gas(run.cells, run.rho, run.seed));
+}
+
+std::vector<double> block_z(const GasRun& run, const Settings& settings, const Scene& gas) {
   const double count = count_of(run), block = run.collisions / collision_rate(run.rho, count);
   Settings own = settings;
   own.keeps_tally = true;
   const bool is_exact = settings.response == "event-driven";
   if (is_exact) own.dt = block;
-  const auto world = make_cpu_world(equilibrium_gas(run.cells, run.rho, run.seed), own);
+  const auto world = make_cpu_world(gas, own);
   std::vector<double> values;
   Report last = world->report();
   for (int k = 1; k <= run.blocks; ++k) {

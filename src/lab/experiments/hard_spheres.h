@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lab/chart.h"
+#include "scene/scene.h"
 #include "simulate/settings.h"
 
 namespace ballpit {
@@ -27,6 +28,9 @@ double count_of(const GasRun& run);  ///< spheres
 /// Z_N = 1 + W/(3·N·kT·t) of each block, W the virial of its collisions, kT that of the block: so many collisions apart that blocks
 /// are as good as independent.
 std::vector<double> block_z(const GasRun& run, const Settings& settings);
+
+/// The same of a gas in equilibrium that is given, for its physics to be chosen.
+std::vector<double> block_z(const GasRun& run, const Settings& settings, const Scene& gas);
 
 /// The steps of impulses at which late contacts are shown: without losses, by the solver that keeps a gas's energy best.
 Settings elastic_impulses(double dt, bool is_swept);

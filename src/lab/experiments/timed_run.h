@@ -30,6 +30,8 @@ class TimedRun {
   /// [s] spent for a second simulated.
   double seconds() const { return spent_ / std::max(world_->time(), dt_); }
 
+  double spent() const { return spent_; }  ///< [s]
+
   World& world() { return *world_; }
 
  private:
