@@ -14,7 +14,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr double kWidth = 800, kHeight = 560;                                // [px]
+constexpr double kWidth = 720, kHeight = 520;                                // [px]
 constexpr double kLeft = 0.105, kRight = 0.765, kBottom = 0.14, kTop = 0.8;  // of the picture: where the axes are
 constexpr double kLineHeight = 0.046;                                        // of a label, in heights of the picture
 constexpr size_t kMostMarkedCells = 600;  // of a map of categories: in more, markers are too small to see
@@ -88,7 +88,7 @@ class Script {
 
   void begin() {
     line("set terminal svg size " + number_text(kWidth) + "," + number_text(kHeight) +
-         " dynamic noenhanced font 'sans-serif,19' background '" + hex(style_.background) + "' linewidth 1");
+         " dynamic noenhanced font 'sans-serif,20' background '" + hex(style_.background) + "' linewidth 1");
     line("set encoding utf8\nset key off\nset border 3 linewidth 1.5 linecolor " + rgb(style_.theory));
     line("set lmargin at screen " + number_text(kLeft) + "\nset rmargin at screen " + number_text(kRight));
     line("set bmargin at screen " + number_text(kBottom) + "\nset tmargin at screen " + number_text(kTop));
@@ -112,7 +112,7 @@ class Script {
   }
 
   void write_text(double x, double y, const std::string& text, Rgb color, const std::string& where = "left",
-                  int size = 19) {
+                  int size = 20) {
     line("set label " + quoted(text) + " at screen " + number_text(x) + ", screen " + number_text(y) + ' ' + where +
          " font '," + std::to_string(size) + "' textcolor " + rgb(color));
   }

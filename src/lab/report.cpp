@@ -7,6 +7,7 @@
 
 #include "core/numbers.h"
 #include "lab/html.h"
+#include "scene/input_error.h"
 
 namespace ballpit {
 
@@ -37,9 +38,14 @@ section { border-top: 2px solid var(--faint); margin-top: 2.2em; padding-top: 1.
 .answer { font-weight: 600; font-size: 1.1em; }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 660px), 1fr)); gap: 1em 2em; margin: 1em 0; }
 figure { margin: 0; }
-figure img { display: block; width: 100%; height: auto; max-width: 1100px; }
-@media (max-width: 700px) { .charts { margin: 0.8em -14px; } }
+figure img { display: block; width: 100%; height: auto; max-width: 960px; }
+@media (max-width: 700px) {
+  .charts { margin: 0.8em -14px; }
+  .contents td { display: block; border: 0; padding: 0; }
+  .contents td + td { padding-bottom: 0.8em; }
+}
 .scroll { overflow-x: auto; }
+.scroll th, .scroll td { white-space: nowrap; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; margin: 0.8em 0; }
 th, td { text-align: left; vertical-align: top; padding: 0.3em 0.9em 0.3em 0; border-bottom: 1px solid var(--faint); }
 td.number, th.number { text-align: right; }
@@ -66,24 +72,25 @@ std::string link(std::string_view address, std::string_view text) {
 
 /// What was found, at a glance: a line an experiment.
 std::string contents(const std::vector<ReportSection>& sections) {
-  std::string text = "<div class=\"scroll\"><table>\n";
+  std::string text = "<table class=\"contents\">\n";
   for (const ReportSection& section : sections) {
     const Experiment& experiment = *section.experiment;
     text += concat({"<tr><td>", link(concat({"#", experiment.name}), experiment.title), "</td><td>",
                     html_text(section.findings.answer), "</td></tr>\n"});
   }
-  return text + "</table></div>\n";
+  return text + "</table>\n";
 }
 
 std::string figure(const DrawnChart& chart) {
   return concat({"<figure><picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"", svg_address(chart.dark),
-                 "\"><img alt=\"", html_text(chart.title), "\" width=\"800\" height=\"560\" src=\"",
+                 "\"><img alt=\"", html_text(chart.title), "\" width=\"720\" height=\"520\" src=\"",
                  svg_address(chart.light), "\"></picture></figure>\n"});
 }
 
 std::string number_cell(double number) {
   const bool is_count = std::fabs(number) < 1e15 && number == std::round(number);
   if (std::isnan(number)) return "–";
+  if (std::fabs(number) >= 1e-4 && std::fabs(number) < 0.01) return number_text(std::round(number * 1e6) / 1e6);
   return is_count ? grouped(static_cast<int64_t>(number)) : three_digits(number);
 }
 

@@ -2,9 +2,11 @@
 #include "lab/winner_map.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
+#include "core/numbers.h"
 #include "scene/input_error.h"
 
 namespace ballpit {
@@ -91,6 +93,25 @@ Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells,
   return {"winner", title, {"spheres", "", Scale::log}, plan.axis, {}, std::move(map)};
 }
 
+Chart time_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
+  const double most = plan.counts.back();
+  Chart chart{"time",
+              "Time of a search, " + grouped(static_cast<int64_t>(most)) + " spheres",
+              plan.axis,
+              {"time of a search", "ms", Scale::log},
+              {}};
+  for (size_t k = 0; k < broad_phases().size(); ++k) {
+    Series series{label_of(broad_phases()[k]), broad_phases()[k], {}};
+    for (const WinnerCell& cell : cells) {
+      if (cell.count != most || cell.timings[k].seconds.empty()) continue;
+      const Spread spread = cell.timings[k].spread();
+      series.points.push_back({cell.value, 1e3 * spread.median, 1e3 * spread.lower, 1e3 * spread.upper});
+    }
+    if (!series.points.empty()) chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
 Table winner_table(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
   Table table{"searches", {{"spheres"}, {plan.axis.label, plan.axis.unit}, {"fastest"}}, {}};
   for (const std::string& name : broad_phases()) {
@@ -130,6 +151,7 @@ std::string tally_of(const std::vector<WinnerCell>& cells) {
                 ? name + " is fastest in " + std::to_string(number) + " of " + std::to_string(cells.size()) + " cases"
                 : ", " + name + " in " + std::to_string(number);
   }
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   if (count(kTie) > 0) text += ", and " + std::to_string(count(kTie)) + " are too close to tell";
   return text;
 }

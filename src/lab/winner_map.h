@@ -44,9 +44,13 @@ std::vector<WinnerCell> find_winners(Lab& lab, const WinnerPlan& plan);
 int winner_among(const std::vector<SearchTiming>& timings);
 
 Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells, const std::string& title);
+
+/// The time of a search against the parameter, for the most spheres, method by method.
+Chart time_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells);
+
 Table winner_table(const WinnerPlan& plan, const std::vector<WinnerCell>& cells);
 
-/// "the sorted grid wins 20 of 30 cases, the linked cell 5, too close to tell 5"
+/// "Sorted grid is fastest in 20 of 30 cases, linked cell in 5, and 5 are too close to tell"
 std::string tally_of(const std::vector<WinnerCell>& cells);
 
 /// How cells of the map are won, in words.

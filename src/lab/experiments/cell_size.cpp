@@ -169,16 +169,16 @@ Findings run(Lab& lab) {
   Findings findings;
   findings.tables = {table_of(rows)};
   findings.charts = {recall_chart(rows), time_chart(rows, count_of(lab.is_quick()))};
-  findings.answer = "Cells of slide 7's least edge, r, find only " + three_digits(100 * half.recall[0]) +
+  findings.answer = "Cells as wide as slide 7 allows at least, r, find only " + three_digits(100 * half.recall[0]) +
                     " % of the contacts of touching spheres (theory: " + three_digits(100 * half.recall[2]) +
-                    " %); from 2·r_max on nothing is missed, and linked cells are fastest at " +
-                    number_text(best.size) + " times that edge, " + three_digits(slowdown) + " times as fast as at 8.";
+                    " %). From 2·r_max on nothing is missed; there, linked cells are fastest at " +
+                    number_text(best.size) + " · 2·r_max, " + three_digits(slowdown) + " times as fast as at 8.";
   findings.see =
-      "Left, the share of contacts that the 3 × 3 × 3 block finds among pairs of equal spheres that just touch, in "
+      "First, the share of contacts that the 3 × 3 × 3 block finds among pairs of equal spheres that just touch, in "
       "random directions, against an exact reference; dotted, the formula: along each axis two centres a distance d "
       "apart lie in neighbouring cells of edge c with probability 2 − d/c, and no more than 1; bars are one standard "
       "error. Slide 7 prints the least radius as its bound, half of what the block needs: between r and 2·r_max real "
-      "contacts fall through. Right, the time of a search on one thread among spheres that fill 30 % of the box: "
+      "contacts fall through. Second, the time of a search on one thread among spheres that fill 30 % of the box: "
       "smaller cells mean more cells to visit, larger ones more spheres in each, and candidates grow as the cube of "
       "the edge. Without --cell-size both grids choose cells that miss nothing; the sorted grid then looks only as "
       "far as spheres reach, and is faster than here.";

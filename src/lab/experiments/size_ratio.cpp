@@ -59,7 +59,7 @@ Findings run(Lab& lab) {
   Findings findings;
   findings.tables = {winner_table(plan, cells)};
   findings.charts = {winner_chart(plan, cells, "Fastest broad phase, spheres of different sizes"),
-                     candidates_chart(plan, cells)};
+                     time_chart(plan, cells), candidates_chart(plan, cells)};
   findings.answer = "Of radii 1 : " + number_text(last.value) + ", " + grouped(static_cast<int64_t>(last.count)) +
                     " spheres take the linked cell's single grid " +
                     three_digits(time("linked-cell") / time("sorted-grid")) +
