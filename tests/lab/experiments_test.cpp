@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/file.h"
 #include "lab/experiment.h"
 #include "lab/html.h"
 #include "lab/report.h"
@@ -40,6 +41,13 @@ TEST_CASE("every experiment has a name of its own, a question, and a time within
     quick += experiment.quick_seconds;
   }
   CHECK(quick <= 12 * 60);
+}
+
+TEST_CASE("docs/lab.md names every experiment with the question that it asks") {
+  const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab.md");
+  for (const Experiment& experiment : experiments()) {
+    CHECK_THAT(page, Contains("| `" + std::string(experiment.name) + "` | " + std::string(experiment.question) + " |"));
+  }
 }
 
 TEST_CASE("an experiment that was interrupted goes on where it stopped, and comes to the same tables") {

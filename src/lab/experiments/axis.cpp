@@ -149,7 +149,7 @@ Experiment axis_experiment() {
   return {"axis",
           "Sort and sweep’s axis",
           "How much does sort and sweep depend on its axis, and when does it beat the grids?",
-          45,
+          15,
           600,
           measurements,
           run};

@@ -191,7 +191,7 @@ Experiment cell_size_experiment() {
   return {"cell-size",
           "Cell size: time and recall",
           "How large should a cell be, and what falls through when it is too small?",
-          15,
+          5,
           120,
           measurements,
           run};

@@ -291,7 +291,7 @@ Experiment crossover_experiment() {
   return {"crossover",
           "Which response when",
           "At the same error, which response is fastest, and does that change with the number of spheres?",
-          40,
+          30,
           600,
           measurements,
           run};

@@ -113,7 +113,7 @@ Experiment divergence_experiment() {
   return {"divergence",
           "Work per thread",
           "How evenly is the work of a search spread over its threads, and what does a GPU lose by that?",
-          5,
+          2,
           60,
           measurements,
           run};

@@ -253,7 +253,7 @@ Experiment scaling_experiment() {
   return {"scaling",
           "Time against the number of spheres",
           "How does the time of a step grow with the number of spheres, for each broad phase?",
-          40,
+          15,
           420,
           measurements,
           run};

@@ -79,7 +79,7 @@ Experiment size_ratio_experiment() {
   return {"size-ratio",
           "Spheres of different sizes",
           "Which broad phase is fastest when large spheres lie among small ones?",
-          40,
+          15,
           600,
           measurements,
           run};
