@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/experiments/results.h"
 #include "simulate/response/damping.h"
 
 using namespace ballpit;
@@ -76,4 +77,20 @@ TEST_CASE("kinematic spheres do not carry a stack, and event-driven ones collide
 TEST_CASE("paths converge to those of exact motion in the first order by impulses, and are exact by swept ones") {
   CHECK(order("paths", "impulse", 1.25 / 128) == Approx(1).margin(0.3));
   CHECK(off("paths", "impulse, swept", 1.25 / 64) < 1e-10);
+}
+
+TEST_CASE("the Pareto front holds those that nobody beats in error and in time, and no error below chance") {
+  const auto result = [](double error, double seconds) {
+    return Result{&contact_methods().front(), 0.1, error, 0, {seconds, seconds, seconds, seconds}};
+  };
+  const double failed = std::numeric_limits<double>::infinity();
+  const std::vector<Result> all{result(1e-3, 5), result(0.1, 1),  result(0.2, 2),     result(0.01, 2),
+                                result(0.02, 3), result(1e-5, 6), result(failed, 0.1)};
+  const auto errors_of = [](const std::vector<Result>& front) {
+    std::vector<double> errors;
+    for (const Result& r : front) errors.push_back(r.error);
+    return errors;
+  };
+  CHECK(errors_of(front_of(all, 0)) == std::vector<double>{0.1, 0.01, 1e-3, 1e-5});
+  CHECK(errors_of(front_of(all, 5e-3)) == std::vector<double>{0.1, 0.01, 5e-3});
 }

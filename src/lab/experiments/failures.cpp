@@ -87,13 +87,13 @@ double part_of_hits_seen(double step, double impact, int phases, bool is_swept) 
 }
 
 double recall_of_cells(double edge, int pairs, uint64_t seed) {
-  constexpr double kSpacing = 4;  // diameters from pair to pair, so that none touches another
+  const double spacing = 2 + edge;  // diameters from pair to pair, so that none touches another
   const int side = static_cast<int>(std::ceil(std::cbrt(pairs)));
   Random random(seed);
   std::vector<Vec3> places;
   for (int k = 0; k < pairs; ++k) {
     const Vec3d corner(k % side, k / side % side, k / (side * side));
-    const Vec3d at = kSpacing * corner + random.uniform(Vec3d(0.0), Vec3d(1.0));
+    const Vec3d at = spacing * corner + random.uniform(Vec3d(0.0), Vec3d(edge));  // anywhere in a cell, evenly
     const Vec3d arm = (0.5 - 1e-5) * random.direction(3);
     places.push_back(narrow<Vec3>(at - arm));
     places.push_back(narrow<Vec3>(at + arm));

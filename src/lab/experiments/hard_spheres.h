@@ -4,11 +4,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "lab/chart.h"
 #include "scene/scene.h"
 #include "simulate/settings.h"
 

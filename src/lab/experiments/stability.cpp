@@ -3,6 +3,7 @@
 #include "lab/experiments/stability.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
@@ -46,7 +47,7 @@ Chart chart_of(const FailureMap& which, const Map& map, const MapBoundary& bound
   }
   Series measured{"", "first", {}, Stroke::points};
   for (size_t column = 0; column < map.x.size(); ++column) {
-    if (boundary.y[column] == boundary.y[column]) measured.points.push_back({map.x[column], boundary.y[column]});
+    if (!std::isnan(boundary.y[column])) measured.points.push_back({map.x[column], boundary.y[column]});
   }
   chart.series = {theory, measured};
   return chart;
@@ -83,10 +84,12 @@ Findings run(Lab& lab) {
   Findings findings;
   Table lines{"boundaries", {{"map"}, {"formula"}, {"columns that cross"}, {"largest distance", "cells"}}, {}};
   double farthest = 0;
+  int within = 0;  // a cell
   for (const FailureMap& which : failure_maps()) {
     const Map map = measure_map(lab, which);
     const MapBoundary boundary = boundary_of(which, map);
     farthest = std::max(farthest, boundary.distance);
+    within += boundary.distance <= 1;
     lines.rows.push_back({which.name, which.formula, double(boundary.columns), boundary.distance});
     findings.tables.push_back(table_of(which, map));
     findings.charts.push_back(chart_of(which, map, boundary));
@@ -100,8 +103,9 @@ Findings run(Lab& lab) {
       "searches that find at least that recall; what is left of the speed that gravity gave in a step; the part of "
       "its way that a sphere makes. Triangles are where what is measured changes sides, dotted lines are formulas; "
       "nothing is fitted.";
-  findings.answer = "Methods fail where their formulas say: in all " + std::to_string(failure_maps().size()) +
-                    " maps the measured boundary lies within " + three_digits(farthest) + " of a cell from the line.";
+  findings.answer = "In " + std::to_string(within) + " of " + std::to_string(failure_maps().size()) +
+                    " maps the measured boundary lies within a cell of the formula's line; the farthest is " +
+                    three_digits(farthest) + " cells from it.";
   return findings;
 }
 

@@ -2,14 +2,11 @@
 // What accuracy costs: time per simulated second against error, of every response, integrator, step and precision.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/error.h"
-#include "lab/experiments/accuracy.h"
 #include "lab/experiments/experiments.h"
+#include "lab/experiments/results.h"
 #include "lab/key.h"
-#include "lab/mean.h"
-#include "lab/spread.h"
 #include "simulate/response/damping.h"
 
 namespace ballpit {
@@ -17,96 +14,6 @@ namespace ballpit {
 namespace {
 
 constexpr double kTolerances[] = {0.1, 0.01, 0.001};
-constexpr double kLeastError = 1e-10;  // what is less is drawn there, and in no front before another
-
-int repeats(bool is_quick) { return is_quick ? 3 : 5; }
-
-bool has_steps(const ContactMethod& method) { return method.settings.response != "event-driven"; }
-
-/// The steps at which a method does a task: the coarsest alone where it has none.
-std::vector<double> steps_of(const Task& task, const ContactMethod& method, bool is_quick) {
-  const int halvings = has_steps(method) ? (is_quick ? task.quick_halvings : task.full_halvings) : 0;
-  std::vector<double> steps;
-  for (int k = 0; k <= halvings; ++k) steps.push_back(std::ldexp(task.coarsest, -k));
-  return steps;
-}
-
-/// A method at one step.
-struct Result {
-  const ContactMethod* method;
-  double dt;
-  double error;  ///< infinite where it failed
-  double floor;  ///< standard error, where errors are of random runs
-  Spread seconds;
-  bool has_failed() const { return !std::isfinite(error); }
-};
-
-/// All trials of a task: of each repeat all methods at all steps, so that what else the machine does falls on all alike.
-std::vector<std::vector<Trial>> trials_of(Lab& lab, const Task& task) {
-  std::vector<std::vector<Trial>> trials;  // of each method and step, in turns
-  for (int repeat = 0; repeat < repeats(lab.is_quick()); ++repeat) {
-    size_t which = 0;
-    for (const ContactMethod& method : contact_methods()) {
-      if (!task.serves(method)) continue;
-      for (const double dt : steps_of(task, method, lab.is_quick())) {
-        const uint64_t seed = lab.seed() * 100 + static_cast<uint64_t>(repeat);
-        const auto key = key_of({task.name, method.name, dt, double(seed), lab.is_quick() ? "quick" : "full"});
-        const auto values = lab.time(key, [&] {
-          const Trial trial = task.run(method, dt, seed, lab.is_quick());
-          return std::vector<double>{trial.off, trial.seconds};
-        });
-        if (repeat == 0) trials.emplace_back();
-        trials[which++].push_back({values[0], values[1]});
-      }
-    }
-  }
-  return trials;
-}
-
-Result result_of(const ContactMethod& method, double dt, const std::vector<Trial>& trials) {
-  std::vector<double> off, seconds;
-  for (const Trial& trial : trials) {
-    off.push_back(trial.off);
-    seconds.push_back(trial.seconds);
-  }
-  const Mean mean = mean_of(off);
-  const double error = std::isfinite(mean.value) ? std::fabs(mean.value) : std::numeric_limits<double>::infinity();
-  return {&method, dt, error, mean.error, spread_of(seconds)};
-}
-
-std::vector<Result> results_of(Lab& lab, const Task& task) {
-  const auto trials = trials_of(lab, task);
-  std::vector<Result> results;
-  for (const ContactMethod& method : contact_methods()) {
-    if (!task.serves(method)) continue;
-    for (const double dt : steps_of(task, method, lab.is_quick())) {
-      results.push_back(result_of(method, dt, trials[results.size()]));
-    }
-  }
-  return results;
-}
-
-/// Those that nobody beats in both error and time, fastest first. Errors below `floor` are as good as it.
-std::vector<Result> front_of(std::vector<Result> results, double floor) {
-  for (Result& result : results) result.error = std::max({result.error, floor, kLeastError});
-  std::sort(results.begin(), results.end(),
-            [](const Result& a, const Result& b) { return a.seconds.median < b.seconds.median; });
-  std::vector<Result> front;
-  for (const Result& result : results) {
-    if (result.has_failed() || (!front.empty() && result.error >= front.back().error)) continue;
-    front.push_back(result);
-  }
-  return front;
-}
-
-/// The typical standard error of those that did not fail: what is below it is chance. 0 where nothing is random.
-double floor_of(const Task& task, const std::vector<Result>& results) {
-  std::vector<double> floors;
-  for (const Result& result : results) {
-    if (task.is_mean && !result.has_failed()) floors.push_back(result.floor);
-  }
-  return floors.empty() ? 0 : spread_of(floors).median;
-}
 
 Table table_of(const Task& task, const std::vector<Result>& results) {
   Table table{task.name,
@@ -121,7 +28,8 @@ Table table_of(const Task& task, const std::vector<Result>& results) {
   for (const Result& r : results) {
     const Cell step = has_steps(*r.method) ? Cell(r.dt) : Cell("none"),
                error = r.has_failed() ? Cell("failed") : Cell(r.error);
-    table.rows.push_back({r.method->name, step, error, r.floor, r.seconds.median, r.seconds.lower, r.seconds.upper});
+    table.rows.push_back(
+        {r.method->name, step, error, r.standard_error, r.seconds.median, r.seconds.lower, r.seconds.upper});
   }
   return table;
 }
@@ -174,9 +82,7 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
     return a.seconds.median < b.seconds.median;
   });
   chance.points = {{least->seconds.median, floor}, {most->seconds.median, floor}};
-  if (!front.points.empty())
-    front.points.push_back({most->seconds.median, front.points.back().y});  // more time buys no more
-  chart.series.push_back(front);
+  chart.series.insert(chart.series.begin(), front);  // below what it joins
   if (floor > 0) chart.series.push_back(chance);
   return chart;
 }
@@ -208,13 +114,9 @@ Table order_table(Lab& lab) {
 }
 
 int64_t measurements(bool is_quick) {
-  size_t count = 0;
-  for (const Task& task : tasks()) {
-    for (const ContactMethod& method : contact_methods()) {
-      if (task.serves(method)) count += steps_of(task, method, is_quick).size();
-    }
-  }
-  return static_cast<int64_t>(count) * repeats(is_quick) + static_cast<int64_t>(orders().size());
+  int64_t count = static_cast<int64_t>(orders().size());
+  for (const Task& task : tasks()) count += trial_count(task, is_quick);
+  return count;
 }
 
 /// The fastest of a task that holds a tolerance; nullptr where none does.
