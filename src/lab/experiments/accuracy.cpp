@@ -104,7 +104,7 @@ Trial run_stack(const ContactMethod& method, double dt, uint64_t, bool) {
 Trial run_gas(const ContactMethod& method, double dt, uint64_t seed, bool is_quick) {
   constexpr int kCells = 4;
   constexpr double kRho = 0.5, kCount = 256;
-  const double time = is_quick ? 15 : 60;
+  const double time = is_quick ? 10 : 60;
   Scene scene = equilibrium_gas(kCells, kRho, seed);
   scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, 1);
   Settings settings = with_step(method, dt);
