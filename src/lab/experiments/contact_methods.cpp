@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/experiments/contact_methods.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "lab/made_scenes.h"
@@ -100,6 +101,17 @@ const std::vector<ContactMethod>& contact_methods() {
 Series series_of(const ContactMethod& method) {
   const bool is_float = method.settings.precision == "float";
   return {is_float ? "" : method.label, method.role, {}, Stroke::line_and_points, is_float, !method.is_main};
+}
+
+void drop_equal_labels(std::vector<Series>& list) {
+  for (Series& series : list) {
+    const auto main = std::find_if(list.begin(), list.end(), [&](const Series& other) {
+      return !other.is_thin && !other.is_dashed && other.role == series.role;
+    });
+    if (!series.is_thin || main == list.end()) continue;
+    const double ratio = series.points.back().y / main->points.back().y;
+    if (ratio > 0.9 && ratio < 1.1) series.label.clear();
+  }
 }
 
 double stiffness_for(double dt, double steps, double mu, double restitution) {

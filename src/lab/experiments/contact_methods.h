@@ -24,6 +24,9 @@ const std::vector<ContactMethod>& contact_methods();
 /// Its line in a chart: thin where it is not a main one; dashed and without a label, beside its double's, in single precision.
 Series series_of(const ContactMethod& method);
 
+/// Takes the label from thin lines that end within a tenth of where their response's main one does: they need none beside it.
+void drop_equal_labels(std::vector<Series>& list);
+
 /// Springs whose contacts last `steps` steps, as accuracy asks for at least 20: N/m for spheres of reduced mass mu [kg].
 double stiffness_for(double dt, double steps, double mu, double restitution);
 

@@ -48,18 +48,6 @@ bool differs(const std::vector<Result>& results, size_t first, double floor) {
   return false;
 }
 
-/// Lines of a response that end where its own integrator's and solver's does need no label beside that.
-void drop_equal_labels(std::vector<Series>& list) {
-  for (Series& series : list) {
-    const auto main = std::find_if(list.begin(), list.end(), [&](const Series& other) {
-      return !other.is_thin && !other.is_dashed && other.role == series.role;
-    });
-    if (!series.is_thin || main == list.end()) continue;
-    const double ratio = series.points.back().y / main->points.back().y;
-    if (ratio > 0.9 && ratio < 1.1) series.label.clear();
-  }
-}
-
 Chart chart_of(const Task& task, const std::vector<Result>& results) {
   const double floor = floor_of(task, results);
   Chart chart{task.name, task.title, {"time per simulated second", "s", Scale::log}, {task.error, "", Scale::log}, {},
