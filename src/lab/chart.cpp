@@ -14,9 +14,9 @@ namespace ballpit {
 
 namespace {
 
-constexpr double kWidth = 720, kHeight = 520;                                // [px]
-constexpr double kLeft = 0.105, kRight = 0.765, kBottom = 0.14, kTop = 0.8;  // of the picture: where the axes are
-constexpr double kLineHeight = 0.046;                                        // of a label, in heights of the picture
+constexpr double kWidth = 720, kHeight = 520;                               // [px]
+constexpr double kLeft = 0.12, kRight = 0.725, kBottom = 0.155, kTop = 0.8;  // of the picture: where the axes are
+constexpr double kLineHeight = 0.046;                                       // of a label, in heights of the picture
 constexpr size_t kMostMarkedCells = 600;  // of a map of categories: in more, markers are too small to see
 
 /// Text in gnuplot's single quotes.
@@ -97,7 +97,7 @@ class Script {
     if (!chart_.map) line("set grid xtics ytics linetype 1 linewidth 1 linecolor " + rgb(style_.faint));
     write_text(0.02, 0.945, chart_.title, style_.text, "left", 24);
     write_text(0.02, 0.865, title_of(chart_.y), style_.text);
-    write_text((kLeft + kRight) / 2, 0.035, title_of(chart_.x), style_.text, "center");
+    write_text((kLeft + kRight) / 2, 0.03, title_of(chart_.x), style_.text, "center");
   }
 
   void axis(const std::string& name, const Range& range) {
@@ -180,7 +180,7 @@ class Script {
     if (last == nullptr || series.label.empty()) return;
     const bool has_marker = series.stroke == Stroke::points || series.stroke == Stroke::line_and_points;
     if (chart_.map) {
-      write_text(kRight + 0.02, kTop + 0.065, std::string(role.glyph) + ' ' + series.label, color);
+      write_text(0.98, kTop + 0.065, std::string(role.glyph) + ' ' + series.label, color, "right");
       return;
     }
     labels_.push_back({kLeft + x_.share_of(last->x) * (kRight - kLeft) + 0.014,
@@ -268,7 +268,7 @@ class Script {
 
   void draw_color_bar(const Map& map, const Range& colors) {
     constexpr int kSteps = 48;
-    constexpr double kBarLeft = 0.79, kBarRight = 0.815, kBarTop = 0.72;
+    constexpr double kBarLeft = 0.755, kBarRight = 0.785, kBarTop = 0.72;
     for (int k = 0; k < kSteps; ++k) {
       const auto height = [&](int step) { return kBottom + (kBarTop - kBottom) * step / kSteps; };
       line("set object rectangle from screen " + number_text(kBarLeft) + ", screen " + number_text(height(k)) +
@@ -291,21 +291,32 @@ class Script {
     }
   }
 
-  /// Labels that would cover each other move apart, in their order from below.
+  /// Labels that would cover each other move apart, in their order from below, as far as the picture goes. They stand on
+  /// ground of their own, so that lines behind them leave them legible.
   void place_labels() {
     std::stable_sort(labels_.begin(), labels_.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
-    constexpr double kSameColumn = 0.15;
-    for (int pass = 0; pass < 50; ++pass) {
+    for (int pass = 0; pass < 200; ++pass) {
       for (size_t a = 0; a < labels_.size(); ++a) {
-        for (size_t b = a + 1; b < labels_.size(); ++b) {
-          const double gap = labels_[b].y - labels_[a].y;
-          if (gap >= kLineHeight || std::fabs(labels_[a].x - labels_[b].x) > kSameColumn) continue;
-          labels_[a].y -= (kLineHeight - gap) / 2;
-          labels_[b].y += (kLineHeight - gap) / 2;
-        }
+        for (size_t b = a + 1; b < labels_.size(); ++b) part(labels_[a], labels_[b]);
       }
+      for (Label& label : labels_) label.y = std::clamp(label.y, kBottom - 0.02, kTop + 0.04);
     }
-    for (const Label& label : labels_) write_text(label.x, label.y, label.text, label.color);
+    line("set style textbox opaque noborder margins 0.15, 0 fillcolor " + rgb(style_.background));
+    for (const Label& label : labels_) write_text(label.x, label.y, label.text, label.color, "left front boxed");
+  }
+
+  static void part(Label& below, Label& above) {
+    const double gap = above.y - below.y;
+    const bool is_beside = below.x + width_of(below.text) < above.x || above.x + width_of(above.text) < below.x;
+    if (gap >= kLineHeight || is_beside) return;
+    below.y -= (kLineHeight - gap) / 2;
+    above.y += (kLineHeight - gap) / 2;
+  }
+
+  /// About, in widths of the picture.
+  static double width_of(const std::string& text) {
+    const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };  // of UTF-8's characters
+    return 10.5 / kWidth * static_cast<double>(std::count_if(text.begin(), text.end(), starts));
   }
 
   const Chart& chart_;
