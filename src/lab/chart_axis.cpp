@@ -38,7 +38,7 @@ std::vector<Tick> log_ticks(const Range& range) {
 }
 
 std::vector<Tick> linear_ticks(const Range& range) {
-  const double rough = (range.high - range.low) / 6;
+  const double rough = (range.high - range.low) / 5;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
   std::vector<Tick> ticks;

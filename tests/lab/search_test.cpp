@@ -8,6 +8,7 @@
 
 #include "lab/exact_pairs.h"
 #include "lab/experiments/experiments.h"
+#include "lab/experiments/same_error.h"
 #include "lab/fit.h"
 #include "lab/recall.h"
 #include "lab/search_timing.h"
@@ -133,4 +134,11 @@ TEST_CASE("who is fastest by less than the spread is not called the winner") {
   CHECK(winner_among({timing_of({1, 1.1, 1.2}), timing_of({1.1, 1.15, 1.3})}) == kTie);
   CHECK(winner_among({timing_of({1, 1, 1}), SearchTiming{}, timing_of({3, 3, 3})}) == 0);
   CHECK(winner_among({SearchTiming{}, timing_of({3, 3, 3})}) == 1);
+}
+
+TEST_CASE("the step that a response may take is the coarser of two in a row that hold the tolerance") {
+  const auto error = [](double dt, double off) { return PressureError{dt, {off, 0}}; };
+  CHECK(largest_step({error(4, kNoNumber), error(2, 0.03), error(1, 0.019), error(0.5, -0.01)}) == 1);
+  CHECK(largest_step({error(4, 0.001), error(2, 0.03), error(1, 0.01)}) == 0);  // by chance, and none to confirm
+  CHECK(largest_step({}) == 0);
 }

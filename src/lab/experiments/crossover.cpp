@@ -3,114 +3,37 @@
 // largest step at which it still holds the same error, in the pressure.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
-#include "core/error.h"
 #include "core/numbers.h"
-#include "lab/experiments/contact_methods.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/hard_spheres.h"
+#include "lab/experiments/same_error.h"
 #include "lab/experiments/timed_run.h"
 #include "lab/key.h"
 #include "lab/made_scenes.h"
-#include "lab/mean.h"
 #include "lab/spread.h"
-#include "lab/theory.h"
 #include "scene/input_error.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr double kRho = 0.5;
-constexpr double kTolerance = 0.02;   // of Z
-constexpr double kContactSteps = 20;  // of penalty: a contact lasts so many, and the springs follow from the step
-constexpr double kCoarsest = 0.256;   // dt₀; steps are dt₀·2^−k
-constexpr int kHalvings = 12;
 constexpr int kRepeats = 5;
-
-struct Contender {
-  std::string label, role;
-  bool is_dashed;
-  Settings (*settings)(double dt);
-};
-
-Settings stepping(Settings settings) {
-  settings.broadphase = "auto";  // with a candidate list, as short steps deserve
-  return settings;
-}
-
-const std::vector<Contender>& contenders() {
-  static const std::vector<Contender> table{
-      {"event-driven", "event-driven", false, [](double dt) { return exact_motion(dt); }},
-      {"impulse", "impulse", false, [](double dt) { return stepping(elastic_impulses(dt, false)); }},
-      {"impulse, swept", "impulse", true, [](double dt) { return stepping(elastic_impulses(dt, true)); }},
-      {"penalty", "penalty", false, [](double dt) { return stepping(settings_of("penalty", dt)); }},
-      {"kinematic", "kinematic", false, [](double dt) { return stepping(settings_of("kinematic", dt)); }},
-  };
-  return table;
-}
-
-bool is_exact(const Contender& who) { return who.role == "event-driven"; }
-
-/// The gas with springs that fit the step; nobody but penalty looks at them.
-Scene with_springs(Scene gas, double dt) {
-  gas.physics.stiffness = stiffness_for(dt, kContactSteps, 0.5, 1);
-  return gas;
-}
-
-struct Error {
-  double dt;
-  Mean off;  ///< Z/Z_N − 1; not a number where the run stopped
-};
-
-Error measure_error(Lab& lab, const Contender& who, double dt) {
-  const GasRun run{4, kRho, lab.seed(), lab.is_quick() ? 20 : 60, 15};
-  const std::vector<double> z = lab.measure(key_of({"Z", who.label, dt, double(run.seed), double(run.blocks)}), [&] {
-    try {
-      return block_z(run, who.settings(dt), with_springs(equilibrium_gas(run.cells, kRho, run.seed), dt));
-    } catch (const RunError&) {
-      return std::vector<double>{kNoNumber, kNoNumber};
-    }
-  });
-  const double expected = finite_z(kRho, count_of(run));
-  const Mean mean = mean_of(z);
-  return {dt, {mean.value / expected - 1, mean.error / expected}};
-}
-
-bool holds(const Error& error) { return std::fabs(error.off.value) <= kTolerance; }
-
-/// The error in Z at each step, coarsest first, until two in a row hold the tolerance.
-std::vector<Error> measure_errors(Lab& lab, const Contender& who) {
-  std::vector<Error> errors;
-  for (int k = 0; k < kHalvings; ++k) {
-    errors.push_back(measure_error(lab, who, kCoarsest * std::exp2(-k)));
-    if (k > 0 && holds(errors.back()) && holds(errors[errors.size() - 2])) break;
-  }
-  return errors;
-}
-
-/// The coarser of the two steps in a row that hold the tolerance; 0 where there are none.
-double largest_step(const std::vector<Error>& errors) {
-  const bool is_found = errors.size() > 1 && holds(errors.back()) && holds(errors[errors.size() - 2]);
-  return is_found ? errors[errors.size() - 2].dt : 0;
-}
 
 /// A response with the step that it may take.
 struct Entry {
   const Contender* who;
-  std::vector<Error> errors;    ///< none for exact motion
-  double dt;                    ///< 0 where it holds the tolerance at no step
-  std::vector<Point> points{};  ///< seconds for a unit of time, against spheres
+  std::vector<PressureError> errors;  ///< none for exact motion
+  double dt;                          ///< 0 where it holds the tolerance at no step
+  std::vector<Point> points{};        ///< seconds for a unit of time, against spheres
 };
 
 std::vector<Entry> measure_entries(Lab& lab) {
   std::vector<Entry> entries;
   for (const Contender& who : contenders()) {
-    Entry entry{&who, {}, kCoarsest};
+    Entry entry{&who, {}, kCoarsestStep};
     if (!is_exact(who)) {
-      entry.errors = measure_errors(lab, who);
+      entry.errors = pressure_errors(lab, who);
       entry.dt = largest_step(entry.errors);
     }
     entries.push_back(std::move(entry));
@@ -145,6 +68,7 @@ std::vector<double> time_in_turns(const std::vector<const Entry*>& entries, cons
 }
 
 void measure_times(Lab& lab, std::vector<Entry>& entries) {
+  const double least = lab.is_quick() ? 0.03 : 0.2;  // [s] a repeat
   std::vector<Entry*> running;
   std::string steps;
   for (Entry& entry : entries) {
@@ -153,10 +77,11 @@ void measure_times(Lab& lab, std::vector<Entry>& entries) {
     steps += entry.who->label + ' ' + number_text(entry.dt) + "; ";
   }
   for (const int cells : sizes(lab.is_quick())) {
-    const std::vector<double> seconds = lab.time("time; " + steps + std::to_string(cells) + " cells", [&] {
-      return time_in_turns({running.begin(), running.end()}, equilibrium_gas(cells, kRho, lab.seed()),
-                           lab.is_quick() ? 0.03 : 0.2);
-    });
+    const std::vector<double> seconds =
+        lab.time(key_of({"time", steps, double(cells), double(lab.seed()), least}), [&] {
+          return time_in_turns({running.begin(), running.end()}, equilibrium_gas(cells, kSameErrorDensity, lab.seed()),
+                               least);
+        });
     for (size_t k = 0; k < running.size(); ++k) {
       std::vector<double> own;
       for (size_t repeat = 0; repeat < kRepeats; ++repeat) own.push_back(seconds[repeat * running.size() + k]);
@@ -186,12 +111,12 @@ Chart error_chart(const std::vector<Entry>& entries) {
               {"step", "√(mD²/kT)", Scale::log},
               {"error of Z", "%", Scale::linear, -30, 10},
               {}};
-  double finest = kCoarsest;
+  double finest = kCoarsestStep;
   for (const Entry& entry : entries) {
     if (!entry.errors.empty()) finest = std::min(finest, entry.errors.back().dt);
   }
-  for (const double edge : {-100 * kTolerance, 100 * kTolerance}) {
-    chart.series.push_back({edge > 0 ? "± 2 %" : "", "theory", {{finest, edge}, {kCoarsest, edge}}, Stroke::line});
+  for (const double edge : {-100 * kPressureTolerance, 100 * kPressureTolerance}) {
+    chart.series.push_back({edge > 0 ? "± 2 %" : "", "theory", {{finest, edge}, {kCoarsestStep, edge}}, Stroke::line});
   }
   for (const Entry& entry : entries) {
     Series series{entry.who->label, entry.who->role, {}, Stroke::line_and_points, entry.who->is_dashed};
@@ -213,7 +138,8 @@ std::vector<Table> tables_of(const std::vector<Entry>& entries) {
   Table steps{"steps", {{"response"}, {"largest step that holds 2 %"}, {"time for the most spheres", "s"}}, {}, true};
   for (const Entry& entry : entries) {
     const std::string& who = entry.who->label;
-    for (const Error& e : entry.errors) errors.rows.push_back({who, e.dt, 100 * e.off.value, 100 * e.off.error});
+    for (const PressureError& e : entry.errors)
+      errors.rows.push_back({who, e.dt, 100 * e.off.value, 100 * e.off.error});
     for (const Point& p : entry.points) times.rows.push_back({who, entry.dt, p.x, p.y, p.low, p.high});
     const Cell step = is_exact(*entry.who) ? Cell("any: exact")
                       : entry.dt > 0       ? Cell(number_text(entry.dt))
@@ -262,7 +188,7 @@ std::string answer_of(const std::vector<Entry>& entries) {
 }
 
 int64_t measurements(bool is_quick) {
-  return static_cast<int64_t>((contenders().size() - 1) * kHalvings + sizes(is_quick).size());
+  return static_cast<int64_t>((contenders().size() - 1) * kStepsTried + sizes(is_quick).size());
 }
 
 Findings run(Lab& lab) {
