@@ -192,7 +192,7 @@ Experiment cell_size_experiment() {
           "Cell size: time and recall",
           "How large should a cell be, and what falls through when it is too small?",
           5,
-          120,
+          80,
           measurements,
           run};
 }
