@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/chart_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -63,7 +64,8 @@ void draw_color_bar(ChartScript& script, const Map& map, const Range& colors) {
   for (int k = 0; k < kSteps; ++k) {
     const auto height = [&](int step) { return kBottom + (kBarTop - kBottom) * step / kSteps; };
     script.line("set object rectangle from screen " + number_text(kBarLeft) + ", screen " + number_text(height(k)) +
-                " to screen " + number_text(kBarRight) + ", screen " + number_text(height(k + 1)) + " fillcolor " +
+                " to screen " + number_text(kBarRight) + ", screen " +
+                number_text(std::min(height(k + 1) + 0.004, kBarTop)) + " fillcolor " +
                 rgb(gradient((k + 0.5) / kSteps)) + " fillstyle solid 1 noborder");
   }
   for (const Tick& tick : ticks_of(colors)) {

@@ -152,7 +152,9 @@ std::string tally_of(const std::vector<WinnerCell>& cells) {
                 : ", " + name + " in " + std::to_string(number);
   }
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  if (count(kTie) > 0) text += ", and " + std::to_string(count(kTie)) + " are too close to tell";
+  if (count(kTie) > 0) {
+    text += ", and " + std::to_string(count(kTie)) + (count(kTie) == 1 ? " is" : " are") + " too close to tell";
+  }
   return text;
 }
 

@@ -172,7 +172,7 @@ Findings run(Lab& lab) {
   findings.answer = "Cells as wide as slide 7 allows at least, r, find only " + three_digits(100 * half.recall[0]) +
                     " % of the contacts of touching spheres (theory: " + three_digits(100 * half.recall[2]) +
                     " %). From 2·r_max on nothing is missed; there, linked cells are fastest at " +
-                    number_text(best.size) + " · 2·r_max, " + three_digits(slowdown) + " times as fast as at 8.";
+                    number_text(best.size) + " times 2·r_max, " + three_digits(slowdown) + " times as fast as at 8.";
   findings.see =
       "First, the share of contacts that the 3 × 3 × 3 block finds among pairs of equal spheres that just touch, in "
       "random directions, against an exact reference; dotted, the formula: along each axis two centres a distance d "
@@ -192,7 +192,7 @@ Experiment cell_size_experiment() {
           "Cell size: time and recall",
           "How large should a cell be, and what falls through when it is too small?",
           5,
-          120,
+          80,
           measurements,
           run};
 }
