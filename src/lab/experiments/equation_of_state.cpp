@@ -169,7 +169,7 @@ Findings run(Lab& lab) {
       "Points are means over blocks of many collisions, with their standard errors; dotted lines are the "
       "literature's. The second chart magnifies the first: Carnahan and Starling's formula is off by up to 0.3 %, "
       "and the measured points follow the reference instead. In the third, contacts found at the end of a step are "
-      "half a step late on average, as if spheres were smaller; swept contacts are on time. The number of spheres "
+      "half a step late on average, as if spheres were smaller; swept ones are nearly on time. The number of spheres "
       "is accounted for in all three.";
   return findings;
 }
