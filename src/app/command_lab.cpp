@@ -105,12 +105,11 @@ class LabCommand final : public Command {
       chosen_.push_back(&find_experiment(name_));
     }
     folder_ = parse_path("--out", out_);
-    parse_integer("--seed", seed_, 0, INT64_MAX);
+    seed_number_ = static_cast<uint64_t>(parse_integer("--seed", seed_, 0, INT64_MAX));
     make_folder(folder_ / "cache");
     catch_interrupts();
     announce();
     const std::vector<ReportSection> sections = run_all();
-    write_file(folder_ / "report.html", report_html(sections, circumstances(), lack_));
     for (const ReportSection& section : sections) {
       std::cout << section.experiment->title << ": " << section.findings.answer << "\n";
     }
@@ -138,6 +137,7 @@ class LabCommand final : public Command {
     std::cerr << "ballpit: warning: " << lack_ << "\n";
   }
 
+  /// The report grows with each experiment: one that is interrupted leaves those before it.
   std::vector<ReportSection> run_all() {
     LabProgress progress(chosen_, is_quick_);
     std::vector<ReportSection> sections;
@@ -145,6 +145,7 @@ class LabCommand final : public Command {
       progress.begin(*experiment);
       try {
         sections.push_back(run_one(*experiment, progress));
+        write_file(folder_ / "report.html", report_html(sections, circumstances(), lack_));
       } catch (const RunError& error) {
         throw RunError(std::string(experiment->name) + ": " + error.what());
       }
@@ -156,7 +157,7 @@ class LabCommand final : public Command {
   ReportSection run_one(const Experiment& experiment, LabProgress& progress) {
     LabOptions options;
     options.is_quick = is_quick_;
-    options.seed = static_cast<uint64_t>(parse_integer("--seed", seed_, 0, INT64_MAX));
+    options.seed = seed_number_;
     options.cache = folder_ / "cache" / (std::string(experiment.name) + ".csv");
     options.tell = [&](bool was_kept) { progress.tell(was_kept); };
     options.stop = was_interrupted;
@@ -200,6 +201,7 @@ class LabCommand final : public Command {
 
   std::string name_, out_;
   std::string seed_ = "1";
+  uint64_t seed_number_ = 1;
   bool is_quick_ = false;
   std::vector<const Experiment*> chosen_;
   std::filesystem::path folder_;

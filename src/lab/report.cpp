@@ -36,7 +36,7 @@ a { color: var(--link); }
 section { border-top: 2px solid var(--faint); margin-top: 2.2em; padding-top: 1.4em; }
 .quiet { color: var(--quiet); font-size: 0.85em; margin: 0.2em 0; }
 .answer { font-weight: 600; font-size: 1.1em; }
-.charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 660px), 1fr)); gap: 1em 2em; margin: 1em 0; }
+.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 660px), 1fr)); gap: 1em 2em; margin: 1em 0; }
 figure { margin: 0; }
 figure img { display: block; width: 100%; height: auto; max-width: 960px; }
 @media (max-width: 700px) {
