@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/spread.h"
 #include "bed.h"
+#include "lab/spread.h"
 #include "lammps.h"
 #include "measured.h"
 

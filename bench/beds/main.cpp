@@ -15,10 +15,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/machine.h"
 #include "compare.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "lab/machine.h"
 #include "report.h"
 
 using namespace ballpit;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/gas.h"
-#include "app/machine.h"
-#include "app/spread.h"
+#include "lab/gas.h"
+#include "lab/machine.h"
+#include "lab/spread.h"
 
 namespace ballpit {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/step_timing.h"
+#include "lab/step_timing.h"
 
 namespace ballpit {
 

@@ -7,12 +7,12 @@
 #include "app/bench_summary.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
-#include "app/machine.h"
 #include "app/options.h"
 #include "app/progress.h"
-#include "app/step_timing.h"
 #include "app/summary.h"
 #include "core/error.h"
+#include "lab/machine.h"
+#include "lab/step_timing.h"
 #include "simulate/methods.h"
 
 namespace ballpit {

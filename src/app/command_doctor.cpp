@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // ballpit doctor: what this machine offers, and what is missing.
-#include <cstdlib>
-#include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <thread>
 
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "app/commands.h"
 #include "app/summary.h"
 #include "core/error.h"
+#include "core/program.h"
 #include "render/gl_context.h"
 #include "simulate/world.h"
 #include "version.h"
@@ -21,17 +18,6 @@ namespace ballpit {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// Where a program is on the PATH; empty if it is not.
-std::string find_program(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string candidate = folder + "/" + name;
-    if (::access(candidate.c_str(), X_OK) == 0) return candidate;
-  }
-  return "";
-}
 
 Json examine_gl() {
   try {
@@ -53,7 +39,7 @@ Json examine_machine() {
   }
   const Backend cuda = cuda_backend();
   Json tools;
-  for (const char* tool : {"ffmpeg"}) tools[tool] = find_program(tool);
+  for (const char* tool : {"ffmpeg", "gnuplot"}) tools[tool] = find_program(tool);
   return {{"version", kVersion},
           {"compiler", kCompiler},
           {"build_type", kBuildType},

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/summary.h"
+#include "lab/experiment.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
@@ -77,6 +78,18 @@ Json list_observables() {
   return list;
 }
 
+Json list_experiments() {
+  Json list = Json::array();
+  for (const Experiment& experiment : experiments()) {
+    list.push_back({{"name", experiment.name},
+                    {"title", experiment.title},
+                    {"question", experiment.question},
+                    {"quick_seconds", experiment.quick_seconds},
+                    {"full_seconds", experiment.full_seconds}});
+  }
+  return list;
+}
+
 /// "Pressure [Pa; in the plane N/m]"
 std::string label_with_unit(const Json& observable) {
   const std::string label = observable["label"], unit = observable["unit"], planar = observable["planar_unit"];
@@ -114,6 +127,8 @@ void print_text(const Json& list) {
   for (const Json& observable : list["observables"]) {
     print_line(observable["name"], label_with_unit(observable) + ": " + observable["estimator"].get<std::string>());
   }
+  std::puts("Experiments of lab");
+  for (const Json& experiment : list["experiments"]) print_line(experiment["name"], experiment["question"]);
 }
 
 class ListCommand final : public Command {
@@ -129,7 +144,8 @@ class ListCommand final : public Command {
                     {"overlays", list_labels(overlay_table())},
                     {"colorings", list_labels(coloring_table())},
                     {"themes", list_labels(themes())},
-                    {"observables", list_observables()}};
+                    {"observables", list_observables()},
+                    {"experiments", list_experiments()}};
     if (json_) {
       print_json(list);
     } else {

@@ -16,13 +16,13 @@
 #include "app/backends.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
-#include "app/machine.h"
 #include "app/options.h"
 #include "app/pairs_summary.h"
 #include "app/progress.h"
 #include "app/summary.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "lab/machine.h"
 #include "scene/spheres_csv.h"
 
 namespace ballpit {

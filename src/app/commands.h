@@ -34,6 +34,7 @@ std::unique_ptr<Command> make_render_command();
 std::unique_ptr<Command> make_simulate_command();
 std::unique_ptr<Command> make_pairs_command();
 std::unique_ptr<Command> make_bench_command();
+std::unique_ptr<Command> make_lab_command();
 std::unique_ptr<Command> make_list_command();
 std::unique_ptr<Command> make_doctor_command();
 

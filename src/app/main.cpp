@@ -26,7 +26,10 @@ constexpr std::array kCommands{
     CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
     CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file", make_pairs_command},
     CommandEntry{"bench", "time per step by method, backend, threads and number of spheres", make_bench_command},
-    CommandEntry{"list", "scenes, methods, backends, overlays, colours, themes, observables", make_list_command},
+    CommandEntry{"lab", "experiments: tables, charts and one report of what methods cost and get right",
+                 make_lab_command},
+    CommandEntry{"list", "scenes, methods, backends, overlays, colours, themes, observables, experiments",
+                 make_list_command},
     CommandEntry{"doctor", "what this machine offers", make_doctor_command},
 };
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <sstream>
 
-#include "app/exact_pairs.h"
 #include "app/options.h"
 #include "core/error.h"
+#include "lab/exact_pairs.h"
 
 namespace ballpit {
 

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <sstream>
 
-#include "app/spread.h"
 #include "app/summary.h"
+#include "lab/spread.h"
 
 namespace ballpit {
 

@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/exact_pairs.h"
-#include "app/work_profile.h"
+#include "lab/exact_pairs.h"
+#include "lab/work_profile.h"
 #include "simulate/pair_search.h"
 
 namespace ballpit {

@@ -8,9 +8,9 @@
 
 #include <imgui.h>
 
-#include "app/numbers.h"
 #include "app/panel.h"
 #include "app/picked.h"
+#include "core/numbers.h"
 #include "render/painter.h"
 
 namespace ballpit {

@@ -7,6 +7,7 @@
 
 #include "app/keys.h"
 #include "app/panel.h"
+#include "core/numbers.h"
 #include "render/overlays/overlay.h"
 #include "scene/catalog.h"
 #include "simulate/methods.h"

@@ -6,8 +6,8 @@
 
 #include <imgui.h>
 
-#include "app/numbers.h"
 #include "app/panel.h"
+#include "core/numbers.h"
 
 namespace ballpit {
 

@@ -67,15 +67,6 @@ Strip Painter::take_strip(float height) {
   return strip;
 }
 
-std::string grouped(int64_t number) {
-  std::string digits = std::to_string(number);
-  const std::ptrdiff_t sign = number < 0;
-  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > sign; at -= 3) {
-    digits.insert(static_cast<size_t>(at), "\u2009");
-  }
-  return digits;
-}
-
 std::string counted(int64_t number, const std::string& noun) {
   return grouped(number) + " " + noun + (number == 1 ? "" : "s");
 }

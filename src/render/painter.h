@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numbers.h"
 #include "render/face_renderer.h"
 #include "render/line_renderer.h"
 #include "render/sheet.h"
@@ -53,9 +54,6 @@ struct Painter {
   Rgba ink(float opacity = 1) const { return to_rgba(theme.text, opacity); }
   Rgba ground() const { return to_rgba(theme.background, 0.85f); }
 };
-
-/// 12345 → "12 345", with thin spaces.
-std::string grouped(int64_t number);
 
 /// (1, "contact") → "1 contact"; (1200, "contact") → "1 200 contacts".
 std::string counted(int64_t number, const std::string& noun);

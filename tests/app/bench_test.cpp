@@ -8,8 +8,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/exact_pairs.h"
-#include "app/gas.h"
+#include "lab/exact_pairs.h"
+#include "lab/gas.h"
 #include "simulate/methods.h"
 #include "tests/app/run_program.h"
 

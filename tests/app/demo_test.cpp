@@ -9,7 +9,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/numbers.h"
+#include "core/numbers.h"
 #include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "simulate/methods.h"

@@ -2,6 +2,7 @@
 // What the program tells of itself comes from the tables: nothing that exists goes unnamed.
 #include <catch2/catch.hpp>
 
+#include "lab/experiment.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
@@ -37,7 +38,7 @@ TEST_CASE("the option --help names every command, and ends with status 0") {
     const Outcome outcome = run_program({option});
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
-    for (const char* command : {"render", "simulate", "pairs", "bench", "list", "doctor"}) {
+    for (const char* command : {"render", "simulate", "pairs", "bench", "lab", "list", "doctor"}) {
       CHECK_THAT(outcome.out, Contains(command));
     }
   }
@@ -67,7 +68,8 @@ TEST_CASE("the help of render names every overlay and theme") {
   for (const std::string& name : names_in(themes())) CHECK_THAT(outcome.out, Contains(name));
 }
 
-TEST_CASE("list --json is one object that holds every scene, method, backend, overlay, theme and observable") {
+TEST_CASE(
+    "list --json is one object that holds every scene, method, backend, overlay, theme, observable and experiment") {
   const Outcome outcome = run_program({"list", "--json"});
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
@@ -77,6 +79,7 @@ TEST_CASE("list --json is one object that holds every scene, method, backend, ov
   CHECK(names_of(list["colorings"]) == names_in(coloring_table()));
   CHECK(names_of(list["themes"]) == names_in(themes()));
   CHECK(names_of(list["observables"]) == names_in(observables()));
+  CHECK(names_of(list["experiments"]) == names_in(experiments()));
   for (const nlohmann::json& observable : list["observables"]) {
     for (const char* key : {"label", "unit", "planar_unit", "estimator"}) CHECK(observable[key].is_string());
   }
@@ -105,12 +108,20 @@ TEST_CASE("list names for people what list --json names") {
   for (const Observable& observable : observables()) {
     CHECK_THAT(outcome.out, Contains(std::string(observable.name)) && Contains(std::string(observable.estimator)));
   }
+  for (const Experiment& experiment : experiments()) {
+    CHECK_THAT(outcome.out, Contains(std::string(experiment.name)) && Contains(std::string(experiment.question)));
+  }
   CHECK_THAT(outcome.out, Contains("Pressure [Pa; in the plane N/m]: ") && Contains("Largest overlap: "));
 }
 
 TEST_CASE("the help of simulate names every observable") {
   const Outcome outcome = run_program({"simulate", "--help"});
   for (const std::string& name : names_in(observables())) CHECK_THAT(outcome.out, Contains(name));
+}
+
+TEST_CASE("the help of lab names every experiment") {
+  const Outcome outcome = run_program({"lab", "--help"});
+  for (const std::string& name : names_in(experiments())) CHECK_THAT(outcome.out, Contains(name));
 }
 
 TEST_CASE("doctor --json is one object that tells what there is, or why not") {
@@ -120,6 +131,7 @@ TEST_CASE("doctor --json is one object that tells what there is, or why not") {
   CHECK(found["threads"] > 0);
   CHECK(found["version"].is_string());
   CHECK(found["tools"].contains("ffmpeg"));
+  CHECK(found["tools"].contains("gnuplot"));
   CHECK(found["egl_devices"].is_array());
   CHECK((found["gl"].contains("renderer") || found["gl"].contains("error")));
   const std::string reason = cuda_backend().unavailable_reason;
@@ -130,5 +142,6 @@ TEST_CASE("doctor --json is one object that tells what there is, or why not") {
 TEST_CASE("doctor says the same for people") {
   const Outcome outcome = run_program({"doctor"});
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out, Contains("CPU threads") && Contains("CUDA") && Contains("OpenGL") && Contains("ffmpeg"));
+  CHECK_THAT(outcome.out, Contains("CPU threads") && Contains("CUDA") && Contains("OpenGL") && Contains("ffmpeg") &&
+                              Contains("gnuplot"));
 }

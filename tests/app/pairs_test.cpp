@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/exact_pairs.h"
 #include "app/pairs_summary.h"
 #include "core/random.h"
+#include "lab/exact_pairs.h"
 #include "scene/spheres_csv.h"
 #include "simulate/methods.h"
 #include "simulate/settings.h"

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "lab/experiments/contact_methods.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "lab/made_scenes.h"
+#include "lab/theory.h"
+#include "simulate/methods.h"
+#include "simulate/response/damping.h"
+
+namespace ballpit {
+
+namespace {
+
+struct Look {
+  std::string_view response, role;
+};
+constexpr Look kLooks[] = {{"event-driven", "first"},
+                           {"impulse", "second"},
+                           {"penalty", "third"},
+                           {"position-based", "sixth"},
+                           {"kinematic", "fifth"}};
+
+std::string role_of(std::string_view response) {
+  for (const Look& look : kLooks) {
+    if (look.response == response) return std::string(look.role);
+  }
+  return "fourth";
+}
+
+/// What else than the integrator makes a method of its own.
+struct Variant {
+  std::string words;  ///< empty: the response's own
+  void (*apply)(Settings&);
+};
+
+std::vector<Variant> variants_of(std::string_view response) {
+  std::vector<Variant> variants{{"", [](Settings&) {}}};
+  if (goes_with(response, "solver", "gauss-seidel")) {
+    variants.push_back({"gauss-seidel", [](Settings& settings) { settings.solver = "gauss-seidel"; }});
+  }
+  if (goes_with(response, "swept", "on")) {
+    variants.push_back({"swept", [](Settings& settings) { settings.is_swept = true; }});
+  }
+  return variants;
+}
+
+/// "penalty, rk4, float": what differs among those of the response.
+std::string name_of(const Settings& settings, const Variant& variant, bool has_integrators) {
+  std::string name = settings.response;
+  if (has_integrators) name += ", " + settings.integrator;
+  if (!variant.words.empty()) name += ", " + variant.words;
+  if (settings.precision == "float") name += ", float";
+  return name;
+}
+
+/// The response's own integrator and solver go by its name, the others by what they have instead.
+std::string label_of(const Settings& settings, const Variant& variant, bool is_own) {
+  if (!variant.words.empty()) return "+ " + variant.words;
+  return is_own ? settings.response : "+ " + settings.integrator;
+}
+
+void add_methods(std::string_view response, std::vector<ContactMethod>& list) {
+  std::vector<std::string> integrators, precisions;
+  for (const std::string_view name : method_names(Family::integrator)) {
+    if (name != "auto" && goes_with(response, "integrator", name)) integrators.emplace_back(name);
+  }
+  for (const std::string_view name : method_names(Family::precision)) {
+    if (goes_with(response, "precision", name)) precisions.emplace_back(name);
+  }
+  Settings own = settings_of(std::string(response), 0);
+  own.integrator = integrator_of(own);
+  for (const std::string& integrator : integrators) {
+    for (const Variant& variant : variants_of(response)) {
+      for (const std::string& precision : precisions) {
+        Settings settings = own;
+        settings.integrator = integrator;
+        settings.precision = precision;
+        variant.apply(settings);
+        const bool is_own = integrator == own.integrator;
+        const bool is_main = is_own && variant.words.empty() && precision == "double";
+        list.push_back({name_of(settings, variant, integrators.size() > 1), label_of(settings, variant, is_own),
+                        role_of(response), is_main, settings});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+const std::vector<ContactMethod>& contact_methods() {
+  static const std::vector<ContactMethod> table = [] {
+    std::vector<ContactMethod> list;
+    for (const std::string_view response : method_names(Family::response)) add_methods(response, list);
+    return list;
+  }();
+  return table;
+}
+
+Series series_of(const ContactMethod& method) {
+  const bool is_float = method.settings.precision == "float";
+  return {is_float ? "" : method.label, method.role, {}, Stroke::line_and_points, is_float, !method.is_main};
+}
+
+void drop_equal_labels(std::vector<Series>& list) {
+  for (Series& series : list) {
+    const auto main = std::find_if(list.begin(), list.end(), [&](const Series& other) {
+      return !other.is_thin && !other.is_dashed && other.role == series.role;
+    });
+    if (!series.is_thin || main == list.end()) continue;
+    const double ratio = series.points.back().y / main->points.back().y;
+    if (ratio > 0.9 && ratio < 1.1) series.label.clear();
+  }
+}
+
+double stiffness_for(double dt, double steps, double mu, double restitution) {
+  return stiffness_of_duration(steps * dt, mu, damping_of(restitution, false));
+}
+
+}  // namespace ballpit

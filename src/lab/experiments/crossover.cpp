@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Which response when: the time that a dense gas takes against the number of its spheres, where each response may take the
+// largest step at which it still holds the same error, in the pressure.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/numbers.h"
+#include "lab/experiments/experiments.h"
+#include "lab/experiments/same_error.h"
+#include "lab/experiments/timed_run.h"
+#include "lab/key.h"
+#include "lab/made_scenes.h"
+#include "lab/spread.h"
+#include "scene/input_error.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr int kRepeats = 5;
+
+/// A response with the step that it may take.
+struct Entry {
+  const Contender* who;
+  std::vector<PressureError> errors;  ///< none for exact motion
+  double dt;                          ///< 0 where it holds the tolerance at no step
+  std::vector<Point> points{};        ///< seconds for a unit of time, against spheres
+};
+
+std::vector<Entry> measure_entries(Lab& lab) {
+  std::vector<Entry> entries;
+  for (const Contender& who : contenders()) {
+    Entry entry{&who, {}, kCoarsestStep};
+    if (!is_exact(who)) {
+      entry.errors = pressure_errors(lab, who);
+      entry.dt = largest_step(entry.errors);
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+/// Edges of the lattice that a gas starts from: 4 spheres a cell.
+std::vector<int> sizes(bool is_quick) {
+  return is_quick ? std::vector<int>{2, 4, 6, 9, 14} : std::vector<int>{2, 3, 4, 6, 9, 14, 20, 30, 46};
+}
+
+/// [s] for a unit of time, repeat by repeat, the entries in turns.
+std::vector<double> time_in_turns(const std::vector<const Entry*>& entries, const Scene& gas, double least) {
+  std::vector<TimedRun> runs;
+  std::vector<double> parts;  // of simulated time in a repeat
+  for (const Entry* entry : entries) {
+    runs.emplace_back(with_springs(gas, entry->dt), entry->who->settings(entry->dt));
+    runs.back().reach(4 * entry->dt);  // warms up
+    const double a_step = runs.back().seconds() * entry->dt;
+    parts.push_back(std::max(4 * entry->dt, std::min(1.0, std::ceil(least / a_step) * entry->dt)));
+  }
+  std::vector<double> seconds;
+  for (int repeat = 1; repeat <= kRepeats; ++repeat) {
+    for (size_t k = 0; k < runs.size(); ++k) {
+      const double before = runs[k].world().time(), spent = runs[k].spent();
+      runs[k].reach(before + parts[k]);
+      seconds.push_back((runs[k].spent() - spent) / (runs[k].world().time() - before));
+    }
+  }
+  return seconds;
+}
+
+void measure_times(Lab& lab, std::vector<Entry>& entries) {
+  const double least = lab.is_quick() ? 0.03 : 0.2;  // [s] a repeat
+  std::vector<Entry*> running;
+  std::string steps;
+  for (Entry& entry : entries) {
+    if (entry.dt == 0) continue;
+    running.push_back(&entry);
+    steps += entry.who->label + ' ' + number_text(entry.dt) + "; ";
+  }
+  for (const int cells : sizes(lab.is_quick())) {
+    const std::vector<double> seconds =
+        lab.time(key_of({"time", steps, double(cells), double(lab.seed()), least}), [&] {
+          return time_in_turns({running.begin(), running.end()}, equilibrium_gas(cells, kSameErrorDensity, lab.seed()),
+                               least);
+        });
+    for (size_t k = 0; k < running.size(); ++k) {
+      std::vector<double> own;
+      for (size_t repeat = 0; repeat < kRepeats; ++repeat) own.push_back(seconds[repeat * running.size() + k]);
+      const Spread spread = spread_of(own);
+      running[k]->points.push_back({4.0 * cells * cells * cells, spread.median, spread.lower, spread.upper});
+    }
+  }
+}
+
+Chart time_chart(const std::vector<Entry>& entries) {
+  Chart chart{"time",
+              "Time of a dense gas, 2 % off in its pressure at most",
+              {"spheres", "", Scale::log},
+              {"time for a unit of time, √(mD²/kT)", "s", Scale::log},
+              {}};
+  for (const Entry& entry : entries) {
+    if (entry.points.empty()) continue;
+    chart.series.push_back(
+        {entry.who->label, entry.who->role, entry.points, Stroke::line_and_points, entry.who->is_dashed});
+  }
+  return chart;
+}
+
+Chart error_chart(const std::vector<Entry>& entries) {
+  Chart chart{"error",
+              "Error in the pressure against the step",
+              {"step", "√(mD²/kT)", Scale::log},
+              {"error of Z", "%", Scale::linear, -30, 10},
+              {}};
+  double finest = kCoarsestStep;
+  for (const Entry& entry : entries) {
+    if (!entry.errors.empty()) finest = std::min(finest, entry.errors.back().dt);
+  }
+  for (const double edge : {-100 * kPressureTolerance, 100 * kPressureTolerance}) {
+    chart.series.push_back({edge > 0 ? "± 2 %" : "", "theory", {{finest, edge}, {kCoarsestStep, edge}}, Stroke::line});
+  }
+  for (const Entry& entry : entries) {
+    Series series{entry.who->label, entry.who->role, {}, Stroke::line_and_points, entry.who->is_dashed};
+    for (auto error = entry.errors.rbegin(); error != entry.errors.rend(); ++error) {
+      const double off = 100 * error->off.value, width = 100 * error->off.error;
+      const bool has_failed = std::isnan(off) || std::fabs(off) > 30;
+      series.points.push_back({error->dt, has_failed ? INFINITY : off, off - width, off + width});
+    }
+    if (!series.points.empty()) chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+std::vector<Table> tables_of(const std::vector<Entry>& entries) {
+  Table errors{"errors", {{"response"}, {"step"}, {"error of Z", "%"}, {"standard error", "%"}}, {}};
+  Table times{"times",
+              {{"response"}, {"step"}, {"spheres"}, {"time", "s"}, {"lower quartile", "s"}, {"upper quartile", "s"}},
+              {}};
+  Table steps{"steps", {{"response"}, {"largest step that holds 2 %"}, {"time for the most spheres", "s"}}, {}, true};
+  for (const Entry& entry : entries) {
+    const std::string& who = entry.who->label;
+    for (const PressureError& e : entry.errors)
+      errors.rows.push_back({who, e.dt, 100 * e.off.value, 100 * e.off.error});
+    for (const Point& p : entry.points) times.rows.push_back({who, entry.dt, p.x, p.y, p.low, p.high});
+    const Cell step = is_exact(*entry.who) ? Cell("any: exact")
+                      : entry.dt > 0       ? Cell(number_text(entry.dt))
+                                           : Cell("none tried");
+    steps.rows.push_back({who, step, entry.points.empty() ? kNoNumber : entry.points.back().y});
+  }
+  return {std::move(steps), std::move(times), std::move(errors)};
+}
+
+/// The fastest among so many spheres; the one before, unless it is slower by more than the spread.
+const Entry* fastest_at(const std::vector<Entry>& entries, size_t k, const Entry* before) {
+  const Entry* best = before != nullptr ? before : &entries.front();
+  for (const Entry& entry : entries) {
+    if (!entry.points.empty() && entry.points[k].high < best->points[k].low) best = &entry;
+  }
+  return best;
+}
+
+const Entry* next_fastest(const std::vector<Entry>& entries, const Entry* best) {
+  const Entry* next = nullptr;
+  for (const Entry& entry : entries) {
+    if (&entry == best || entry.points.empty()) continue;
+    if (next == nullptr || entry.points.back().y < next->points.back().y) next = &entry;
+  }
+  return next;
+}
+
+/// Who is fastest, and from how many spheres on.
+std::string answer_of(const std::vector<Entry>& entries) {
+  const std::vector<Point>& spheres = entries.front().points;  // exact motion always takes part
+  std::string text = "With at most 2 % of error in the pressure of a dense gas, ";
+  const Entry* best = nullptr;
+  for (size_t k = 0; k < spheres.size(); ++k) {
+    const Entry* now = fastest_at(entries, k, best);
+    if (now == best) continue;
+    if (best != nullptr) text += ", from " + grouped(static_cast<int64_t>(spheres[k].x)) + " spheres on ";
+    text += now->who->label;
+    best = now;
+  }
+  text += " is fastest";
+  if (const Entry* next = next_fastest(entries, best)) {
+    text += "; among " + grouped(static_cast<int64_t>(spheres.back().x)) + " spheres, " + next->who->label + " takes " +
+            three_digits(next->points.back().y / best->points.back().y) + " times as long";
+  }
+  return text + ".";
+}
+
+int64_t measurements(bool is_quick) {
+  return static_cast<int64_t>((contenders().size() - 1) * kStepsTried + sizes(is_quick).size());
+}
+
+Findings run(Lab& lab) {
+  std::vector<Entry> entries = measure_entries(lab);
+  measure_times(lab, entries);
+  Findings findings;
+  findings.tables = tables_of(entries);
+  findings.charts = {time_chart(entries), error_chart(entries)};
+  findings.answer = answer_of(entries);
+  findings.see =
+      "A gas of equal elastic spheres, N·D³/V = 0.5, in a periodic box, from equilibrium; diameter, mass and kT are "
+      "1, and a sphere hits another 7.7 times in a unit of time. First, the error of the compressibility Z of 256 "
+      "spheres against the literature's value, step by step (bars: one standard error; × where it is beyond 30 %, or "
+      "the run stopped): each response then takes the largest step that holds 2 %, and whose half does, too. Second, "
+      "the time for a unit of simulated time at that step, on one thread in double precision, medians and quartiles "
+      "of five repeats in turns. Discrete impulses see each hit up to a step late, so they need short steps; swept "
+      "ones find the hit inside the step. Penalty's springs last 20 steps, so soft spheres come with long steps. "
+      "Exact motion needs no steps at all, but handles one collision after the other. What is no contender here, as "
+      "position-based, has no elastic gas.";
+  return findings;
+}
+
+}  // namespace
+
+Experiment crossover_experiment() {
+  return {"crossover",
+          "Which response when",
+          "At the same error, which response is fastest, and does that change with the number of spheres?",
+          30,
+          600,
+          measurements,
+          run};
+}
+
+}  // namespace ballpit

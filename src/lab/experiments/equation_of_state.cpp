@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// The pressure of a gas of hard spheres: exact motion against the literature, and what a fixed step makes of it.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/numbers.h"
+#include "lab/boundary.h"
+#include "lab/experiments/experiments.h"
+#include "lab/experiments/hard_spheres.h"
+#include "lab/key.h"
+#include "lab/made_scenes.h"
+#include "lab/mean.h"
+#include "lab/theory.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kDense = 0.5;  // of the gas with fixed steps
+
+std::vector<double> densities(bool is_quick) { return spaced(0.1, 0.9, is_quick ? 9 : 17, Scale::linear); }
+
+std::vector<double> steps(bool is_quick) {
+  return is_quick ? std::vector<double>{0.005, 0.01, 0.02, 0.04} : std::vector<double>{0.0025, 0.005, 0.01, 0.02, 0.04};
+}
+
+GasRun exact_run(const Lab& lab, double rho) { return {5, rho, lab.seed(), lab.is_quick() ? 60 : 500, 40}; }
+
+GasRun stepped_run(const Lab& lab) { return {4, kDense, lab.seed(), lab.is_quick() ? 60 : 400, 15}; }
+
+std::string key_of_run(const std::string& name, const GasRun& run, double dt) {
+  return key_of({name, dt, double(run.cells), run.rho, double(run.seed), double(run.blocks), run.collisions});
+}
+
+Mean exact_z(Lab& lab, double rho) {
+  const GasRun run = exact_run(lab, rho);
+  return mean_of(lab.measure(key_of_run("exact", run, 0), [&] { return block_z(run, exact_motion(1)); }));
+}
+
+Mean stepped_z(Lab& lab, double dt, bool is_swept) {
+  const GasRun run = stepped_run(lab);
+  const std::string key = key_of_run(is_swept ? "swept" : "discrete", run, dt);
+  return mean_of(lab.measure(key, [&] { return block_z(run, elastic_impulses(dt, is_swept)); }));
+}
+
+Point with_error(double x, const Mean& mean) {
+  return {x, mean.value, mean.value - mean.error, mean.value + mean.error};
+}
+
+Series theory_line(const std::string& label, const std::vector<double>& xs, const std::function<double(double)>& y) {
+  Series line{label, "theory", {}, Stroke::line};
+  for (const double x : xs) line.points.push_back({x, y(x)});
+  return line;
+}
+
+struct ExactPoint {
+  double rho, expected;
+  Mean z;
+  double errors_off() const { return (z.value - expected) / z.error; }
+};
+
+Table table_of(const std::vector<ExactPoint>& points) {
+  Table table{"z",
+              {{"density"},
+               {"Z measured"},
+               {"standard error"},
+               {"Z expected of so many spheres"},
+               {"Z of Carnahan and Starling"},
+               {"off", "standard errors"}},
+              {}};
+  for (const ExactPoint& p : points) {
+    table.rows.push_back({p.rho, p.z.value, p.z.error, p.expected, carnahan_starling_z(p.rho), p.errors_off()});
+  }
+  return table;
+}
+
+std::vector<Chart> charts_of(const std::vector<ExactPoint>& points) {
+  const Axis density{"density N·D³/V"};
+  const std::vector<double> xs = spaced(points.front().rho, points.back().rho, 100, Scale::linear);
+  const auto percent = [](double z, double rho) { return 100 * (z / reference_z(rho) - 1); };
+  Series measured{"event-driven", "first", {}, Stroke::points}, off = measured;
+  for (const ExactPoint& p : points) {
+    measured.points.push_back(with_error(p.rho, p.z));
+    const double size = reference_z(p.rho) - p.expected;  // taken off: what so few spheres make of it
+    off.points.push_back({p.rho, percent(p.z.value + size, p.rho), percent(p.z.value + size - p.z.error, p.rho),
+                          percent(p.z.value + size + p.z.error, p.rho)});
+  }
+  Chart whole{"z", "The pressure of hard spheres, over that of an ideal gas", density, {"Z = PV/NkT"}, {}, {}, {}};
+  whole.series = {theory_line("reference", xs, reference_z), measured};
+  Chart detail{"deviation", "How far the pressure is from the reference", density, {"deviation of Z", "%"}, {}, {}, {}};
+  detail.series = {
+      theory_line("Carnahan–Starling", xs, [&](double rho) { return percent(carnahan_starling_z(rho), rho); }),
+      theory_line("reference", xs, [](double) { return 0.0; }), off};
+  return {whole, detail};
+}
+
+/// Z − Z_N of gases with a fixed step.
+struct SteppedPoint {
+  double dt;
+  Mean discrete, swept;
+  double expected;  ///< of late contacts
+};
+
+Table table_of(const std::vector<SteppedPoint>& points) {
+  Table table{"late-contacts",
+              {{"step"},
+               {"bias measured"},
+               {"standard error"},
+               {"bias expected"},
+               {"bias of swept contacts"},
+               {"its standard error"}},
+              {}};
+  for (const SteppedPoint& p : points) {
+    table.rows.push_back({p.dt, p.discrete.value, p.discrete.error, p.expected, p.swept.value, p.swept.error});
+  }
+  return table;
+}
+
+Chart chart_of(const std::vector<SteppedPoint>& points, double count) {
+  Chart chart{"late-contacts",
+              "A fixed step sees each hit late, and the pressure falls",
+              {"step dt", "D/√(kT/m)"},
+              {"Z − exact Z"},
+              {},
+              {},
+              {}};
+  Series discrete{"discrete", "first", {}, Stroke::points}, swept{"swept", "second", {}, Stroke::points};
+  for (const SteppedPoint& p : points) {
+    discrete.points.push_back(with_error(p.dt, p.discrete));
+    swept.points.push_back(with_error(p.dt, p.swept));
+  }
+  const auto bias = [count](double dt) { return late_contact_z(kDense, count, dt) - finite_z(kDense, count); };
+  chart.series = {theory_line("late by dt/2", spaced(0, points.back().dt, 50, Scale::linear), bias), discrete, swept};
+  return chart;
+}
+
+int64_t measurements(bool is_quick) {
+  return static_cast<int64_t>(densities(is_quick).size() + 2 * steps(is_quick).size());
+}
+
+Findings run(Lab& lab) {
+  std::vector<ExactPoint> exact;
+  double squares = 0, error = 0;
+  for (const double rho : densities(lab.is_quick())) {
+    exact.push_back({rho, finite_z(rho, count_of(exact_run(lab, rho))), exact_z(lab, rho)});
+    squares += exact.back().errors_off() * exact.back().errors_off() / double(densities(lab.is_quick()).size());
+    error = std::max(error, exact.back().z.error / exact.back().z.value);
+  }
+  std::vector<SteppedPoint> stepped;
+  const double count = count_of(stepped_run(lab)), truth = finite_z(kDense, count);
+  for (const double dt : steps(lab.is_quick())) {
+    Mean discrete = stepped_z(lab, dt, false), swept = stepped_z(lab, dt, true);
+    discrete.value -= truth;
+    swept.value -= truth;
+    stepped.push_back({dt, discrete, swept, late_contact_z(kDense, count, dt) - truth});
+  }
+  Findings findings;
+  findings.tables = {table_of(exact), table_of(stepped)};
+  for (Table& table : findings.tables) table.is_shown = true;
+  findings.charts = charts_of(exact);
+  findings.charts.push_back(chart_of(stepped, count));
+  const SteppedPoint& coarse = stepped.back();
+  findings.answer = "Exact motion has the pressure of the literature to " + three_digits(100 * error) + " %, off by " +
+                    three_digits(std::sqrt(squares)) + " standard errors (rms); a step of " + three_digits(coarse.dt) +
+                    " takes " + three_digits(-100 * coarse.discrete.value / truth) +
+                    " % from it, where late contacts predict " + three_digits(-100 * coarse.expected / truth) + " %.";
+  findings.see =
+      "Points are means over blocks of many collisions, with their standard errors; dotted lines are the "
+      "literature's. The second chart magnifies the first: Carnahan and Starling's formula is off by up to 0.3 %, "
+      "and the measured points follow the reference instead. In the third, contacts found at the end of a step are "
+      "half a step late on average, as if spheres were smaller; swept ones are nearly on time. The number of spheres "
+      "is accounted for in all three.";
+  return findings;
+}
+
+}  // namespace
+
+Experiment equation_of_state_experiment() {
+  return {"equation-of-state",
+          "Equation of state",
+          "Is the pressure of a gas of hard spheres that of the literature, and what does a fixed step make of it?",
+          25,
+          300,
+          measurements,
+          run};
+}
+
+}  // namespace ballpit

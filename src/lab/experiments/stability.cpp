@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Where methods fail, mapped: what is measured as colour, and the formula's line.
+#include "lab/experiments/stability.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numbers.h"
+#include "lab/experiments/experiments.h"
+#include "lab/experiments/failures.h"
+#include "lab/experiments/long_runs.h"
+#include "lab/key.h"
+#include "lab/theory.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kBulletStep = 0.42;  // [m]
+constexpr double kOmegaStep = 0.1;    // of an oscillator
+constexpr int kPairs = 20000;         // of a single recall
+
+int cells_of(const MapAxis& axis, bool is_quick) { return is_quick ? axis.cells : 2 * axis.cells - 1; }
+
+std::vector<double> centres_of(const MapAxis& axis, bool is_quick) {
+  return spaced(axis.low, axis.high, cells_of(axis, is_quick), axis.axis.scale);
+}
+
+Table table_of(const FailureMap& which, const Map& map) {
+  Table table{which.name,
+              {{which.x.axis.label, which.x.axis.unit}, {which.y.axis.label, which.y.axis.unit}, {which.label}},
+              {}};
+  for (size_t column = 0; column < map.x.size(); ++column) {
+    for (size_t row = 0; row < map.y.size(); ++row) {
+      table.rows.push_back({map.x[column], map.y[row], map.values[row][column]});
+    }
+  }
+  return table;
+}
+
+Chart chart_of(const FailureMap& which, const Map& map, const MapBoundary& boundary) {
+  Chart chart{which.name, which.title, which.x.axis, which.y.axis, {}, map, {}};
+  Series theory{which.formula, "theory", {}, Stroke::line};
+  for (const double x : spaced(map.x.front(), map.x.back(), 100, which.x.axis.scale)) {
+    const double y = which.theory(x);
+    if (y >= map.y.front() && y <= map.y.back()) theory.points.push_back({x, y});
+  }
+  Series measured{"", "first", {}, Stroke::points};
+  for (size_t column = 0; column < map.x.size(); ++column) {
+    if (!std::isnan(boundary.y[column])) measured.points.push_back({map.x[column], boundary.y[column]});
+  }
+  chart.series = {theory, measured};
+  return chart;
+}
+
+/// Methods that are known to be wrong, seen failing.
+Table broken(Lab& lab) {
+  const auto recall = lab.measure(key_of({"broken cells", double(kPairs), "seed", double(lab.seed())}),
+                                  [&] { return std::vector<double>{recall_of_cells(0.5, kPairs, lab.seed())}; });
+  const auto bullet = lab.measure(key_of({"broken bullet", kBulletStep}), [] {
+    return std::vector<double>{double(passes_through(kBulletStep, false)), double(passes_through(kBulletStep, true))};
+  });
+  const auto gained = lab.measure(key_of({"broken explicit Euler", kOmegaStep}), [] {
+    return std::vector<double>{oscillator_drift("explicit-euler", kOmegaStep, 7).back()};
+  });
+  const auto yes_or_no = [](double value) { return std::string(value > 0 ? "yes" : "no"); };
+  return {"broken",
+          {{"method"}, {"what is seen"}, {"measured"}, {"theory"}},
+          {{"cells of half a diameter", "recall", recall[0], cell_recall(0.5)},
+           {"contacts at the end of a step of 0.42 m", "the bullet passes through 0.2 m", yes_or_no(bullet[0]), "yes"},
+           {"swept contacts", "the bullet passes through 0.2 m", yes_or_no(bullet[1]), "no"},
+           {"explicit Euler, 64 steps of ωdt = 0.1", "energy gained, of that at the start", gained[0],
+            oscillator_theory("explicit-euler", kOmegaStep, 64)}},
+          true};
+}
+
+int64_t measurements(bool is_quick) {
+  int64_t count = 3;
+  for (const FailureMap& which : failure_maps()) count += cells_of(which.x, is_quick);
+  return count;
+}
+
+Findings run(Lab& lab) {
+  Findings findings;
+  Table lines{"boundaries", {{"map"}, {"formula"}, {"columns that cross"}, {"largest distance", "cells"}}, {}};
+  double farthest = 0;
+  int within = 0;  // a cell
+  for (const FailureMap& which : failure_maps()) {
+    const Map map = measure_map(lab, which);
+    const MapBoundary boundary = boundary_of(which, map);
+    farthest = std::max(farthest, boundary.distance);
+    within += boundary.distance <= 1;
+    lines.rows.push_back({which.name, which.formula, double(boundary.columns), boundary.distance});
+    findings.tables.push_back(table_of(which, map));
+    findings.charts.push_back(chart_of(which, map, boundary));
+    findings.see += which.title + ": at the dotted line " + which.where + ". ";
+  }
+  lines.is_shown = true;
+  findings.tables.push_back(lines);
+  findings.tables.push_back(broken(lab));
+  findings.see +=
+      "Colours are measured: by which factor motion grows in a step; the part of hits that is seen; the part of "
+      "searches that find at least that recall; what is left of the speed that gravity gave in a step; the part of "
+      "its way that a sphere makes. Triangles are where what is measured changes sides, dotted lines are formulas; "
+      "nothing is fitted.";
+  findings.answer = "In " + std::to_string(within) + " of " + std::to_string(failure_maps().size()) +
+                    " maps the measured boundary lies within a cell of the formula's line; the farthest is " +
+                    three_digits(farthest) + " cells from it.";
+  return findings;
+}
+
+}  // namespace
+
+Map measure_map(Lab& lab, const FailureMap& which) {
+  Map map{centres_of(which.x, lab.is_quick()), centres_of(which.y, lab.is_quick()), {}};
+  map.values.assign(map.y.size(), std::vector<double>(map.x.size()));
+  for (size_t column = 0; column < map.x.size(); ++column) {
+    const double x = map.x[column];
+    const auto key =
+        key_of({which.name, x, map.y.front(), map.y.back(), double(map.y.size()), "seed", double(lab.seed())});
+    const auto values = lab.measure(key, [&] { return which.column(x, map.y, lab.seed()); });
+    for (size_t row = 0; row < map.y.size(); ++row) map.values[row][column] = values[row];
+  }
+  map.label = which.label;
+  map.is_log = which.is_log;
+  map.low = which.low;
+  map.high = which.high;
+  return map;
+}
+
+MapBoundary boundary_of(const FailureMap& which, const Map& map) {
+  return find_boundary(map, which.y.axis.scale, which.has_crossed, which.theory);
+}
+
+Experiment stability_experiment() {
+  return {"stability",
+          "Where methods fail",
+          "Does each method fail where its formula says, and nowhere else?",
+          15,
+          150,
+          measurements,
+          run};
+}
+
+}  // namespace ballpit

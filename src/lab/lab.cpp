@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "lab/lab.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "lab/chart.h"
+#include "lab/machine.h"
+#include "lab/table.h"
+#include "version.h"
+
+namespace ballpit {
+
+namespace {
+
+double number_in(const std::string& cell) {
+  double value = kNoNumber;  // an empty cell
+  std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return value;
+}
+
+/// Appends whole lines to a file, each at once, so that no end of the program leaves less than was measured.
+void append_line(const std::filesystem::path& path, std::string_view line) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const ssize_t written = file < 0 ? -1 : ::write(file, line.data(), line.size());
+  const int reason = written < 0 ? errno : ENOSPC;
+  if (file >= 0) ::close(file);
+  if (written == static_cast<ssize_t>(line.size())) return;
+  throw RunError(path.string() + ": cannot write: " + std::strerror(reason));
+}
+
+double load_average() {
+  double load = 0;
+  return ::getloadavg(&load, 1) == 1 ? load : 0;
+}
+
+}  // namespace
+
+Lab::Lab(LabOptions options) : options_(std::move(options)) {
+  if (options_.cache.empty()) return;
+  append_line(options_.cache, "");  // what cannot be written is told before anything is measured
+  const std::string text = read_file(options_.cache);
+  size_t start = 0;
+  for (size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1) {
+    const std::vector<std::string> cells = split_csv_line(std::string_view(text).substr(start, end - start));
+    std::vector<double>& values = kept_[cells.front()];
+    values.clear();
+    for (size_t k = 1; k < cells.size(); ++k) values.push_back(number_in(cells[k]));
+  }
+  // A line without an end was cut short, by a full disk or a lost machine.
+  if (start < text.size()) std::filesystem::resize_file(options_.cache, start);
+}
+
+std::vector<double> Lab::measure(const std::string& key, const std::function<std::vector<double>()>& function) {
+  if (options_.stop && options_.stop()) {
+    throw RunError("interrupted after " + std::to_string(asked_) +
+                   " measurements of this experiment, which are kept; the same command goes on from there");
+  }
+  const std::string full_key = std::string("ballpit ") + kVersion + "; " + key;
+  const auto found = kept_.find(full_key);
+  const bool was_kept = found != kept_.end();
+  std::vector<double> values = was_kept ? found->second : function();
+  if (!was_kept) {
+    keep(full_key, values);
+    ++measured_;
+  }
+  ++asked_;
+  if (options_.tell) options_.tell(was_kept);
+  return values;
+}
+
+std::vector<double> Lab::time(const std::string& key, const std::function<std::vector<double>()>& function) {
+  std::vector<double> values = measure(key + "; " + machine_line(), [&] {
+    std::vector<double> seconds = function();
+    seconds.push_back(load_average());
+    return seconds;
+  });
+  load_ = std::max(load_, values.back());
+  values.pop_back();
+  return values;
+}
+
+void Lab::keep(const std::string& key, const std::vector<double>& values) {
+  kept_[key] = values;
+  if (options_.cache.empty()) return;
+  std::vector<Cell> cells{key};
+  cells.insert(cells.end(), values.begin(), values.end());
+  append_line(options_.cache, csv_line(cells));
+}
+
+}  // namespace ballpit

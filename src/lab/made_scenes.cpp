@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "lab/made_scenes.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/random.h"
+#include "lab/theory.h"
+
+namespace ballpit {
+
+namespace {
+
+/// Velocities of total momentum zero and kT = 1, no two alike.
+void set_velocities(Bodies& bodies, Random& random) {
+  const auto count = static_cast<double>(bodies.size());
+  Vec3d mean(0.0);
+  for (Vec3d& v : bodies.velocity) {
+    v = random.uniform(Vec3d(-1.0), Vec3d(1.0)) + random.uniform(Vec3d(-1.0), Vec3d(1.0));
+    mean += v / count;
+  }
+  double squared = 0;
+  for (Vec3d& v : bodies.velocity) {
+    v -= mean;
+    squared += dot(v, v);
+  }
+  for (Vec3d& v : bodies.velocity) v *= std::sqrt(3 * (count - 1) / squared);
+}
+
+Scene lattice_gas(int cells, double rho, uint64_t seed) {
+  const double edge = std::cbrt(4 / rho);
+  constexpr std::array<std::array<double, 3>, 4> kBasis{{{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}};
+  Scene scene;
+  scene.domain = {Vec3d(0.0), Vec3d(cells * edge), Boundary::periodic, 3};
+  scene.physics.restitution = scene.physics.wall_restitution = 1;
+  for (int c = 0; c < cells * cells * cells; ++c) {
+    const Vec3d corner(c % cells, c / cells % cells, c / cells / cells);
+    for (const auto& b : kBasis) {
+      add_sphere(scene, edge * (corner + Vec3d(b[0], b[1], b[2]) + 0.25), Vec3d(0.0), 0.5, 1);
+    }
+  }
+  Random random(seed);
+  set_velocities(scene.bodies, random);
+  return scene;
+}
+
+}  // namespace
+
+void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity, double radius, double mass) {
+  scene.bodies.position.push_back(position);
+  scene.bodies.velocity.push_back(velocity);
+  scene.bodies.radius.push_back(radius);
+  scene.bodies.mass.push_back(mass);
+}
+
+Scene wide_box(double half) {
+  Scene scene;
+  scene.domain.min = Vec3d(-half);
+  scene.domain.max = Vec3d(half);
+  scene.physics.restitution = scene.physics.wall_restitution = 1.0;
+  return scene;
+}
+
+Scene head_on(double speed, double gap) {
+  Scene scene = wide_box();
+  add_sphere(scene, {-0.5 - gap / 2, 0, 0}, {speed / 2, 0, 0}, 0.5, 1.0);
+  add_sphere(scene, {0.5 + gap / 2, 0, 0}, {-speed / 2, 0, 0}, 0.5, 1.0);
+  return scene;
+}
+
+Scene make_stack(const std::vector<double>& masses, double radius) {
+  Scene scene;
+  scene.domain.min = {-5 * radius, 0, -5 * radius};
+  scene.domain.max = {5 * radius, 2 * radius * (static_cast<double>(masses.size()) + 2), 5 * radius};
+  scene.physics.gravity = {0, -9.81, 0};
+  scene.physics.restitution = scene.physics.wall_restitution = 0;
+  double height = radius;
+  for (const double mass : masses) {
+    add_sphere(scene, {0, height, 0}, Vec3d(0.0), radius, mass);
+    height += 2 * radius;
+  }
+  return scene;
+}
+
+Scene equilibrium_gas(int cells, double rho, uint64_t seed) {
+  Scene scene = lattice_gas(cells, rho, seed);
+  const auto world =
+      make_cpu_world(scene, exact_motion(40 / collision_rate(rho, static_cast<double>(scene.bodies.size()))));
+  world->step();
+  scene.bodies = world->bodies();
+  return scene;
+}
+
+Settings settings_of(const std::string& response, double dt, const std::string& integrator) {
+  Settings settings;
+  settings.response = response;
+  settings.integrator = integrator;
+  settings.precision = "double";
+  settings.broadphase = "sorted-grid";
+  settings.dt = dt;
+  settings.threads = 1;
+  return settings;
+}
+
+Settings exact_motion(double dt) {
+  Settings settings = settings_of("event-driven", dt);
+  settings.contact_duration = 0;
+  return settings;
+}
+
+std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settings) {
+  return cpu_backend().make_world(scene, settings);
+}
+
+void step_until(World& world, double time, double dt) {
+  while (world.time() < time - dt / 2) world.step();
+}
+
+}  // namespace ballpit

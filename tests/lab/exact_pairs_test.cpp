@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The exact reference against the definition, pair by pair.
+#include "lab/exact_pairs.h"
+
+#include <catch2/catch.hpp>
+
+#include "core/random.h"
+
+using namespace ballpit;
+
+namespace {
+
+struct Spheres {
+  std::vector<Vec3> position;
+  std::vector<float> radius;
+
+  SphereArrays arrays() const {
+    return {{position.data(), int64_t(position.size())}, {radius.data(), int64_t(radius.size())}};
+  }
+};
+
+/// Every i < j, in order, by the definition.
+std::vector<Pair> by_definition(const Spheres& spheres) {
+  std::vector<Pair> pairs;
+  const auto radius_of = [&](size_t i) { return spheres.radius[spheres.radius.size() == 1 ? 0 : i]; };
+  for (size_t i = 0; i < spheres.position.size(); ++i) {
+    for (size_t j = i + 1; j < spheres.position.size(); ++j) {
+      const Vec3 d = spheres.position[j] - spheres.position[i];
+      const float sum = radius_of(i) + radius_of(j);
+      if (d.x * d.x + d.y * d.y + d.z * d.z <= sum * sum) pairs.push_back({int32_t(i), int32_t(j)});
+    }
+  }
+  return pairs;
+}
+
+/// In a box of this size; with `step` above 0 on a lattice of that width, where many touch exactly.
+Spheres scattered(const Vec3d& box, double least_radius, double largest_radius, double step = 0) {
+  Random random(11);
+  Spheres spheres;
+  for (int k = 0; k < 800; ++k) {
+    Vec3d p = random.uniform(-box, box);
+    if (step > 0) p = Vec3d(std::round(p.x / step), std::round(p.y / step), std::round(p.z / step)) * step;
+    spheres.position.push_back(narrow<Vec3>(p));
+    spheres.radius.push_back(static_cast<float>(random.uniform(least_radius, largest_radius)));
+  }
+  return spheres;
+}
+
+}  // namespace
+
+TEST_CASE("the exact reference finds what the definition says") {
+  const std::vector<Spheres> families{
+      scattered(Vec3d(1), 0.02, 0.1),      scattered(Vec3d(1), 1e-6, 0.3),        scattered(Vec3d(1, 1, 0), 0.01, 0.05),
+      scattered(Vec3d(0, 1e3, 0), 0.5, 1), scattered(Vec3d(0, 0, 1), 0.001, 0.1), scattered(Vec3d(1), 0.05, 0.05, 0.1),
+      scattered(Vec3d(0), 1, 1),           scattered(Vec3d(1e6), 3e4, 1e5),       scattered(Vec3d(1e-9), 1e-11, 1e-10),
+      scattered(Vec3d(1), 2, 3),
+  };
+  for (const Spheres& spheres : families) {
+    const std::vector<Pair> expected = by_definition(spheres);
+    INFO("family " << &spheres - families.data() << ": " << expected.size() << " pairs");
+    CHECK_FALSE(expected.empty());
+    CHECK((exact_pairs(spheres.arrays()) == expected));
+  }
+}
+
+TEST_CASE("the exact reference takes one radius for all") {
+  Spheres spheres = scattered(Vec3d(1), 0.1, 0.2);
+  spheres.radius.resize(1);
+  CHECK((exact_pairs(spheres.arrays()) == by_definition(spheres)));
+  CHECK(exact_pairs({}).empty());
+}
+
+TEST_CASE("missed, wrong and duplicate pairs are told apart") {
+  const std::vector<Pair> exact{{0, 1}, {0, 4}, {2, 3}, {5, 6}};
+  const auto deviation = [&](std::vector<Pair> found) {
+    const Deviation d = deviation_of(std::move(found), exact);
+    return std::vector<int64_t>{d.missed, d.wrong, d.duplicate};
+  };
+  using Numbers = std::vector<int64_t>;
+  CHECK(deviation(exact) == Numbers{0, 0, 0});
+  CHECK(deviation({}) == Numbers{4, 0, 0});
+  CHECK(deviation({{0, 1}, {2, 3}}) == Numbers{2, 0, 0});
+  CHECK(deviation({{0, 1}, {0, 1}, {0, 1}, {0, 4}, {2, 3}, {5, 6}}) == Numbers{0, 0, 2});
+  CHECK(deviation({{0, 1}, {0, 2}, {0, 4}, {2, 3}, {5, 6}, {7, 8}}) == Numbers{0, 2, 0});
+  CHECK(deviation({{1, 0}, {0, 4}, {2, 3}, {5, 6}}) == Numbers{1, 1, 0});
+  CHECK(deviation({{5, 6}, {2, 3}, {0, 4}, {0, 1}}) == Numbers{0, 0, 0});
+}

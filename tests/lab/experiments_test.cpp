@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// The table of experiments, and what each of them owes its laboratory.
+#include <filesystem>
+#include <set>
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "lab/experiment.h"
+#include "lab/html.h"
+#include "lab/report.h"
+
+using namespace ballpit;
+using Catch::Contains;
+
+namespace {
+
+/// All tables as they would be written.
+std::string tables_of(const Findings& findings) {
+  std::string text = findings.answer + findings.see;
+  for (const Table& table : findings.tables) text += table.name + csv_of(table, {});
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every experiment has a name of its own, a question, and a time within what was promised") {
+  std::set<std::string_view> names;
+  double quick = 0;
+  for (const Experiment& experiment : experiments()) {
+    INFO(experiment.name);
+    CHECK(names.insert(experiment.name).second);
+    CHECK(experiment.name != "all");
+    CHECK(experiment.question.back() == '?');
+    CHECK(experiment.quick_seconds <= 90);
+    CHECK(experiment.full_seconds <= 3600);
+    CHECK(experiment.measurements(true) > 0);
+    CHECK(experiment.measurements(false) >= experiment.measurements(true));
+    quick += experiment.quick_seconds;
+  }
+  CHECK(quick <= 12 * 60);
+}
+
+TEST_CASE("docs/lab.md names every experiment with the question that it asks") {
+  const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab.md");
+  for (const Experiment& experiment : experiments()) {
+    CHECK_THAT(page, Contains("| `" + std::string(experiment.name) + "` | " + std::string(experiment.question) + " |"));
+  }
+}
+
+TEST_CASE("an experiment that was interrupted goes on where it stopped, and comes to the same tables") {
+  const Experiment& experiment = find_experiment("divergence");
+  const std::filesystem::path cache =
+      std::filesystem::temp_directory_path() / ("ballpit-resume-" + std::to_string(::getpid()) + ".csv");
+  std::filesystem::remove(cache);
+  LabOptions options;
+  options.is_quick = true;
+  Lab whole(options);
+  const std::string expected = tables_of(experiment.run(whole));
+  CHECK(whole.asked() == experiment.measurements(true));
+  CHECK(whole.measured() == whole.asked());
+
+  options.cache = cache;
+  int done = 0;
+  LabOptions interrupted = options;
+  interrupted.tell = [&](bool) { ++done; };
+  interrupted.stop = [&] { return done == 5; };
+  Lab first(interrupted);
+  CHECK_THROWS_AS(experiment.run(first), RunError);
+  CHECK(first.measured() == 5);
+  Lab second(options);
+  CHECK(tables_of(experiment.run(second)) == expected);
+  CHECK(second.measured() == experiment.measurements(true) - 5);
+  Lab third(options);
+  CHECK(tables_of(experiment.run(third)) == expected);
+  CHECK(third.measured() == 0);
+  std::filesystem::remove(cache);
+}
+
+TEST_CASE(
+    "the report holds questions, answers, charts, shown tables and the way to repeat it; nothing from elsewhere") {
+  const Experiment& experiment = find_experiment("divergence");
+  LabOptions options;
+  options.is_quick = true;
+  Lab lab(options);
+  Findings findings = experiment.run(lab);
+  findings.answer += " <&>";
+  const ReportSection section{&experiment,
+                              findings,
+                              {{"work", "Work", "<svg>light</svg>", "<svg>dark</svg>"}},
+                              "ballpit lab divergence --out here --quick"};
+  const std::string page = report_html({section}, {"machine: some"}, "No charts: because");
+  for (const std::string& text : {std::string(experiment.question), html_text(findings.answer), html_text(findings.see),
+                                  section.command, std::string("machine: some"), std::string("No charts: because"),
+                                  svg_address("<svg>light</svg>"), svg_address("<svg>dark</svg>"),
+                                  std::string("href=\"divergence/work.csv\""), std::string("SIMD efficiency [%]")}) {
+    CHECK_THAT(page, Contains(text));
+  }
+  CHECK_THAT(page, !Contains("http") && !Contains("<script") && !Contains(" <&>"));
+}
+
+TEST_CASE("a picture in the page is its bytes in base64") {
+  CHECK(svg_address("Man") == "data:image/svg+xml;base64,TWFu");
+  CHECK(svg_address("Ma") == "data:image/svg+xml;base64,TWE=");
+  CHECK(svg_address("M") == "data:image/svg+xml;base64,TQ==");
+}
