@@ -42,7 +42,7 @@ std::vector<double> winner_counts(bool is_quick) {
 }
 
 int64_t winner_measurements(const WinnerPlan& plan) {
-  return static_cast<int64_t>(plan.counts.size() * plan.values.size());
+  return kSearchRounds * static_cast<int64_t>(plan.counts.size() * plan.values.size());
 }
 
 int winner_among(const std::vector<SearchTiming>& timings) {
@@ -62,19 +62,22 @@ int winner_among(const std::vector<SearchTiming>& timings) {
 }
 
 std::vector<WinnerCell> find_winners(Lab& lab, const WinnerPlan& plan) {
+  std::vector<SearchCase> cases;
   std::vector<WinnerCell> cells;
   for (const double count : plan.counts) {
-    const std::vector<Settings> ways = ways_for(count);
     for (const double value : plan.values) {
-      const std::string key = "search by all broad phases; " + number_text(count) + " spheres; " + plan.parameter +
-                              " " + number_text(value) + "; seed " + std::to_string(lab.seed());
-      std::vector<SearchTiming> timings =
-          spread_out(time_searches(lab, key, ways,
-                                   [&] { return plan.make_spheres(static_cast<int64_t>(count), value, lab.seed()); }),
-                     ways);
-      const int winner = winner_among(timings);
-      cells.push_back({count, value, std::move(timings), winner});
+      cases.push_back({"search by all broad phases; " + number_text(count) + " spheres; " + plan.parameter + " " +
+                           number_text(value) + "; seed " + std::to_string(lab.seed()),
+                       ways_for(count), [&, count, value] {
+                         return plan.make_spheres(static_cast<int64_t>(count), value, lab.seed());
+                       }});
+      cells.push_back({count, value, {}, kTie});
     }
+  }
+  const std::vector<std::vector<SearchTiming>> timings = time_searches(lab, cases);
+  for (size_t c = 0; c < cells.size(); ++c) {
+    cells[c].timings = spread_out(timings[c], cases[c].ways);
+    cells[c].winner = winner_among(cells[c].timings);
   }
   return cells;
 }
@@ -159,7 +162,8 @@ std::string tally_of(const std::vector<WinnerCell>& cells) {
 }
 
 std::string winning_rule() {
-  return "Times are of searches from bare arrays to the list of pairs, on one thread, medians of nine in turns. A cell "
+  return "Times are of searches from bare arrays to the list of pairs, on one thread, medians of nine, in turns and in "
+         "three rounds. A cell "
          "of the "
          "map belongs to the method with the least of them, unless its upper quartile reaches the next one's lower: "
          "such cells are grey. Brute force was not tried beyond 30 000 spheres, where it needs half a billion tests.";

@@ -34,7 +34,7 @@ inline constexpr int kTie = -1;
 /// Beyond so many spheres brute force is not tried: it makes n²/2 tests, and lost long before.
 inline constexpr double kMostForBruteForce = 30'000;
 
-/// Numbers of spheres, and measurements: one a cell.
+/// Numbers of spheres, and measurements.
 std::vector<double> winner_counts(bool is_quick);
 int64_t winner_measurements(const WinnerPlan& plan);
 
