@@ -193,8 +193,8 @@ Experiment cell_size_experiment() {
   return {"cell-size",
           "Cell size: time and recall",
           "How large should a cell be, and what falls through when it is too small?",
-          5,
-          80,
+          6,
+          110,
           measurements,
           run};
 }
