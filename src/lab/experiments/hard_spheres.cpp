@@ -19,17 +19,18 @@ std::vector<double> block_z(const GasRun& run, const Settings& settings, const S
   const double count = count_of(run), block = run.collisions / collision_rate(run.rho, count);
   Settings own = settings;
   own.keeps_tally = true;
-  const bool is_exact = settings.response == "event-driven";
-  if (is_exact) own.dt = block;
-  const auto world = make_cpu_world(gas, own);
+  if (settings.response == "event-driven") own.dt = block;
+  Scene scene = gas;
   std::vector<double> values;
-  Report last = world->report();
-  for (int k = 1; k <= run.blocks; ++k) {
-    step_until(*world, k * block, own.dt);
+  for (int k = 0; k < run.blocks; ++k) {
+    const auto world = make_cpu_world(scene, own);
+    const double before = world->report().kinetic_energy;
+    step_until(*world, block, own.dt);
     const Report now = world->report();
-    const double kt = (last.kinetic_energy + now.kinetic_energy) / (3 * (count - 1));
-    values.push_back(1 + (now.tally.virial - last.tally.virial) / (3 * count * kt * (now.time - last.time)));
-    last = now;
+    const double kt = (before + now.kinetic_energy) / (3 * (count - 1));
+    values.push_back(1 + now.tally.virial / (3 * count * kt * now.time));
+    scene.bodies = world->bodies();
+    for (Vec3d& v : scene.bodies.velocity) v *= std::sqrt(1.5 * (count - 1) / now.kinetic_energy);
   }
   return values;
 }

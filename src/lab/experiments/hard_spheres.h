@@ -24,7 +24,7 @@ struct GasRun {
 double count_of(const GasRun& run);  ///< spheres
 
 /// Z_N = 1 + W/(3·N·kT·t) of each block, W the virial of its collisions, kT that of the block: so many collisions apart that blocks
-/// are as good as independent.
+/// are as good as independent. Each begins at kT = 1: many steps that change the energy a little would change what a step is.
 std::vector<double> block_z(const GasRun& run, const Settings& settings);
 
 /// The same of a gas in equilibrium that is given, for its physics to be chosen.
