@@ -12,7 +12,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr int kRepeats = 9;
+constexpr int kRepeats = 3;            // in a round
 constexpr double kLongEnough = 0.002;  // [s] for the clock
 constexpr int kMostSearches = 200;     // in a repeat
 
@@ -62,13 +62,21 @@ std::vector<double> time_in_turns(const std::vector<Settings>& ways, const Spher
 
 }  // namespace
 
-std::vector<SearchTiming> time_searches(Lab& lab, const std::string& key, const std::vector<Settings>& ways,
-                                        const std::function<SphereSet()>& make_spheres) {
-  const std::vector<double> flat = lab.time(key, [&] { return time_in_turns(ways, make_spheres()); });
-  std::vector<SearchTiming> timings;
-  for (size_t k = 0; k < ways.size(); ++k) {
-    const auto first = flat.begin() + static_cast<std::ptrdiff_t>(k) * (kRepeats + 2);
-    timings.push_back({{first, first + kRepeats}, first[kRepeats], first[kRepeats + 1]});
+std::vector<std::vector<SearchTiming>> time_searches(Lab& lab, const std::vector<SearchCase>& cases) {
+  std::vector<std::vector<SearchTiming>> timings;
+  for (const SearchCase& one : cases) timings.emplace_back(one.ways.size());
+  for (int round = 1; round <= kSearchRounds; ++round) {
+    for (size_t c = 0; c < cases.size(); ++c) {
+      const std::vector<double> flat = lab.time(cases[c].key + "; round " + std::to_string(round),
+                                                [&] { return time_in_turns(cases[c].ways, cases[c].make_spheres()); });
+      for (size_t k = 0; k < timings[c].size(); ++k) {
+        const auto first = flat.begin() + static_cast<std::ptrdiff_t>(k) * (kRepeats + 2);
+        SearchTiming& timing = timings[c][k];
+        timing.seconds.insert(timing.seconds.end(), first, first + kRepeats);
+        timing.candidates = first[kRepeats];
+        timing.contacts = first[kRepeats + 1];
+      }
+    }
   }
   return timings;
 }

@@ -22,10 +22,18 @@ struct SearchTiming {
   Spread spread() const { return spread_of(seconds); }
 };
 
-/// One timing for each of the ways, on the CPU. The first search of each warms up and is not counted. `key` names the
-/// spheres and the ways.
-std::vector<SearchTiming> time_searches(Lab& lab, const std::string& key, const std::vector<Settings>& ways,
-                                        const std::function<SphereSet()>& make_spheres);
+/// The same spheres, searched in several ways; `key` names both.
+struct SearchCase {
+  std::string key;
+  std::vector<Settings> ways;
+  std::function<SphereSet()> make_spheres;
+};
+
+inline constexpr int kSearchRounds = 3;  ///< measurements of a case
+
+/// For each case a timing for each of its ways, on the CPU. All cases are measured in rounds, so that a busy minute of the machine
+/// does not fall on one of them alone. The first searches of a round warm up and are not counted.
+std::vector<std::vector<SearchTiming>> time_searches(Lab& lab, const std::vector<SearchCase>& cases);
 
 /// A broad phase by name on one thread, so that what is compared are methods, not how they share a busy machine; else as the
 /// program has it.

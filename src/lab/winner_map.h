@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which broad phase is fastest, over the number of spheres and one more parameter: a map of the winner, where a lead that
-// is within the measurements' spread counts as none.
+// not nearly all turns show counts as none.
 #pragma once
 
 #include <functional>
@@ -34,13 +34,14 @@ inline constexpr int kTie = -1;
 /// Beyond so many spheres brute force is not tried: it makes n²/2 tests, and lost long before.
 inline constexpr double kMostForBruteForce = 30'000;
 
-/// Numbers of spheres, and measurements: one a cell.
+/// Numbers of spheres, and measurements.
 std::vector<double> winner_counts(bool is_quick);
 int64_t winner_measurements(const WinnerPlan& plan);
 
 std::vector<WinnerCell> find_winners(Lab& lab, const WinnerPlan& plan);
 
-/// The fastest by median, or kTie where its upper quartile is not below the next one's lower.
+/// The fastest by median, or kTie where it loses more than one turn in nine to the next: a sign test, at 2 % of chance, that what
+/// else the machine does cannot sway, since it falls on both in a turn.
 int winner_among(const std::vector<SearchTiming>& timings);
 
 Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells, const std::string& title);

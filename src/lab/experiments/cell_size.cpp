@@ -75,17 +75,19 @@ std::vector<Row> measure_all(Lab& lab) {
   const int64_t count = count_of(lab.is_quick());
   const std::string spheres = std::to_string(count) + " spheres; seed " + std::to_string(lab.seed());
   std::vector<Row> rows;
+  std::vector<SearchCase> cases;
   for (const double size : cell_sizes(lab.is_quick())) {
     const std::string cells = "cells " + number_text(size);
-    Row row{size, {}, {}};
-    row.recall =
-        lab.measure("recall; " + cells + "; " + spheres, [&] { return measure_recall(count, size, lab.seed()); });
+    rows.push_back(
+        {size,
+         lab.measure("recall; " + cells + "; " + spheres, [&] { return measure_recall(count, size, lab.seed()); }),
+         {}});
     std::vector<Settings> ways;
     for (const std::string& grid : kGrids) ways.push_back(with_cells(grid, size));
-    row.timings = time_searches(lab, "time; " + cells + "; " + spheres, ways,
-                                [&] { return uniform_spheres({count}, lab.seed()); });
-    rows.push_back(std::move(row));
+    cases.push_back({"time; " + cells + "; " + spheres, ways, [&] { return uniform_spheres({count}, lab.seed()); }});
   }
+  const std::vector<std::vector<SearchTiming>> timings = time_searches(lab, cases);
+  for (size_t k = 0; k < rows.size(); ++k) rows[k].timings = timings[k];
   return rows;
 }
 
@@ -159,7 +161,7 @@ const Row& fastest(const std::vector<Row>& rows) {
   return *best;
 }
 
-int64_t measurements(bool is_quick) { return 2 * static_cast<int64_t>(cell_sizes(is_quick).size()); }
+int64_t measurements(bool is_quick) { return (1 + kSearchRounds) * static_cast<int64_t>(cell_sizes(is_quick).size()); }
 
 Findings run(Lab& lab) {
   const std::vector<Row> rows = measure_all(lab);
@@ -191,8 +193,8 @@ Experiment cell_size_experiment() {
   return {"cell-size",
           "Cell size: time and recall",
           "How large should a cell be, and what falls through when it is too small?",
-          5,
-          80,
+          6,
+          110,
           measurements,
           run};
 }

@@ -79,8 +79,8 @@ Experiment size_ratio_experiment() {
   return {"size-ratio",
           "Spheres of different sizes",
           "Which broad phase is fastest when large spheres lie among small ones?",
-          15,
-          600,
+          20,
+          800,
           measurements,
           run};
 }
