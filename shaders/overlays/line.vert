@@ -2,10 +2,14 @@
 // A line as a quad of constant width in pixels. An end behind the eye moves to where the line comes into view.
 #include "frame.glsl"
 
-layout(location = 0) in vec3 a;
-layout(location = 1) in vec4 color_a;
-layout(location = 2) in vec3 b;
-layout(location = 3) in vec4 color_b;
+// As the host has them. Read here, since drawing an instance for each line costs a software renderer far more.
+struct Line {
+  float a[3];
+  uint color_a;
+  float b[3];
+  uint color_b;
+};
+layout(std430, binding = 1) readonly buffer Lines { Line lines[]; };
 
 uniform float width;  // [pixel]
 
@@ -20,19 +24,25 @@ vec4 visible_end(vec4 end, vec4 other) {
   return mix(end, other, inside / (inside - other_inside));
 }
 
+const int kCorners[6] = int[](0, 1, 2, 2, 1, 3);  // of two triangles
+
+vec4 clip(float p[3]) { return frame.projection * (frame.view * vec4(p[0], p[1], p[2], 1)); }
+
 void main() {
-  vec4 clip_a = frame.projection * frame.view * vec4(a, 1);
-  vec4 clip_b = frame.projection * frame.view * vec4(b, 1);
+  Line line = lines[gl_VertexID / 6];
+  int corner = kCorners[gl_VertexID % 6];
+  vec4 clip_a = clip(line.a);
+  vec4 clip_b = clip(line.b);
   vec4 from = visible_end(clip_a, clip_b);
   vec4 to = visible_end(clip_b, clip_a);
   vec2 way = (to.xy / to.w - from.xy / from.w) * frame.viewport;
   vec2 along = way / max(length(way), 1e-6);
   vec2 normal = vec2(-along.y, along.x);
 
-  bool at_end = gl_VertexID >= 2;
-  float side = (gl_VertexID & 1) * 2 - 1;
+  bool at_end = corner >= 2;
+  float side = (corner & 1) * 2 - 1;
   across = side * (0.5 * max(width, 1.0) + 0.5);
-  color = at_end ? color_b : color_a;
+  color = unpackUnorm4x8(at_end ? line.color_b : line.color_a);
   color.a *= min(width, 1.0);
   gl_Position = at_end ? to : from;
   gl_Position.xy += 2 * across * normal / frame.viewport * gl_Position.w;

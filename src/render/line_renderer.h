@@ -32,7 +32,7 @@ class LineRenderer {
 
  private:
   Shader shader_;
-  GlVertexArray vertex_array_;
+  GlVertexArray no_attributes_;
   GlBuffer buffer_;
 };
 
