@@ -2,6 +2,7 @@
 // Golden pictures of the overlays, planar and spatial, on both grounds. See golden_test.cpp.
 #include <catch2/catch.hpp>
 
+#include "core/random.h"
 #include "picture_compare.h"
 #include "test_scenes.h"
 
@@ -99,6 +100,16 @@ TEST_CASE("golden: how long the lists of a cloud are") {
 TEST_CASE("golden: numbers of cells and spheres, on both grounds") {
   CHECK(compare("labels_plane", stored("plane", kPlane, 1), kPlane, {"grid", "labels"}, "projector") == "");
   CHECK(compare("labels_cloud_dark", stored("cloud", kBox, 0), kBox, {"labels"}, "dark") == "");
+}
+
+TEST_CASE("golden: of thousands of cells the floors alone, on both grounds") {
+  Random random(5);
+  std::vector<Sphere> spheres;
+  const auto at = [&] { return static_cast<float>(random.uniform(0.02, 0.98)); };
+  for (int k = 0; k < 7000; ++k) spheres.push_back({{at(), at(), at()}, 0.01f});
+  const Inspection inspection = inspect(spheres, kBox, 0.05f);
+  CHECK(compare("grid_floors", inspection, kBox, {"grid"}, "projector") == "");
+  CHECK(compare("grid_floors_dark", inspection, kBox, {"grid"}, "dark") == "");
 }
 
 TEST_CASE("golden: a selected sphere and its block") {

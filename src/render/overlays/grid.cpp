@@ -14,8 +14,9 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kEdgeWidth = 2.0f;     // in 1/1080 of the picture's height
-constexpr float kLegibleCell = 40.0f;  // [pixel]
+constexpr float kEdgeWidth = 2.0f;        // in 1/1080 of the picture's height
+constexpr float kLegibleCell = 40.0f;     // [pixel]
+constexpr int64_t kMostWithEdges = 4000;  // occupied cells
 
 size_t cell_index(const IVec3& cells, int x, int y, int z) {
   return (static_cast<size_t>(z) * static_cast<size_t>(cells.y) + static_cast<size_t>(y)) *
@@ -119,6 +120,27 @@ std::vector<Line> occupied_edges(const GridInspection& grid, const DomainBox& do
   return lines;
 }
 
+/// The floor of each occupied cell, where there are more edges than can be told apart.
+std::vector<Face> occupied_floors(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
+                                  const Camera& camera, const Theme& theme) {
+  const DepthFade fade(grid, camera);
+  std::vector<Face> faces;
+  IVec3 cell(0);
+  for (cell.z = 0; cell.z < grid.cells.z; ++cell.z) {
+    for (cell.y = 0; cell.y < grid.cells.y; ++cell.y) {
+      for (cell.x = 0; cell.x < grid.cells.x; ++cell.x) {
+        const int count = counts[cell_index(grid.cells, cell.x, cell.y, cell.z)];
+        if (count == 0) continue;
+        const Vec3 low = lattice_point(grid, domain, cell);
+        const Vec3 size = lattice_point(grid, domain, cell + 1) - low;
+        faces.push_back(
+            {low, {size.x, 0, 0}, {0, 0, size.z}, to_rgba(theme.grid, spatial_opacity(count) * fade.at(low))});
+      }
+    }
+  }
+  return faces;
+}
+
 std::vector<Face> occupied_squares(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
                                    const Theme& theme) {
   std::vector<Face> faces;
@@ -193,8 +215,10 @@ void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
       painter.faces.draw(occupied_squares(grid, view.domain, counts, painter.theme));
       painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
       if (!shows_labels(view)) draw_counts(grid, counts, view, painter);
-    } else {
+    } else if (std::count_if(counts.begin(), counts.end(), [](int count) { return count > 0; }) <= kMostWithEdges) {
       painter.lines.draw(occupied_edges(grid, view.domain, counts, view.camera, painter.theme), width);
+    } else {
+      painter.faces.draw(occupied_floors(grid, view.domain, counts, view.camera, painter.theme));
     }
   }
   draw_selection(view, painter);

@@ -3,11 +3,11 @@
 //
 //     spatial: edges of occupied cells        planar: tinted squares, and
 //     (each edge once, however many           thin lines of all cells
-//     cells share it)                           ┌──┬──┬──┐
-//        ┌──┬──┐                                │  │▒▒│  │
-//        ├──┼──┘                                ├──┼──┼──┤
-//        └──┘                                   │░░│  │▓▓│
-//                                               └──┴──┴──┘
+//     cells share it); of thousands of          ┌──┬──┬──┐
+//     cells their floors alone                  │  │▒▒│  │
+//        ┌──┬──┐                                ├──┼──┼──┤
+//        ├──┼──┘                                │░░│  │▓▓│
+//        └──┘                                   └──┴──┴──┘
 // Cost: proportional to the number of cells and bodies.
 #pragma once
 
