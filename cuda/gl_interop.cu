@@ -100,6 +100,11 @@ class CudaBodyWriter final : public BodyWriter {
 
   std::string trouble() const override { return trouble_; }
 
+  void release() override {
+    shared_.clear();
+    generation_ = -1;
+  }
+
  private:
   void share(const BodyBuffer& buffer, const BodyShape& shape) {
     if (generation_ == buffer.generation()) return;

@@ -194,7 +194,7 @@ class ShowCommand final : public Command {
     Show(window, *demo).run();
     if (!remembers_) return;
     const Session& session = demo->session;
-    write_remembered(file, {session.scene_name(), session.given(), demo->view, size_of(window)});
+    write_remembered(file, {lasting_name(session.scene_name()), session.given(), demo->view, size_of(window)});
   }
 
  private:
@@ -209,13 +209,19 @@ class ShowCommand final : public Command {
     }
   }
 
+  /// A scene's file by a path that leads to it from any folder.
+  static std::string lasting_name(const std::string& scene) {
+    const bool is_file = scene.find('/') != scene.npos || scene.ends_with(".toml");  // as load_scene() tells them apart
+    return is_file ? std::filesystem::absolute(scene).string() : scene;
+  }
+
   static void tell_forgotten(const UserError& error) {
     std::cerr << "ballpit: note: nothing is remembered: " << error.what() << "\n";
   }
 
   /// What is on the command line goes before what is remembered; options are those of the scene remembered.
   std::unique_ptr<Demo> start(const std::optional<Remembered>& last) {
-    const bool is_same_scene = last && (!arguments_.names_scene() || arguments_.scene() == last->scene);
+    const bool is_same_scene = last && (!arguments_.names_scene() || lasting_name(arguments_.scene()) == last->scene);
     std::unique_ptr<Demo> demo;
     if (is_same_scene) {
       std::vector<GivenOption> given = last->given;

@@ -162,16 +162,19 @@ Wanted Demo::wanted() {
     if (view.shows(overlay.name)) result = result | overlay.wanted;
   }
   if (view.selected >= 0 && report().count <= kMostForPicked) {
-    result.candidates |= report().candidates <= kMostForPicked;
+    result.candidates |= candidates_to_list() <= kMostForPicked;
     result.endpoints = true;
   }
   return result;
 }
 
+/// About; 0 for event-driven motion, which reports all its forecasts so far, and lists the few pairs in reach.
+int64_t Demo::candidates_to_list() { return session.settings().response == "event-driven" ? 0 : report().candidates; }
+
 /// What of it would take longer than a picture may.
 Wanted Demo::too_much(const Wanted& wanted) {
   Wanted result;
-  result.candidates = wanted.candidates && report().candidates > kMostCandidates;
+  result.candidates = wanted.candidates && candidates_to_list() > kMostCandidates;
   result.missed = wanted.missed && report().count > kMostForOracle;
   return result;
 }

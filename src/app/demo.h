@@ -66,8 +66,8 @@ class Demo {
   /// at only for who needs them.
   FrameView frame_view(float aspect, bool is_written = false);
 
-  /// [J] kinetic, potential and elastic, when this world began.
-  double energy_at_start() const { return energy_at_start_; }
+  /// Whether the inspection was to hold candidates, and they were not too many.
+  bool has_candidates() const { return looked_for_.candidates && !left_out_.candidates; }
 
   /// The latest reported steps up to the present one, oldest first.
   const std::vector<Moment>& history() const { return history_; }
@@ -87,9 +87,10 @@ class Demo {
   void remember_moment();
   Wanted wanted();
   Wanted too_much(const Wanted& wanted);
+  int64_t candidates_to_list();
 
   std::string message_;
-  double energy_at_start_ = 0;
+  double energy_at_start_ = 0;  // [J] kinetic, potential and elastic
   int64_t version_ = 0, worlds_ = 0;
   int64_t looked_at_ = -1, reported_ = -1;
   Inspection inspection_;

@@ -33,6 +33,7 @@ void DemoRenderer::draw(Demo& demo, RenderOptions options) {
 bool DemoRenderer::write(Demo& demo) {
   const std::string& backend = demo.session.backend();
   BodyWriter& writer = backend == "cuda" ? *by_cuda_ : *by_cpu_;
+  if (by_cuda_ && &writer != by_cuda_.get()) by_cuda_->release();
   const bool is_written = writer.write(demo.session.world(), renderer_.bodies());
   const std::string path = is_written ? "written by " + backend : "copied: " + writer.trouble();
   if (!is_written && path != path_) demo.say("the GPU's spheres are copied to be drawn: " + writer.trouble());

@@ -34,6 +34,9 @@ class Film {
   /// does.
   bool advance(const std::function<bool()>& stop);
 
+  /// Whether the world was stepped beyond the next frame by others: it will not be reached.
+  bool is_overtaken() const;
+
   /// As FrameSequence has them.
   void push(Image frame) { frames_.push(std::move(frame)); }
   void finish() { frames_.finish(); }

@@ -68,7 +68,7 @@ void Panel::draw_picked(Demo& demo) {
   row("place", printed(is_planar ? "%.3f, %.3f m" : "%.3f, %.3f, %.3f m", p.x, p.y, p.z));
   row("touches", counted_numbers(partners_of(inspection.contacts, i)));
   draw_places(inspection, i);
-  if (demo.report().candidates > 0 && inspection.candidates.empty()) {
+  if (!demo.has_candidates()) {
     row("candidates", "too many pairs to look through");
   } else {
     row("candidates", counted_numbers(partners_of(inspection.candidates, i)));

@@ -32,6 +32,7 @@ template <class Value>
 LogAxis axis_of(const std::vector<Played>& trials, double least, const Value& value, float at_low, float at_high) {
   int low = 100, high = -100;
   for (const Played& trial : trials) {
+    if (trial.steps == 0) continue;
     const double power = std::log10(std::max(value(trial), least));
     low = std::min(low, static_cast<int>(std::floor(power)));
     high = std::max(high, static_cast<int>(std::ceil(power)));

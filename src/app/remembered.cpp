@@ -67,7 +67,8 @@ std::filesystem::path remembered_file() {
 }
 
 std::optional<Remembered> read_remembered(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return std::nullopt;
+  std::error_code unreadable;  // then read_file() says why
+  if (!std::filesystem::exists(file, unreadable) && !unreadable) return std::nullopt;
   try {
     return remembered_from(Json::parse(read_file(file)));
   } catch (const Json::exception&) {
@@ -95,7 +96,7 @@ void write_remembered(const std::filesystem::path& file, const Remembered& remem
                   {"size", remembered.size}};
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);  // write_file() tells what it led to
-  write_file(file, json.dump(2) + "\n");
+  write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace ballpit

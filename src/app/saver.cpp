@@ -82,7 +82,8 @@ void Saver::start_film(PictureSize size, int frames) {
 
 void Saver::go_on() {
   if (!film_) return;
-  if (demo_.worlds() != world_) {  // whose time begins anew
+  if (demo_.worlds() != world_ ||
+      film_->is_overtaken()) {  // its time begins anew, or somebody went on without the film
     stop_film();
     return;
   }

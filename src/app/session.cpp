@@ -57,7 +57,9 @@ void Session::use(Scene scene, const Settings& settings) {
   const Backend backend = select_backend(settings.backend, settings.response);
   Settings own = settings;
   own.keeps_tally = keeps_tally_;
-  world_ = backend.make_world(scene, own);
+  std::unique_ptr<World> world = backend.make_world(scene, own);
+  if (world_) (void)world->report();  // if it lacks memory to look for contacts, the world before it stays
+  world_ = std::move(world);
   settings_ = own;
   backend_ = backend.name;
   scene_ = std::move(scene);

@@ -62,8 +62,8 @@ int run(const std::string& program, const MemoryFile& in, const MemoryFile& out,
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  std::string name = program;
-  std::array<char*, 2> arguments{name.data(), nullptr};
+  std::string name = program, no_settings_of_the_user = "--default-settings";
+  std::array<char*, 3> arguments{name.data(), no_settings_of_the_user.data(), nullptr};
   pid_t process = -1;
   const int error = ::posix_spawn(&process, program.c_str(), &actions, &attributes, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);

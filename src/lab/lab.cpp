@@ -85,6 +85,7 @@ std::vector<double> Lab::time(const std::string& key, const std::function<std::v
     seconds.push_back(load_average());
     return seconds;
   });
+  if (values.empty()) throw RunError(options_.cache.string() + ": holds a timing without numbers; remove the file");
   load_ = std::max(load_, values.back());
   values.pop_back();
   return values;

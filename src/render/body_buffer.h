@@ -43,9 +43,8 @@ class BodyBuffer {
       BodyBuffer& buffer;
       ~Unmap() { buffer.end_map(); }
     };
-    const BodyTarget target = begin_map();
     const Unmap unmap{*this};
-    write(target);
+    write(begin_map());
   }
   void set_marks(const std::vector<Mark>& marks);
 

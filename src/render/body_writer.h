@@ -21,6 +21,9 @@ class BodyWriter {
   virtual bool write(World& world, BodyBuffer& buffer) = 0;
 
   virtual std::string trouble() const { return ""; }
+
+  /// Lets go of the buffers of the last write: to be called before others resize them.
+  virtual void release() {}
 };
 
 /// For worlds on a GPU, by CUDA's OpenGL interoperability: buffers are registered where they are new. Tries once whether that

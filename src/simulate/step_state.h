@@ -71,11 +71,15 @@ class StepState {
     return {position.span(), velocity.span(), per_body(radius_), per_body(inverse_mass_)};
   }
 
-  /// Contacts are found so from now on.
+  /// Contacts are found so from now on. What cannot be, or lacks memory for it, throws before anything has changed.
   void detect_by(const Settings& settings) {
-    parameters_ = parameters_of(settings, count(), radii());
-    choice_ = choose_broad_phase(settings, parameters_);
-    detector_.plan(choice_.method, parameters_, skin_of(settings));
+    auto parameters = parameters_of(settings, count(), radii());
+    BroadPhaseChoice choice = choose_broad_phase(settings, parameters);
+    Detector<V, Exec> detector(choice.method, parameters, skin_of(settings));
+    detector.find(*exec_, bodies());
+    parameters_ = std::move(parameters);
+    choice_ = std::move(choice);
+    detector_ = std::move(detector);
     forget_contacts();
     is_list_without_margin_ = false;
   }

@@ -75,6 +75,20 @@ TEST_CASE("a film ends with the world that it shows") {
   CHECK(demo.session.world().steps() == 0);
 }
 
+TEST_CASE("a film ends where the world is stepped beyond its next frame") {
+  const Scratch scratch;
+  const Within within(scratch.path());
+  const GlContext context;
+  Demo demo("lecture-grid", {{"threads", "1"}});
+  Saver saver(demo);
+  saver.start_film({160, 90}, 100);
+  saver.go_on();
+  for (int k = 0; k < 60; ++k) demo.step();
+  saver.go_on();
+  CHECK_FALSE(saver.is_filming());
+  CHECK(demo.message() == "1 frame in frames_00000");
+}
+
 TEST_CASE("a film that is stopped keeps its frames; one that cannot be drawn says why") {
   const Scratch scratch;
   const Within within(scratch.path());

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/error.h"
 #include "simulate/methods.h"
 #include "tests/simulate/hits.h"
 #include "tests/simulate/inputs.h"
@@ -311,5 +312,28 @@ TEST_CASE("a world that changes its broad phase on the way moves by the same bit
       while (world->steps() < 40) world->step();
       CHECK(world->report().state_hash == expected->report().state_hash);
     }
+  }
+}
+
+TEST_CASE("a change of the broad phase that cannot be leaves the world as it was") {
+  Scene scene;
+  scene.domain = {Vec3d(0.0), Vec3d(1000.0), Boundary::walls, 3};
+  add_sphere(scene, Vec3d(500.0), Vec3d(1.0), 0.05, 1.0);
+  add_sphere(scene, Vec3d(500.09, 500, 500), Vec3d(0.0), 0.05, 1.0);
+  Settings too_fine;  // far more cells than can be numbered
+  too_fine.broadphase = "linked-cell";
+  too_fine.table = "dense";
+  too_fine.cell_size = 0.05;
+  for (const char* const method : {"brute-force", "linked-cell", "sorted-grid"}) {
+    Settings settings;
+    settings.broadphase = method;
+    settings.table = "hashed";
+    const auto world = world_after(scene, 3, settings), twin = world_after(scene, 4, settings);
+    CHECK_THROWS_AS(world->detect_by(too_fine), UserError);
+    world->step();
+    const Inspection seen = world->inspect({.candidates = true, .missed = true});
+    CHECK(seen.contacts == twin->inspect().contacts);
+    CHECK(world->report().broadphase == method);
+    CHECK(world->report().state_hash == twin->report().state_hash);
   }
 }

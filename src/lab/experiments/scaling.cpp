@@ -218,8 +218,13 @@ std::string answer_of(const std::vector<Curve>& curves) {
   const Curve& brute = curve_of(curves, "brute-force");
   const Curve& sweep = curve_of(curves, "sort-and-sweep");
   const Curve& grid = curve_of(curves, "sorted-grid");
+  const auto grid_at = [&](double x) {
+    return std::find_if(grid.points.begin(), grid.points.end(), [&](const Point& p) { return p.x == x; });
+  };
+  if (brute.points.empty() || grid_at(brute.points.back().x) == grid.points.end())
+    return "Too little could be measured for an answer.";
   const Point& last = brute.points.back();
-  const auto same = std::find_if(grid.points.begin(), grid.points.end(), [&](const Point& p) { return p.x == last.x; });
+  const auto same = grid_at(last.x);
   return "On one thread time grows as n to the power of " + three_digits(brute.fit.exponent) + " by brute force, " +
          three_digits(sweep.fit.exponent) + " by sort and sweep, " + three_digits(grid.fit.exponent) +
          " by the sorted grid, which steps " + grouped(static_cast<int64_t>(last.x)) + " spheres " +
