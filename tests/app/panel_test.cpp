@@ -2,7 +2,10 @@
 // The panel without a window: what it shows, and what a hand does on it.
 #include "app/panel.h"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
+#include <time.h>
 
 #include "tests/app/desk.h"
 #include "tests/render/picture_compare.h"
@@ -200,3 +203,26 @@ TEST_CASE("a click on a point of the chart returns to its settings") {
   desk.click("error drift");
   CHECK(desk.panel.items().at("trial 1").middle().y != before.y);
 }
+
+#ifndef __SANITIZE_ADDRESS__
+TEST_CASE("a frame of the panel takes at most 4 ms of the processor") {
+  Desk desk("bouncing-balls");
+  const auto spent = [] {  // [ms] by this thread; llvmpipe fills its pixels in others
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
+  };
+  std::vector<double> frames;
+  for (int k = 0; k < 30; ++k) {
+    desk.demo.step();
+    desk.demo.report();
+    glFinish();
+    const double before = spent();
+    desk.panel.draw(desk.demo, PanelInput{});
+    glFinish();
+    frames.push_back(spent() - before);
+  }
+  std::nth_element(frames.begin(), frames.begin() + 15, frames.end());
+  CHECK(frames[15] < 4);
+}
+#endif
