@@ -15,14 +15,18 @@ cd "$folder"
 cat > hands.sh <<'HANDS'
 set -euo pipefail
 fail() { echo "FAILED: $1"; cat log; exit 1; }
-"$1" show lecture-grid --size 960x540 --theme dark > log 2>&1 &
-show=$!
-for _ in $(seq 100); do
-  window=$(xdotool search --onlyvisible --pid $show 2> /dev/null | tail -1) && [[ -n $window ]] && break
-  kill -0 $show 2> /dev/null || fail "the program ended"
-  sleep 0.1
-done
-xdotool windowfocus "$window"
+program=$1
+begin() {
+  "$program" show --threads 2 "$@" > log 2>&1 &
+  show=$!
+  for _ in $(seq 100); do
+    window=$(xdotool search --onlyvisible --pid $show 2> /dev/null | tail -1) && [[ -n $window ]] && break
+    kill -0 $show 2> /dev/null || fail "the program ended"
+    sleep 0.1
+  done
+  xdotool windowfocus "$window"
+}
+begin lecture-grid --size 960x540 --theme dark
 # The title tells spheres, method and time; as soon as it changes, or for ten seconds.
 expect_title() {
   for _ in $(seq 100); do
@@ -61,18 +65,7 @@ wait $show || fail "exit status $?"
 [[ ! -s log ]] || fail "it said something"
 
 # Anew, with what was remembered; a file that cannot be read is told, and nothing else happens.
-program=$1
 export XDG_CONFIG_HOME=$PWD/config
-begin() {
-  "$program" show --threads 2 "$@" 2> log &
-  show=$!
-  for _ in $(seq 100); do
-    window=$(xdotool search --onlyvisible --pid $show 2> /dev/null | tail -1) && [[ -n $window ]] && break
-    kill -0 $show 2> /dev/null || fail "the program ended"
-    sleep 0.1
-  done
-  xdotool windowfocus "$window"
-}
 end() { kill -INT $show; wait $show || fail "exit status $?"; }
 begin lecture-grid --remember --size 640x480; expect_title "linked-cell"; xdotool key 2 t; expect_title "sort-and-sweep"; end
 grep -q '"broadphase": "sort-and-sweep"' config/ballpit/show.json && grep -q '"theme": "dark"' config/ballpit/show.json || fail "not remembered"
@@ -85,7 +78,7 @@ begin lecture-grid --remember --size 640x480; expect_title "linked-cell"; end
 status=0; "$program" show --size 16384x16384 2> log || status=$?
 [[ $status == 2 && $(wc -l < log) == 1 ]] && grep -q -- "--size: found 16384x16384, allowed at most 5120x4096 on this display" log || fail "no line of the size"
 HANDS
-timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24" bash hands.sh "$program" || { echo "status $?"; exit 1; }
+timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" bash hands.sh "$program" || { echo "status $?"; exit 1; }
 
 env -u DISPLAY -u WAYLAND_DISPLAY "$program" show lecture-grid > /dev/null 2> no_display && { echo "FAILED: a window without a display"; exit 1; }
 [[ $(wc -l < no_display) == 1 ]] && grep -q "no window: .*ballpit render draws without a display" no_display || { echo "FAILED:"; cat no_display; exit 1; }
