@@ -146,6 +146,7 @@ class LabCommand final : public Command {
       try {
         sections.push_back(run_one(*experiment, progress));
         write_file(folder_ / "report.html", report_html(sections, circumstances(), lack_));
+        write_file(folder_ / "report.md", report_markdown(sections, circumstances(), lack_));
       } catch (const RunError& error) {
         throw RunError(std::string(experiment->name) + ": " + error.what());
       }

@@ -36,8 +36,8 @@ void shuffle(std::vector<Vec3d>& places, Random& random) {
 
 }  // namespace
 
-Scene make_gas(int64_t count) {
-  Random random(1);
+Scene make_gas(int64_t count, uint64_t seed) {
+  Random random(seed);
   const double spacing = kRadius * std::cbrt(4.0 / 3 * std::numbers::pi / kGasVolumeFraction);
   const auto side = static_cast<int64_t>(std::ceil(std::cbrt(static_cast<double>(count)) - 1e-9));
   Scene scene;

@@ -13,7 +13,7 @@ inline constexpr double kGasStep = 1.0 / 960;      ///< [s] a sphere flies a ten
 inline constexpr int kGasStepsToEquilibrium = 20;  ///< until contacts are as frequent as they stay
 
 /// `count` spheres of 1 cm radius and up to 1 m/s in a cube of the size that they need: on a cubic lattice, jittered as
-/// far as they cannot touch, in shuffled order. The same for every call.
-Scene make_gas(int64_t count);
+/// far as they cannot touch, in shuffled order. The same for every call with the same seed.
+Scene make_gas(int64_t count, uint64_t seed = 1);
 
 }  // namespace ballpit

@@ -11,20 +11,15 @@ namespace ballpit {
 
 namespace {
 
-/// Velocities of total momentum zero and kT = 1, no two alike.
+/// Velocities of total momentum zero and kT = 1, no two alike, of equal masses of 1.
 void set_velocities(Bodies& bodies, Random& random) {
-  const auto count = static_cast<double>(bodies.size());
-  Vec3d mean(0.0);
   for (Vec3d& v : bodies.velocity) {
     v = random.uniform(Vec3d(-1.0), Vec3d(1.0)) + random.uniform(Vec3d(-1.0), Vec3d(1.0));
-    mean += v / count;
   }
+  stop_center(bodies);
   double squared = 0;
-  for (Vec3d& v : bodies.velocity) {
-    v -= mean;
-    squared += dot(v, v);
-  }
-  for (Vec3d& v : bodies.velocity) v *= std::sqrt(3 * (count - 1) / squared);
+  for (const Vec3d& v : bodies.velocity) squared += dot(v, v);
+  for (Vec3d& v : bodies.velocity) v *= std::sqrt(3 * (static_cast<double>(bodies.mass.size()) - 1) / squared);
 }
 
 Scene lattice_gas(int cells, double rho, uint64_t seed) {
@@ -42,6 +37,13 @@ Scene lattice_gas(int cells, double rho, uint64_t seed) {
   Random random(seed);
   set_velocities(scene.bodies, random);
   return scene;
+}
+
+/// Lets the bodies move exactly for a time.
+void relax(Scene& scene, double time) {
+  const auto world = make_cpu_world(scene, exact_motion(time));
+  world->step();
+  scene.bodies = world->bodies();
 }
 
 }  // namespace
@@ -82,12 +84,49 @@ Scene make_stack(const std::vector<double>& masses, double radius) {
   return scene;
 }
 
+void stop_center(Bodies& bodies) {
+  Vec3d momentum(0.0);
+  double mass = 0;
+  for (size_t i = 0; i < bodies.mass.size(); ++i) {
+    momentum += bodies.mass[i] * bodies.velocity[i];
+    mass += bodies.mass[i];
+  }
+  for (Vec3d& v : bodies.velocity) v -= momentum / mass;
+}
+
 Scene equilibrium_gas(int cells, double rho, uint64_t seed) {
   Scene scene = lattice_gas(cells, rho, seed);
-  const auto world =
-      make_cpu_world(scene, exact_motion(40 / collision_rate(rho, static_cast<double>(scene.bodies.size()))));
-  world->step();
-  scene.bodies = world->bodies();
+  relax(scene, 40 / collision_rate(rho, static_cast<double>(scene.bodies.size())));
+  return scene;
+}
+
+Scene equilibrium_mixture(int cells, uint64_t seed) {
+  Scene scene = equilibrium_gas(cells, 0.5, seed);
+  Bodies& bodies = scene.bodies;
+  for (size_t i = 1; i < bodies.mass.size(); i += 2) {
+    bodies.mass[i] = 0.2;
+    bodies.radius[i] = 0.3;
+  }
+  stop_center(bodies);
+  relax(scene, 40);
+  return scene;
+}
+
+Scene equilibrium_column(uint64_t seed) {
+  constexpr int kSide = 8, kLayers = 4;
+  constexpr double kWidth = 20, kHeight = 40, kRadius = 0.1;
+  Scene scene;
+  scene.domain.max = {kWidth, kHeight, kWidth};
+  scene.physics.gravity = {0, -1, 0};
+  scene.physics.restitution = scene.physics.wall_restitution = 1;
+  for (int k = 0; k < kSide * kSide * kLayers; ++k) {
+    const double height = kRadius + 0.5 * (k / (kSide * kSide) + 0.5);  // on average 1 above the lowest
+    const Vec3d place((k % kSide + 0.5) * kWidth / kSide, height, (k / kSide % kSide + 0.5) * kWidth / kSide);
+    add_sphere(scene, place, Vec3d(0.0), kRadius, 1);
+  }
+  Random random(seed);
+  set_velocities(scene.bodies, random);
+  relax(scene, 200);
   return scene;
 }
 

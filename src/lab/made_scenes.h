@@ -21,12 +21,22 @@ Scene wide_box(double half = 50.0);
 /// Two spheres of mass 1 and diameter 1 that approach head-on along x at `speed`, `gap` [m] apart.
 Scene head_on(double speed, double gap);
 
+/// Takes the velocity of the centre of mass from all.
+void stop_center(Bodies& bodies);
+
 /// Spheres of these masses and one radius at rest, one upon the other, on the floor; restitution 0.
 Scene make_stack(const std::vector<double>& masses, double radius);
 
 /// A gas of 4·cells³ hard spheres in a periodic cube at the number density rho; diameter, mass and kT = 2K/(3(N − 1)) are 1, the
 /// total momentum is 0. It started as an fcc lattice and has since had about 40 collisions per sphere, by exact motion.
 Scene equilibrium_gas(int cells, double rho, uint64_t seed);
+
+/// The same of two kinds, in turns: large spheres, and small ones of a fifth of their mass and three fifths of their diameter.
+Scene equilibrium_mixture(int cells, uint64_t seed);
+
+/// A thin gas of 256 spheres under gravity, after some thirty collisions of each by exact motion: diameter 0.2, mass and gravity 1,
+/// kT nearly 1, in a box of elastic walls whose top they hardly ever reach.
+Scene equilibrium_column(uint64_t seed);
 
 /// Settings of one thread in double precision.
 Settings settings_of(const std::string& response, double dt, const std::string& integrator = "auto");

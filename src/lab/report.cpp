@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lab/report.h"
 
-#include <cmath>
 #include <initializer_list>
 #include <string_view>
 
-#include "core/numbers.h"
 #include "lab/html.h"
-#include "scene/input_error.h"
 
 namespace ballpit {
 
@@ -87,18 +84,9 @@ std::string figure(const DrawnChart& chart) {
                  svg_address(chart.light), "\"></picture></figure>\n"});
 }
 
-std::string number_cell(double number) {
-  const bool is_count = std::fabs(number) < 1e15 && number == std::round(number);
-  if (std::isnan(number)) return "–";
-  if (std::fabs(number) >= 1e-4 && std::fabs(number) < 0.01) return number_text(std::round(number * 1e6) / 1e6);
-  return is_count ? grouped(static_cast<int64_t>(number)) : three_digits(number);
-}
-
 std::string cell(const Cell& value) {
-  if (const double* number = std::get_if<double>(&value)) {
-    return concat({"<td class=\"number\">", number_cell(*number), "</td>"});
-  }
-  return concat({"<td>", html_text(std::get<std::string>(value)), "</td>"});
+  const bool is_number = std::holds_alternative<double>(value);
+  return concat({is_number ? "<td class=\"number\">" : "<td>", html_text(short_text(value)), "</td>"});
 }
 
 std::string table_html(const Table& table) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The report: one HTML page that holds all of its charts, for a phone as for a projector, light and dark as the reader's
-// system has it.
+// system has it; and the same story in Markdown, for a repository's pages.
 #pragma once
 
 #include <string>
@@ -28,5 +28,9 @@ struct ReportSection {
 /// `circumstances`: machine, preset and so on, a line each. `lack`: what is missing, and why; empty where nothing is.
 std::string report_html(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
                         const std::string& lack);
+
+/// The same as Markdown, with the charts as links to "NAME/CHART.svg".
+std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
+                            const std::string& lack);
 
 }  // namespace ballpit

@@ -148,7 +148,7 @@ class CaseTimer {
   static constexpr int64_t kProbes[] = {1000, 10000};  // spheres that any method steps in a moment
 
   Cost probe(int64_t count) const {
-    TimedWorld world(make_gas(count), plan_.settings, which_);
+    TimedWorld world(make_gas(count, plan_.seed), plan_.settings, which_);
     return {count, world.run(1)};
   }
 
@@ -170,8 +170,8 @@ class CaseTimer {
 };
 
 /// The gas after its first steps: a lattice has no contacts yet.
-Scene gas_in_motion(int64_t count) {
-  Scene gas = make_gas(count);
+Scene gas_in_motion(int64_t count, uint64_t seed) {
+  Scene gas = make_gas(count, seed);
   Settings settings;
   settings.dt = kGasStep;
   const std::unique_ptr<World> world = cpu_backend().make_world(gas, settings);
@@ -180,15 +180,16 @@ Scene gas_in_motion(int64_t count) {
   return gas;
 }
 
-void time_count(std::vector<CaseTimer>& timers, int64_t count, int blocks, const std::function<bool()>& stop) {
+void time_count(std::vector<CaseTimer>& timers, const TimingPlan& plan, int64_t count,
+                const std::function<bool()>& stop) {
   std::vector<CaseTimer*> running;
   for (CaseTimer& timer : timers) {
     if (!stop() && timer.expects(count)) running.push_back(&timer);
   }
   if (running.empty()) return;
-  const Scene gas = gas_in_motion(count);
+  const Scene gas = gas_in_motion(count, plan.seed);
   for (CaseTimer* timer : running) timer->start(gas);
-  for (int block = 0; block < blocks && !stop(); ++block) {
+  for (int block = 0; block < plan.blocks && !stop(); ++block) {
     for (CaseTimer* timer : running) {
       if (timer->is_running()) timer->run_block();
     }
@@ -203,7 +204,7 @@ std::vector<StepTiming> time_steps(const TimingPlan& plan, const std::function<v
   for (const StepCase& which : plan.cases) timers.emplace_back(which, plan);
   std::vector<StepTiming> timings;
   for (const int64_t count : plan.counts) {
-    time_count(timers, count, plan.blocks, stop);
+    time_count(timers, plan, count, stop);
     if (stop()) break;
     for (CaseTimer& timer : timers) timings.push_back(timer.take());
     tell(static_cast<int64_t>(timings.size()));

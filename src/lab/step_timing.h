@@ -43,6 +43,7 @@ struct TimingPlan {
   std::vector<int64_t> counts;  ///< ascending
   int blocks = 5;               ///< measured of each case
   double limit = 5;             ///< [s] a case that needs longer is skipped
+  uint64_t seed = 1;            ///< of the gas
   Settings settings;            ///< but for those that the cases set
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/append_number.h"
+#include "core/numbers.h"
+#include "scene/input_error.h"
 
 namespace ballpit {
 
@@ -24,6 +26,15 @@ void append_text(std::string& line, const std::string& text) {
 }
 
 }  // namespace
+
+std::string short_text(const Cell& cell) {
+  if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
+  const double number = std::get<double>(cell);
+  const bool is_count = std::fabs(number) < 1e15 && number == std::round(number);
+  if (std::isnan(number)) return "–";
+  if (std::fabs(number) >= 1e-4 && std::fabs(number) < 0.01) return number_text(std::round(number * 1e6) / 1e6);
+  return is_count ? grouped(static_cast<int64_t>(number)) : three_digits(number);
+}
 
 std::string header_of(const Column& column) {
   return column.unit.empty() ? column.name : column.name + " [" + column.unit + ']';

@@ -24,6 +24,9 @@ struct Table {
   bool is_shown = false;                ///< in the report, as well as in its file
 };
 
+/// As the audience reads it: "1 234", "0.0123", "–" for what is not a number.
+std::string short_text(const Cell& cell);
+
 /// "time [ms]"
 std::string header_of(const Column& column);
 

@@ -67,6 +67,27 @@ double cooling_time(double rho, double count, double restitution) {
   return 6 / ((1 - restitution * restitution) * collision_rate(rho, count));
 }
 
+double barometric_height(double energy, double weight, double diameter, double per_area) {
+  const double volume = 2 * pi / 3 * diameter * diameter * diameter;
+  double kt = 0.4 * energy, beta = 0;
+  for (int k = 0; k < 20; ++k) {  // each pass makes the rest smaller by β
+    beta = volume * per_area * weight / kt;
+    kt = 2 * energy / (5 + beta);
+  }
+  return kt / weight * (1 + beta / 2);
+}
+
+double bouncing_height(double height, double restitution, double gravity, double time) {
+  const double fall = std::sqrt(2 * height / gravity);
+  if (time <= fall) return height - gravity * time * time / 2;
+  double speed = restitution * gravity * fall, since = time - fall;
+  for (; since > 2 * speed / gravity; speed *= restitution) {
+    since -= 2 * speed / gravity;
+    if (speed < 1e-9 * gravity * fall) return 0;
+  }
+  return speed * since - gravity * since * since / 2;
+}
+
 double contact_duration(double stiffness, double mu, double zeta) {
   return pi / std::sqrt(stiffness / mu * (1 - zeta * zeta));
 }

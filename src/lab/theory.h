@@ -27,6 +27,15 @@ double collision_rate(double rho, double count);
 /// τ of Haff's law T = T₀·(1 + t/τ)⁻²: 6/((1 − e²)·Γ₀). Haff 1983, doi 10.1017/S0022112083003419.
 double cooling_time(double rho, double count, double restitution);
 
+/// The mean height above their lowest place [m] of hard spheres under gravity whose mean energy is `energy` [J], kinetic and of
+/// height: kT/w·(1 + β/2), energy = kT·(5 + β)/2, β = (2π/3)·D³·n₀, the first correction to the barometric formula, and small.
+/// `weight` [N] and `diameter` D [m] are those of one, `per_area` [1/m²] are above a unit of the floor, n₀ their density at it.
+double barometric_height(double energy, double weight, double diameter, double per_area);
+
+/// The height above its lowest place [m] of a ball that fell from `height` at time 0 and bounces: parabolas, each bounce of which
+/// begins with the speed before times `restitution`.
+double bouncing_height(double height, double restitution, double gravity, double time);
+
 // A contact of springs and dashpots; mu [kg] is the reduced mass, zeta the damping, v [m/s] the speed of approach.
 
 /// t_c = π/(ω·√(1 − ζ²)), ω = √(k/μ) [s].

@@ -49,6 +49,7 @@ TEST_CASE("lab writes tables with the machine, charts on both grounds, and a rep
     CHECK_THAT(read_text(scratch / ("out/divergence/" + std::string(picture))), Contains("</svg>"));
   }
   CHECK_THAT(read_text(scratch / "out/report.html"), Contains("Work per thread") && Contains("data:image/svg+xml"));
+  CHECK_THAT(read_text(scratch / "out/report.md"), Contains("](divergence/work.svg)"));
   for (const auto& entry : fs::recursive_directory_iterator(scratch.path())) CHECK(entry.path().extension() != ".part");
 }
 

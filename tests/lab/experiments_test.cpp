@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "lab/experiment.h"
+#include "lab/experiments/accuracy.h"
 #include "lab/html.h"
 #include "lab/report.h"
 
@@ -48,6 +49,11 @@ TEST_CASE("docs/lab.md names every experiment with the question that it asks") {
   for (const Experiment& experiment : experiments()) {
     CHECK_THAT(page, Contains("| `" + std::string(experiment.name) + "` | " + std::string(experiment.question) + " |"));
   }
+}
+
+TEST_CASE("docs/lab.md names every scene of work-precision") {
+  const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab.md");
+  for (const Task& task : tasks()) CHECK_THAT(page, Contains("`" + task.name + "`"));
 }
 
 TEST_CASE("an experiment that was interrupted goes on where it stopped, and comes to the same tables") {
@@ -99,6 +105,22 @@ TEST_CASE(
     CHECK_THAT(page, Contains(text));
   }
   CHECK_THAT(page, !Contains("http") && !Contains("<script") && !Contains(" <&>"));
+  const std::string markdown = report_markdown({section}, {"machine: some"}, "No charts: because");
+  for (const std::string& text :
+       {std::string(experiment.question), std::string(" \\<&>**"), section.command, std::string("- machine: some\n"),
+        std::string("**No charts: because**"), std::string("![Work](divergence/work.svg)"),
+        std::string("| SIMD efficiency \\[%\\] |")}) {
+    CHECK_THAT(markdown, Contains(text));
+  }
+}
+
+TEST_CASE("docs/lab tells what every experiment found in full, and holds its charts") {
+  const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab/README.md");
+  CHECK_THAT(page, Contains("preset: full") && !Contains("No charts"));
+  for (const Experiment& experiment : experiments()) {
+    CHECK_THAT(page, Contains("## " + std::string(experiment.title) + "\n"));
+    CHECK_THAT(page, Contains("](" + std::string(experiment.name) + "/"));
+  }
 }
 
 TEST_CASE("a picture in the page is its bytes in base64") {

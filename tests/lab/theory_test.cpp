@@ -41,6 +41,23 @@ TEST_CASE("over all impact parameters 1 − s²/12 of hits are seen, and 4/(3s) 
   }
 }
 
+TEST_CASE("a ball that bounces is on the floor, at its tops and at rest when the closed form says") {
+  const auto height = [](double time) { return bouncing_height(1, 0.8, 9.81, time); };
+  CHECK(height(0) == 1);
+  for (const double touch : {0.451523641, 1.173961467, 2.584160102}) CHECK(height(touch) == Approx(0).margin(1e-8));
+  CHECK(height((0.451523641 + 1.173961467) / 2) == Approx(0.64));
+  CHECK(height(4.0637) > 0);
+  CHECK(height(4.063713) == 0);
+}
+
+TEST_CASE("a column of points has two fifths of its energy in its height, one of spheres a little more") {
+  CHECK(barometric_height(2.5, 1, 0, 1) == Approx(1));
+  CHECK(barometric_height(5, 4, 0, 1) == Approx(0.5));
+  // β = 0.01: kT = 2·2.5/5.01
+  const double diameter = std::cbrt(3 / (2 * M_PI)), per_area = 0.01 * 2 * 2.5 / 5.01;
+  CHECK(barometric_height(2.5, 1, diameter, per_area) == Approx(2 * 2.5 / 5.01 * 1.005).epsilon(1e-9));
+}
+
 TEST_CASE("springs, sweeps and rounding have their limits") {
   CHECK(contact_duration(1e4, 0.5, 0) == Approx(M_PI * std::sqrt(0.5e-4)));
   CHECK(contact_duration(stiffness_of_duration(0.02, 0.5, 0.3), 0.5, 0.3) == Approx(0.02));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ struct Trial {
 };
 
 struct Task {
-  std::string name;    ///< the chart's file: "stack"
+  std::string name;    ///< the chart's file: "stack-10"
   std::string title;   ///< a sentence
   std::string error;   ///< what is off: "largest overlap / radius"
   std::string truth;   ///< what errors are against
@@ -28,9 +29,10 @@ struct Task {
   int full_halvings;
   bool is_mean;  ///< of many collisions: there is a statistical floor, and what the repeats are off has signs
   bool (*serves)(const ContactMethod&);
-  Trial (*run)(const ContactMethod&, double dt, uint64_t seed, bool is_quick);
+  std::function<Trial(const ContactMethod&, double dt, uint64_t seed, bool is_quick)> run;
 };
 
+/// All: contacts of few spheres, spheres at rest, gases.
 const std::vector<Task>& tasks();
 
 /// The mean error of restitution, |v'/v − e|, of head-on hits of springs that begin at different parts of a step, `steps` steps a

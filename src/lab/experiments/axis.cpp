@@ -154,7 +154,7 @@ Experiment axis_experiment() {
           "Sort and sweep’s axis",
           "How much does sort and sweep depend on its axis, and when does it beat the grids?",
           15,
-          340,
+          400,
           measurements,
           run};
 }

@@ -98,6 +98,12 @@ const std::vector<ContactMethod>& contact_methods() {
   return table;
 }
 
+bool is_float_of_main(const ContactMethod& method) {
+  return std::any_of(contact_methods().begin(), contact_methods().end(), [&](const ContactMethod& other) {
+    return other.is_main && other.name + ", float" == method.name;
+  });
+}
+
 Series series_of(const ContactMethod& method) {
   const bool is_float = method.settings.precision == "float";
   return {is_float ? "" : method.label, method.role, {}, Stroke::line_and_points, is_float, !method.is_main};

@@ -21,6 +21,9 @@ struct ContactMethod {
 
 const std::vector<ContactMethod>& contact_methods();
 
+/// Whether it is a response's own integrator and solver in single precision.
+bool is_float_of_main(const ContactMethod& method);
+
 /// Its line in a chart: thin where it is not a main one; dashed and without a label, beside its double's, in single precision.
 Series series_of(const ContactMethod& method);
 

@@ -218,7 +218,7 @@ Experiment crossover_experiment() {
           "Which response when",
           "At the same error, which response is fastest, and does that change with the number of spheres?",
           30,
-          600,
+          200,
           measurements,
           run};
 }

@@ -47,7 +47,7 @@ Findings run(Lab& lab) {
 }  // namespace
 
 Experiment density_experiment() {
-  return {"density",    "Density", "Which broad phase is fastest in a thin gas, and which in a dense heap?", 12, 350,
+  return {"density",    "Density", "Which broad phase is fastest in a thin gas, and which in a dense heap?", 12, 420,
           measurements, run};
 }
 

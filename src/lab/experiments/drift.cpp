@@ -68,13 +68,6 @@ Table table_of(const std::vector<Course>& courses, const std::vector<double>& at
   return table;
 }
 
-/// Of single precision charts show the responses' own integrators and solvers.
-bool is_float_of_main(const ContactMethod& method) {
-  return std::any_of(contact_methods().begin(), contact_methods().end(), [&](const ContactMethod& other) {
-    return other.is_main && other.name + ", float" == method.name;
-  });
-}
-
 Chart chart_of(const std::string& name, const std::string& title, const std::vector<Course>& courses,
                const std::vector<double>& at, double Drift::*what) {
   Chart chart{name,
@@ -86,7 +79,7 @@ Chart chart_of(const std::string& name, const std::string& title, const std::vec
               {}};
   for (const Course& course : courses) {
     Series series = series_of(course.method);
-    if (series.is_dashed && !is_float_of_main(course.method)) continue;  // it is in the table
+    if (series.is_dashed && !is_float_of_main(course.method)) continue;  // the others are in the table
     for (size_t k = 0; k < at.size(); ++k) {
       series.points.push_back({at[k], std::max(kLeast, course.drifts[k].*what)});
       if (std::isinf(course.drifts[k].*what)) break;  // a run fails once

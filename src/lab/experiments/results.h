@@ -24,7 +24,10 @@ struct Result {
 
 bool has_steps(const ContactMethod& method);
 
-/// Of each method at all its steps, in the order of contact_methods() and from the coarsest step on. Each repeat is one of all
+/// Those that serve a task. Quick runs leave out other than main ones in single precision.
+std::vector<const ContactMethod*> methods_of(const Task& task, bool is_quick);
+
+/// Of each method at all its steps, in the order of methods_of() and from the coarsest step on. Each repeat is one of all
 /// methods at all steps, so that what else the machine does falls on all alike.
 std::vector<Result> results_of(Lab& lab, const Task& task);
 

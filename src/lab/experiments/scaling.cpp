@@ -58,11 +58,12 @@ struct Curve {
 };
 
 /// Of each case: its blocks [s a step], then its candidates; not a number where it was skipped.
-std::vector<double> measure_count(int64_t count, bool is_quick) {
+std::vector<double> measure_count(int64_t count, uint64_t seed, bool is_quick) {
   TimingPlan plan;
   plan.cases = cases();
   plan.counts = {count};
   plan.blocks = kBlocks;
+  plan.seed = seed;
   plan.limit = is_quick ? 2 : 20;
   const auto nobody = [](int64_t) {};
   const auto never = [] { return false; };
@@ -97,8 +98,9 @@ std::vector<Curve> measure_all(Lab& lab) {
   std::vector<Curve> curves;
   for (const StepCase& which : cases()) curves.push_back({which, {}, {}, {}, {}});
   for (const int64_t count : counts(lab.is_quick())) {
-    const std::string key = "ms a step; gas of " + std::to_string(count) + (lab.is_quick() ? "; quick" : "; full");
-    const std::vector<double> flat = lab.time(key, [&] { return measure_count(count, lab.is_quick()); });
+    const std::string key = "ms a step; gas of " + std::to_string(count) + "; seed " + std::to_string(lab.seed()) +
+                            (lab.is_quick() ? "; quick" : "; full");
+    const std::vector<double> flat = lab.time(key, [&] { return measure_count(count, lab.seed(), lab.is_quick()); });
     for (size_t k = 0; k < curves.size(); ++k) {
       const auto first = flat.begin() + static_cast<std::ptrdiff_t>(k) * (kBlocks + 1);
       if (std::isnan(*first)) continue;
@@ -259,7 +261,7 @@ Experiment scaling_experiment() {
           "Time against the number of spheres",
           "How does the time of a step grow with the number of spheres, for each broad phase?",
           15,
-          420,
+          150,
           measurements,
           run};
 }

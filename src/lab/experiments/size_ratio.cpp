@@ -19,6 +19,7 @@ WinnerPlan plan_of(bool is_quick) {
   plan.values =
       is_quick ? std::vector<double>{1, 2, 4, 8, 16} : std::vector<double>{1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32};
   plan.counts = winner_counts(is_quick);
+  if (!is_quick) plan.counts.pop_back();  // a million small ones in one grid's wide cells take longer than all others
   plan.make_spheres = [](int64_t count, double ratio, uint64_t seed) {
     return uniform_spheres({count, 0.3, ratio}, seed);
   };
@@ -80,7 +81,7 @@ Experiment size_ratio_experiment() {
           "Spheres of different sizes",
           "Which broad phase is fastest when large spheres lie among small ones?",
           20,
-          800,
+          650,
           measurements,
           run};
 }

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// Tasks of many collisions. Paths are forgotten soon, so that after a few collisions of a sphere only means can be compared.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "lab/experiments/accuracy_parts.h"
+#include "lab/experiments/timed_run.h"
+#include "lab/made_scenes.h"
+#include "lab/theory.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr int kCells = 3;  // 108 spheres
+constexpr double kCount = 4.0 * kCells * kCells * kCells;
+constexpr double kFailed = Trial{}.off;
+
+/// Scenes by their seed. The last is kept, since all methods of a repeat begin with the same.
+class Starts {
+ public:
+  explicit Starts(std::function<Scene(uint64_t seed)> make) : make_(std::move(make)) {}
+
+  Scene of(uint64_t seed) {
+    if (!seed_ || *seed_ != seed) scene_ = make_(seed);
+    seed_ = seed;
+    return scene_;
+  }
+
+ private:
+  std::function<Scene(uint64_t)> make_;
+  std::optional<uint64_t> seed_;
+  Scene scene_;
+};
+
+Starts gas_of(double rho) {
+  return Starts([rho](uint64_t seed) { return equilibrium_gas(kCells, rho, seed); });
+}
+
+/// What a run shows at evenly spaced looks between these times, on average; not a number where it stops.
+double mean_of_looks(TimedRun& run, double from, double to, const std::function<double(World&)>& value) {
+  constexpr int kLooks = 40;
+  double sum = 0;
+  if (!run.reach(from)) return kNoNumber;
+  for (int k = 1; k <= kLooks; ++k) {
+    if (!run.reach(from + (to - from) * k / kLooks)) return kNoNumber;
+    sum += value(run.world());
+  }
+  return sum / kLooks;
+}
+
+Trial trial_of(double value, double truth, const TimedRun& run) {
+  return {std::isnan(value) ? kFailed : value / truth - 1, run.seconds()};
+}
+
+/// Z = 1 + W/(3·N·kT·t), W the virial of all collisions.
+Trial run_pressure(Scene scene, double rho, double time, const ContactMethod& method, double dt) {
+  scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, 1);
+  Settings settings = with_step(method, dt);
+  settings.keeps_tally = true;
+  TimedRun run(scene, settings);
+  const double kt =
+      mean_of_looks(run, 0, time, [](World& world) { return 2 * world.report().kinetic_energy / (3 * (kCount - 1)); });
+  const double virial = run.world().report().tally.virial;
+  return trial_of(1 + virial / (3 * kCount * kt * run.world().time()), finite_z(rho, kCount), run);
+}
+
+Task pressure_task(double rho, const std::string& name, const std::string& title, double coarsest, double time,
+                   int quick_halvings, int full_halvings) {
+  return {name,
+          title,
+          "error of Z",
+          "Kolafa et al. 2004, corrected for 108 spheres",
+          coarsest,
+          quick_halvings,
+          full_halvings,
+          true,
+          is_any,
+          [=, starts = gas_of(rho)](const ContactMethod& method, double dt, uint64_t seed, bool is_quick) mutable {
+            return run_pressure(starts.of(seed), rho, is_quick ? time / 4 : time, method, dt);
+          }};
+}
+
+/// Where spheres are after a time, against exact motion: the median distance.
+Trial run_paths(Scene scene, double time, const ContactMethod& method, double dt) {
+  scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, 1);
+  const auto exact = make_cpu_world(scene, exact_motion(time));
+  exact->step();
+  TimedRun run(scene, with_step(method, dt));
+  if (!run.reach(time)) return {kFailed, run.seconds()};
+  const Bodies truth = exact->bodies(), end = run.world().bodies();
+  const Vec3d period = scene.domain.max - scene.domain.min;
+  std::vector<double> distances;
+  for (size_t i = 0; i < end.position.size(); ++i) {
+    const Vec3d d = end.position[i] - truth.position[i];
+    distances.push_back(length(d - period * glm::round(d / period)));
+  }
+  const auto middle = distances.begin() + static_cast<int64_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return {*middle, run.seconds()};
+}
+
+bool is_not_the_truth(const ContactMethod& method) { return method.settings.response != "event-driven"; }
+
+Task paths_task(double rho, const std::string& name, const std::string& title) {
+  constexpr double kCollisions = 2;  // of each sphere; errors grow by e^0.8 to e^2.5 in each
+  const double time = kCollisions / collision_rate(rho, kCount);
+  return {name,
+          title,
+          "median distance / diameter",
+          "exact motion",
+          time / 16,
+          5,
+          10,
+          false,
+          is_not_the_truth,
+          [=, starts = gas_of(rho)](const ContactMethod& method, double dt, uint64_t seed, bool) mutable {
+            return run_paths(starts.of(seed), time, method, dt);
+          }};
+}
+
+constexpr double kEnergyRho = 0.5, kCoolingRho = 0.1;
+
+/// |E/E₀ − 1| of an elastic gas, for each collision of a sphere.
+Trial run_energy(Scene scene, const ContactMethod& method, double dt, bool is_quick) {
+  const double collisions = is_quick ? 10 : 40, time = collisions / collision_rate(kEnergyRho, kCount);
+  scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, 1);
+  TimedRun run(scene, with_step(method, dt));
+  const auto energy = [&] {
+    const Report report = run.world().report();
+    return report.kinetic_energy + report.elastic_energy;
+  };
+  const double start = energy();
+  if (!run.reach(time)) return {kFailed, run.seconds()};
+  return {std::fabs(energy() / start - 1) / collisions, run.seconds()};
+}
+
+/// T/T₀ after Haff's τ: a quarter.
+Trial run_cooling(Scene scene, const ContactMethod& method, double dt, bool) {
+  constexpr double kRestitution = 0.9;
+  scene.physics.restitution = kRestitution;
+  scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, kRestitution);
+  TimedRun run(scene, with_step(method, dt));
+  const double start = run.world().report().kinetic_energy;
+  if (!run.reach(cooling_time(kCoolingRho, kCount, kRestitution))) return {kFailed, run.seconds()};
+  return trial_of(run.world().report().kinetic_energy / start, 0.25, run);
+}
+
+/// The mean height of a gas under gravity. Its energy, not its temperature, is what stays.
+Trial run_column(Scene scene, const ContactMethod& method, double dt, bool is_quick) {
+  scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, 1);
+  TimedRun run(scene, with_step(method, dt));
+  const Report start = run.world().report();
+  const auto count = static_cast<double>(scene.bodies.size());
+  const double radius = scene.bodies.radius[0], weight = -scene.physics.gravity.y;
+  const auto height = [&](const Bodies& bodies) {
+    double sum = 0;
+    for (const Vec3d& x : bodies.position) sum += x.y - scene.domain.min.y - radius;
+    return sum / count;
+  };
+  const double energy = start.kinetic_energy / count + weight * height(scene.bodies);
+  const double mean = mean_of_looks(run, 0, is_quick ? 10 : 40, [&](World& world) { return height(world.bodies()); });
+  const Vec3d room = scene.domain.max - scene.domain.min - Vec3d(2 * radius);
+  return trial_of(mean, barometric_height(energy, weight, 2 * radius, count / (room.x * room.z)), run);
+}
+
+/// Large spheres and small ones, the small ones at first too slow.
+Scene uneven_mixture(uint64_t seed) {
+  Scene scene = equilibrium_mixture(kCells, seed);
+  for (size_t i = 1; i < scene.bodies.velocity.size(); i += 2) scene.bodies.velocity[i] *= 0.5;
+  stop_center(scene.bodies);
+  return scene;
+}
+
+/// The share of the energy that small spheres have come to: of each it is in proportion to 1 − m/M, where momentum is zero.
+Trial run_mixture(Scene scene, const ContactMethod& method, double dt, bool is_quick) {
+  constexpr double kSettle = 5;
+  const double large = scene.bodies.mass[0], small = scene.bodies.mass[1], all = kCount / 2 * (small + large);
+  scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, small / 2, 1);
+  TimedRun run(scene, with_step(method, dt));
+  const double share = mean_of_looks(run, kSettle, kSettle + (is_quick ? 5 : 20), [&](World& world) {
+    const Bodies bodies = world.bodies();
+    double energy[2] = {0, 0};
+    for (size_t i = 0; i < bodies.position.size(); ++i) {
+      energy[i % 2] += bodies.mass[i] * dot(bodies.velocity[i], bodies.velocity[i]);
+    }
+    return energy[1] / (energy[0] + energy[1]);
+  });
+  return trial_of(share, (1 - small / all) / (2 - (small + large) / all), run);
+}
+
+Task task_from(Starts starts, Trial (*run)(Scene, const ContactMethod&, double dt, bool is_quick), Task task) {
+  task.run = [starts, run](const ContactMethod& method, double dt, uint64_t seed, bool is_quick) mutable {
+    return run(starts.of(seed), method, dt, is_quick);
+  };
+  return task;
+}
+
+}  // namespace
+
+std::vector<Task> gas_tasks() {
+  return {
+      pressure_task(0.1, "gas-thin", "The pressure of a thin gas", 0.08, 40, 3, 5),
+      pressure_task(0.5, "gas", "The pressure of a dense gas", 0.04, 40, 3, 5),
+      pressure_task(0.8, "gas-dense", "The pressure of a very dense gas", 0.016, 20, 2, 4),
+      paths_task(0.1, "paths-thin", "A thin gas: where spheres are after two collisions each"),
+      paths_task(0.5, "paths", "A dense gas: where spheres are after two collisions each"),
+      task_from(gas_of(kEnergyRho), run_energy,
+                {"energy",
+                 "A dense gas that should keep its energy",
+                 "energy change in a sphere’s collision",
+                 "energy at the start",
+                 0.04,
+                 3,
+                 6,
+                 false,
+                 is_any,
+                 {}}),
+      task_from(gas_of(kCoolingRho), run_cooling,
+                {"cooling", "A gas that cools", "error of temperature", "Haff’s law", 0.08, 1, 4, true, is_any, {}}),
+      task_from(Starts(equilibrium_column), run_column,
+                {"column",
+                 "A gas under gravity",
+                 "error of mean height",
+                 "barometric formula, second virial coefficient",
+                 0.08,
+                 3,
+                 5,
+                 true,
+                 is_any,
+                 {}}),
+      task_from(Starts(uneven_mixture), run_mixture,
+                {"mixture",
+                 "Small spheres and large ones share their energy",
+                 "error of the small ones’ share",
+                 "equipartition at zero momentum",
+                 0.08,
+                 2,
+                 4,
+                 true,
+                 is_any,
+                 {}}),
+  };
+}
+
+}  // namespace ballpit
