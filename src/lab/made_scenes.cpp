@@ -94,9 +94,9 @@ void stop_center(Bodies& bodies) {
   for (Vec3d& v : bodies.velocity) v -= momentum / mass;
 }
 
-Scene equilibrium_gas(int cells, double rho, uint64_t seed) {
+Scene equilibrium_gas(int cells, double rho, uint64_t seed, double collisions) {
   Scene scene = lattice_gas(cells, rho, seed);
-  relax(scene, 40 / collision_rate(rho, static_cast<double>(scene.bodies.size())));
+  relax(scene, collisions / collision_rate(rho, static_cast<double>(scene.bodies.size())));
   return scene;
 }
 

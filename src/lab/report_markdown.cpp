@@ -11,7 +11,7 @@ namespace {
 std::string plain(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (std::string_view("\\`*_<|[]").find(c) != std::string_view::npos) result += '\\';
+    if (std::string_view("\\`*_<|[]&~$").find(c) != std::string_view::npos) result += '\\';
     result += c;
   }
   return result;

@@ -107,7 +107,7 @@ TEST_CASE(
   CHECK_THAT(page, !Contains("http") && !Contains("<script") && !Contains(" <&>"));
   const std::string markdown = report_markdown({section}, {"machine: some"}, "No charts: because");
   for (const std::string& text :
-       {std::string(experiment.question), std::string(" \\<&>**"), section.command, std::string("- machine: some\n"),
+       {std::string(experiment.question), std::string(" \\<\\&>**"), section.command, std::string("- machine: some\n"),
         std::string("**No charts: because**"), std::string("![Work](divergence/work.svg)"),
         std::string("| SIMD efficiency \\[%\\] |")}) {
     CHECK_THAT(markdown, Contains(text));
@@ -120,6 +120,12 @@ TEST_CASE("docs/lab tells what every experiment found in full, and holds its cha
   for (const Experiment& experiment : experiments()) {
     CHECK_THAT(page, Contains("## " + std::string(experiment.title) + "\n"));
     CHECK_THAT(page, Contains("](" + std::string(experiment.name) + "/"));
+  }
+  for (const Task& task : tasks()) CHECK_THAT(page, Contains("](work-precision/" + task.name + ".svg)"));
+  const std::filesystem::path folder(BALLPIT_SOURCE_DIR "/docs/lab");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".svg") continue;
+    CHECK_THAT(page, Contains("](" + std::filesystem::relative(entry.path(), folder).string() + ")"));
   }
 }
 

@@ -58,6 +58,23 @@ TEST_CASE("a column of points has two fifths of its energy in its height, one of
   CHECK(barometric_height(2.5, 1, diameter, per_area) == Approx(2 * 2.5 / 5.01 * 1.005).epsilon(1e-9));
 }
 
+TEST_CASE("the column's height is that of its hydrostatics, to the second order of the density") {
+  // dP/dy = −w·n with P = kT·(n + B·n²): y(n) = H·(ln(n₀/n) + 2B·(n₀ − n)), H = kT/w.
+  constexpr double kT = 1.3, kWeight = 2.1, kDiameter = 0.5, kFloor = 0.12, kH = kT / kWeight;
+  const double b = 2 * M_PI / 3 * std::pow(kDiameter, 3), per_area = kH * (kFloor + b * kFloor * kFloor);
+  double moment = 0;
+  constexpr int kSlices = 100'000;
+  for (int k = 0; k < kSlices; ++k) {
+    const double dn = kFloor / kSlices, n = (k + 0.5) * dn;
+    moment += kH * (std::log(kFloor / n) + 2 * b * (kFloor - n)) * n * kH * (1 / n + 2 * b) * dn;
+  }
+  const double height = moment / per_area, beta = b * kFloor;
+  CHECK(beta > 0.03);
+  CHECK(barometric_height(1.5 * kT + kWeight * height, kWeight, kDiameter, per_area) ==
+        Approx(height).epsilon(beta * beta));
+  CHECK(std::fabs(barometric_height(1.5 * kT + kWeight * height, kWeight, 0, per_area) / height - 1) > 5 * beta * beta);
+}
+
 TEST_CASE("springs, sweeps and rounding have their limits") {
   CHECK(contact_duration(1e4, 0.5, 0) == Approx(M_PI * std::sqrt(0.5e-4)));
   CHECK(contact_duration(stiffness_of_duration(0.02, 0.5, 0.3), 0.5, 0.3) == Approx(0.02));

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,8 @@ namespace ballpit {
 
 /// One run of a method: how far off, and what it cost. A run that stops, or whose outcome is none, is off by infinity.
 struct Trial {
-  double off = std::numeric_limits<double>::infinity();  ///< as a part of the true value; signed where it is a mean's
-  double seconds = 0;                                    ///< of stepping, for a second simulated
+  double off = 0;      ///< as a part of the true value; signed where it is a mean's
+  double seconds = 0;  ///< of stepping, for a second simulated
 };
 
 struct Task {

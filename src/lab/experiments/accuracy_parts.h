@@ -2,6 +2,7 @@
 // The parts of the table of tasks, a file each, and what they share.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "lab/experiments/accuracy.h"
@@ -19,6 +20,8 @@ inline Settings with_step(const ContactMethod& method, double dt) {
   settings.dt = dt;
   return settings;
 }
+
+inline constexpr double kFailed = std::numeric_limits<double>::infinity();  ///< what a run that stops is off by
 
 inline bool is_any(const ContactMethod&) { return true; }
 

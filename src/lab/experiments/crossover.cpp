@@ -60,8 +60,9 @@ std::vector<double> time_in_turns(const std::vector<const Entry*>& entries, cons
   for (int repeat = 1; repeat <= kRepeats; ++repeat) {
     for (size_t k = 0; k < runs.size(); ++k) {
       const double before = runs[k].world().time(), spent = runs[k].spent();
-      runs[k].reach(before + parts[k]);
-      seconds.push_back((runs[k].spent() - spent) / (runs[k].world().time() - before));
+      const bool is_there = runs[k].reach(before + parts[k]);
+      const double simulated = runs[k].world().time() - before;
+      seconds.push_back(is_there ? (runs[k].spent() - spent) / simulated : INFINITY);
     }
   }
   return seconds;
@@ -130,6 +131,13 @@ Chart error_chart(const std::vector<Entry>& entries) {
   return chart;
 }
 
+/// "stops, from 10 976 spheres on"
+std::string stops_from(const Entry& entry) {
+  const auto stopped =
+      std::find_if(entry.points.begin(), entry.points.end(), [](const Point& p) { return std::isinf(p.y); });
+  return "stops, from " + grouped(static_cast<int64_t>(stopped->x)) + " spheres on";
+}
+
 std::vector<Table> tables_of(const std::vector<Entry>& entries) {
   Table errors{"errors", {{"response"}, {"step"}, {"error of Z", "%"}, {"standard error", "%"}}, {}};
   Table times{"times",
@@ -144,7 +152,8 @@ std::vector<Table> tables_of(const std::vector<Entry>& entries) {
     const Cell step = is_exact(*entry.who) ? Cell("any: exact")
                       : entry.dt > 0       ? Cell(number_text(entry.dt))
                                            : Cell("none tried");
-    steps.rows.push_back({who, step, entry.points.empty() ? kNoNumber : entry.points.back().y});
+    const double most = entry.points.empty() ? kNoNumber : entry.points.back().y;
+    steps.rows.push_back({who, step, std::isinf(most) ? Cell(stops_from(entry)) : Cell(most)});
   }
   return {std::move(steps), std::move(times), std::move(errors)};
 }
@@ -175,14 +184,13 @@ std::string answer_of(const std::vector<Entry>& entries) {
   for (size_t k = 0; k < spheres.size(); ++k) {
     const Entry* now = fastest_at(entries, k, best);
     if (now == best) continue;
-    if (best != nullptr) text += ", from " + grouped(static_cast<int64_t>(spheres[k].x)) + " spheres on ";
-    text += now->who->label;
+    if (best != nullptr) text += ", from " + grouped(static_cast<int64_t>(spheres[k].x)) + " spheres on";
+    text.append(best != nullptr ? " “" : "“").append(now->who->label).append(best != nullptr ? "”" : "” is fastest");
     best = now;
   }
-  text += " is fastest";
   if (const Entry* next = next_fastest(entries, best)) {
-    text += "; among " + grouped(static_cast<int64_t>(spheres.back().x)) + " spheres, " + next->who->label + " takes " +
-            three_digits(next->points.back().y / best->points.back().y) + " times as long";
+    text += "; among " + grouped(static_cast<int64_t>(spheres.back().x)) + " spheres, “" + next->who->label +
+            "” takes " + three_digits(next->points.back().y / best->points.back().y) + " times as long";
   }
   return text + ".";
 }
@@ -204,7 +212,9 @@ Findings run(Lab& lab) {
       "spheres against the literature's value, step by step (bars: one standard error; × where it is beyond 30 %, or "
       "the run stopped): each response then takes the largest step that holds 2 %, and whose half does, too. Second, "
       "the time for a unit of simulated time at that step, on one thread in double precision, medians and quartiles "
-      "of five repeats in turns. Discrete impulses see each hit up to a step late, so they need short steps; swept "
+      "of five repeats in turns; × where runs stop: among many spheres some pair soon "
+      "overlaps by more than a radius, which the guard refuses. Discrete impulses see each hit up to a step late, so "
+      "they need short steps; swept "
       "ones find the hit inside the step. Penalty's springs last 20 steps, so soft spheres come with long steps. "
       "Exact motion needs no steps at all, but handles one collision after the other. What is no contender here, as "
       "position-based, has no elastic gas.";
