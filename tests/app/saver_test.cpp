@@ -13,12 +13,20 @@
 using namespace ballpit;
 namespace fs = std::filesystem;
 
-TEST_CASE("pictures and states take the first free name, and the audience is told") {
+namespace {
+
+/// A demonstration that saves into a folder of its own.
+struct Operated {
   const Scratch scratch;
-  const Within within(scratch.path());
+  const Within within{scratch.path()};
   const GlContext context;
-  Demo demo("lecture-grid", {{"threads", "1"}});
-  Saver saver(demo);
+  Demo demo{"lecture-grid", {{"threads", "1"}}};
+  Saver saver{demo};
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Operated, "pictures and states take the first free name, and the audience is told") {
   saver.save_picture({160, 90});
   CHECK(demo.message() == "saved picture_00000.png");
   saver.save_picture({160, 90});
@@ -33,12 +41,7 @@ TEST_CASE("pictures and states take the first free name, and the audience is tol
   CHECK(again.json()["count"] == 20);
 }
 
-TEST_CASE("an exported film has the frames that render makes") {
-  const Scratch scratch;
-  const Within within(scratch.path());
-  const GlContext context;
-  Demo demo("lecture-grid", {{"threads", "1"}});
-  Saver saver(demo);
+TEST_CASE_METHOD(Operated, "an exported film has the frames that render makes") {
   saver.start_film({320, 180}, 4);
   CHECK_FALSE(demo.player.is_running);
   int turns = 0;
@@ -57,13 +60,8 @@ TEST_CASE("an exported film has the frames that render makes") {
   CHECK_FALSE(fs::exists("frames_00000/frame_00004.png"));
 }
 
-TEST_CASE("a film ends with the world that it shows") {
-  const Scratch scratch;
-  const Within within(scratch.path());
-  const GlContext context;
-  Demo demo("lecture-grid", {{"threads", "1"}});
+TEST_CASE_METHOD(Operated, "a film ends with the world that it shows") {
   for (int k = 0; k < 100; ++k) demo.step();
-  Saver saver(demo);
   saver.start_film({160, 90}, 100);
   saver.go_on();
   demo.set("broadphase", "sort-and-sweep");  // the same world
@@ -75,12 +73,7 @@ TEST_CASE("a film ends with the world that it shows") {
   CHECK(demo.session.world().steps() == 0);
 }
 
-TEST_CASE("a film ends where the world is stepped beyond its next frame") {
-  const Scratch scratch;
-  const Within within(scratch.path());
-  const GlContext context;
-  Demo demo("lecture-grid", {{"threads", "1"}});
-  Saver saver(demo);
+TEST_CASE_METHOD(Operated, "a film ends where the world is stepped beyond its next frame") {
   saver.start_film({160, 90}, 100);
   saver.go_on();
   for (int k = 0; k < 60; ++k) demo.step();
@@ -89,12 +82,7 @@ TEST_CASE("a film ends where the world is stepped beyond its next frame") {
   CHECK(demo.message() == "1 frame in frames_00000");
 }
 
-TEST_CASE("a film that is stopped keeps its frames; one that cannot be drawn says why") {
-  const Scratch scratch;
-  const Within within(scratch.path());
-  const GlContext context;
-  Demo demo("lecture-grid", {{"threads", "1"}});
-  Saver saver(demo);
+TEST_CASE_METHOD(Operated, "a film that is stopped keeps its frames; one that cannot be drawn says why") {
   saver.start_film({160, 90}, 100);
   saver.go_on();
   saver.go_on();
