@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Worlds on an NVIDIA GPU in double precision.
 #include "cuda_executor.h"
+#include "simulate/force_substepper.h"
+#include "simulate/position_substepper.h"
+#include "simulate/response/impulse_substepper.h"
+#include "simulate/response/kinematic_substepper.h"
 #include "simulate/world_on.h"
 
 namespace ballpit {

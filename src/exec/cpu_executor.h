@@ -224,19 +224,14 @@ class CpuExecutor {
 
   template <class Kernel>
   void run(int64_t n, int64_t grain, const Kernel& kernel) {
-    if (n <= grain || pool_.threads() == 1) {
-      run_range(0, n, kernel);
-    } else {
-      const auto run_block = [&](int64_t begin, int64_t end) { run_range(begin, end, kernel); };
-      pool_.run_blocks(n, grain, BlockBody(run_block));
-    }
+    pool_.run_blocks(n, grain, LoopBody(&run_range<Kernel>, &kernel));
   }
 
   /// A copy of the kernel that nothing else can point to, and all calls inlined: its spans and scalars then stay in
-  /// registers. Measured: about a seventh off the step.
+  /// registers. Measured: about a seventh off the step. Compiled once for a kernel: never inlined itself.
   template <class Kernel>
-  [[gnu::flatten]] static void run_range(int64_t begin, int64_t end, const Kernel& shared) {
-    const Kernel kernel = shared;
+  [[gnu::flatten, gnu::noinline]] static void run_range(const void* shared, int64_t begin, int64_t end) {
+    const Kernel kernel = *static_cast<const Kernel*>(shared);
     for (int64_t i = begin; i != end; ++i) kernel(static_cast<int>(i));
   }
 

@@ -23,7 +23,7 @@ struct ThreadPool::Team {};
 ThreadPool::ThreadPool(int threads)
     : threads_(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency())) {}
 
-void ThreadPool::run_blocks(int64_t n, int64_t grain, BlockBody body) {
+void ThreadPool::run_blocks_at_once(int64_t n, int64_t grain, LoopBody body) {
   std::vector<std::thread> team;
   for (int t = 0; t < threads_; ++t) {
     // Every thread gets its share, however late it starts: a loop that one thread did alone would show no race.
@@ -46,7 +46,7 @@ ThreadPool::ThreadPool(int threads)
     : team_(new Team{.arena = tbb::task_arena(threads > 0 ? threads : tbb::info::default_concurrency())}),
       threads_(team_->arena.max_concurrency()) {}
 
-void ThreadPool::run_blocks(int64_t n, int64_t grain, BlockBody body) {
+void ThreadPool::run_blocks_at_once(int64_t n, int64_t grain, LoopBody body) {
   team_->arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<int64_t>(0, n, static_cast<size_t>(grain)),
                       [&](const auto& range) { body(range.begin(), range.end()); });
@@ -56,5 +56,13 @@ void ThreadPool::run_blocks(int64_t n, int64_t grain, BlockBody body) {
 #endif
 
 ThreadPool::~ThreadPool() = default;
+
+void ThreadPool::run_blocks(int64_t n, int64_t grain, LoopBody body) {
+  if (n <= grain || threads_ == 1) {
+    body(0, n);
+  } else {
+    run_blocks_at_once(n, grain, body);
+  }
+}
 
 }  // namespace ballpit

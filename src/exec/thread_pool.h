@@ -3,8 +3,8 @@
 // not compiled with it, so the sanitizer sees neither its hand-overs nor their order and reports every loop. There, the
 // blocks go to plain threads, made for each loop: slow, but every race that it then reports is one of our kernels.
 //
-// The loop's body is passed as a pointer to a function, so that oneTBB's templates are compiled once, in thread_pool.cpp,
-// and not again for each kernel. A block has hundreds of indices or more: the indirect call costs nothing beside it.
+// A loop's body is passed as a pointer to a function, so that oneTBB's templates are compiled once, in thread_pool.cpp,
+// and not again for each kernel.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,18 @@ namespace ballpit {
 
 inline constexpr int kMaxThreads = 256;
 
-/// A reference to any callable as body(begin, end). It must not outlive the callable.
-class BlockBody {
+/// A loop's body: a function that runs a block of indices, and the data that it is given.
+class LoopBody {
  public:
-  template <class Body>
-  explicit BlockBody(const Body& body)
-      : body_(&body),
-        call_([](const void* at, int64_t begin, int64_t end) { (*static_cast<const Body*>(at))(begin, end); }) {}
+  using RunBlock = void (*)(const void* data, int64_t begin, int64_t end);
 
-  void operator()(int64_t begin, int64_t end) const { call_(body_, begin, end); }
+  LoopBody(RunBlock run_block, const void* data) : run_block_(run_block), data_(data) {}
+
+  void operator()(int64_t begin, int64_t end) const { run_block_(data_, begin, end); }
 
  private:
-  const void* body_;
-  void (*call_)(const void* body, int64_t begin, int64_t end);
+  RunBlock run_block_;
+  const void* data_;
 };
 
 class ThreadPool {
@@ -38,10 +37,13 @@ class ThreadPool {
   int threads() const { return threads_; }
 
   /// Calls body(begin, end) for blocks of at least `grain` (but the last) that make up 0 … n−1, at once; waits for all.
-  void run_blocks(int64_t n, int64_t grain, BlockBody body);
+  /// A loop of one block, or on one thread, runs in the calling thread.
+  void run_blocks(int64_t n, int64_t grain, LoopBody body);
 
  private:
   struct Team;
+
+  void run_blocks_at_once(int64_t n, int64_t grain, LoopBody body);
 
   std::unique_ptr<Team> team_;
   int threads_;

@@ -72,17 +72,7 @@ class StepState {
   }
 
   /// Contacts are found so from now on. What cannot be, or lacks memory for it, throws before anything has changed.
-  void detect_by(const Settings& settings) {
-    auto parameters = parameters_of(settings, count(), radii());
-    BroadPhaseChoice choice = choose_broad_phase(settings, parameters);
-    Detector<V, Exec> detector(choice.method, parameters, skin_of(settings));
-    detector.find(*exec_, bodies());
-    parameters_ = std::move(parameters);
-    choice_ = std::move(choice);
-    detector_ = std::move(detector);
-    forget_contacts();
-    is_list_without_margin_ = false;
-  }
+  void detect_by(const Settings& settings);
 
   /// The pairs in contact at the present positions, in canonical order.
   Span<const Pair> pairs() {
@@ -91,55 +81,20 @@ class StepState {
   }
 
   /// The same, measured with the present velocities and listed by body.
-  ContactsView<V> contacts() {
-    detect();
-    list_.build(*exec_, detector_.pairs(), detector_.first(), bodies(), box_);
-    return list_.view();
-  }
+  ContactsView<V> contacts();
 
   /// Pairs among which all contacts are, in canonical order, found once for the same positions.
-  const NearPairs& near_pairs() {
-    if (has_near_pairs_) return near_pairs_;
-    const bool are_found = is_detected_ && !detector_.has_used_list();
-    const int64_t searches = detector_.searches();
-    near_pairs_ = are_found ? detector_.contacts() : detector_.near_pairs(*exec_, bodies());
-    is_list_without_margin_ |= detector_.searches() > searches;
-    has_near_pairs_ = true;
-    is_detected_ = is_detected_ || near_pairs_.are_contacts;
-    return near_pairs_;
-  }
+  const NearPairs& near_pairs();
 
   /// The same, listed by body, and not measured; listed anew only where the pairs are others.
-  ContactsView<V> linked_near_pairs() {
-    const NearPairs& near = near_pairs();
-    if (linked_version_ != near.version) {
-      near_list_.link(*exec_, near.pairs, near.first);
-      linked_version_ = near.version;
-    }
-    return near_list_.view();
-  }
+  ContactsView<V> linked_near_pairs();
 
   /// The contacts of spheres whose radii are larger by the margin: those that touch, and those that may come to touch while
   /// positions are changed a little. Measured as they are, so overlaps may be negative.
-  ContactsView<V> near_contacts() {
-    grown_.resize(radius_.size());
-    exec_->parallel_for("grow radii", grown_.size(), AddMargin<Real>{radius_.span(), margin_, grown_.span()});
-    BodiesView<V> grown = bodies();
-    grown.radius = per_body(grown_);
-    if (is_list_without_margin_) detector_.discard();
-    is_list_without_margin_ = false;
-    detector_.find(*exec_, grown);
-    is_detected_ = false;
-    list_.build(*exec_, detector_.pairs(), detector_.first(), bodies(), box_);
-    return list_.view();
-  }
+  ContactsView<V> near_contacts();
 
   /// To be called by whoever has changed positions. They may have left a periodic domain.
-  void moved() {
-    if (box_.is_periodic()) exec_->parallel_for("wrap", count(), Wrap<V>{box_, position.span()});
-    detector_.moved();
-    is_detected_ = has_near_pairs_ = false;
-  }
+  void moved();
 
   /// Whether the candidate list shows that all bodies are inside the domain; no pass over them then, but the list's own.
   bool shows_all_inside() { return detector_.shows_all_inside(*exec_, bodies()); }
@@ -179,17 +134,7 @@ class StepState {
   }
 
   /// In double precision, by id.
-  Bodies download(const Buffer<V>& position_of, const Buffer<V>& velocity_of) const {
-    Bodies result;
-    for (const V& p : downloaded(position_of)) result.position.push_back(widen(p));
-    for (const V& v : downloaded(velocity_of)) result.velocity.push_back(widen(v));
-    const auto radius = downloaded(radius_), inverse = downloaded(inverse_mass_);
-    for (size_t i = 0; i < result.position.size(); ++i) {
-      result.radius.push_back(radius[radius.size() == 1 ? 0 : i]);
-      result.mass.push_back(1.0 / inverse[inverse.size() == 1 ? 0 : i]);
-    }
-    return result;
-  }
+  Bodies download(const Buffer<V>& position_of, const Buffer<V>& velocity_of) const;
 
   std::vector<Real> radii() const { return downloaded(radius_); }
 
@@ -248,14 +193,7 @@ class StepState {
     is_detected_ = has_near_pairs_ = false;
   }
 
-  void detect() {
-    if (is_detected_) return;
-    const int64_t searches = detector_.searches();
-    detector_.find(*exec_, bodies());
-    is_detected_ = true;
-    has_near_pairs_ = false;  // where there is no candidate list, these were its memory
-    is_list_without_margin_ |= detector_.searches() > searches;
-  }
+  void detect();
 
   std::unique_ptr<Exec> exec_;
   Box<V> box_;
@@ -275,5 +213,91 @@ class StepState {
   bool is_detected_ = false, has_near_pairs_ = false;
   bool is_list_without_margin_ = false;  // it lacks what near_contacts() asks for
 };
+
+template <class V, class Exec>
+void StepState<V, Exec>::detect_by(const Settings& settings) {
+  auto parameters = parameters_of(settings, count(), radii());
+  BroadPhaseChoice choice = choose_broad_phase(settings, parameters);
+  Detector<V, Exec> detector(choice.method, parameters, skin_of(settings));
+  detector.find(*exec_, bodies());
+  parameters_ = std::move(parameters);
+  choice_ = std::move(choice);
+  detector_ = std::move(detector);
+  forget_contacts();
+  is_list_without_margin_ = false;
+}
+
+template <class V, class Exec>
+ContactsView<V> StepState<V, Exec>::contacts() {
+  detect();
+  list_.build(*exec_, detector_.pairs(), detector_.first(), bodies(), box_);
+  return list_.view();
+}
+
+template <class V, class Exec>
+const NearPairs& StepState<V, Exec>::near_pairs() {
+  if (has_near_pairs_) return near_pairs_;
+  const bool are_found = is_detected_ && !detector_.has_used_list();
+  const int64_t searches = detector_.searches();
+  near_pairs_ = are_found ? detector_.contacts() : detector_.near_pairs(*exec_, bodies());
+  is_list_without_margin_ |= detector_.searches() > searches;
+  has_near_pairs_ = true;
+  is_detected_ = is_detected_ || near_pairs_.are_contacts;
+  return near_pairs_;
+}
+
+template <class V, class Exec>
+ContactsView<V> StepState<V, Exec>::linked_near_pairs() {
+  const NearPairs& near = near_pairs();
+  if (linked_version_ != near.version) {
+    near_list_.link(*exec_, near.pairs, near.first);
+    linked_version_ = near.version;
+  }
+  return near_list_.view();
+}
+
+template <class V, class Exec>
+ContactsView<V> StepState<V, Exec>::near_contacts() {
+  grown_.resize(radius_.size());
+  exec_->parallel_for("grow radii", grown_.size(), AddMargin<Real>{radius_.span(), margin_, grown_.span()});
+  BodiesView<V> grown = bodies();
+  grown.radius = per_body(grown_);
+  if (is_list_without_margin_) detector_.discard();
+  is_list_without_margin_ = false;
+  detector_.find(*exec_, grown);
+  is_detected_ = false;
+  list_.build(*exec_, detector_.pairs(), detector_.first(), bodies(), box_);
+  return list_.view();
+}
+
+template <class V, class Exec>
+void StepState<V, Exec>::moved() {
+  if (box_.is_periodic()) exec_->parallel_for("wrap", count(), Wrap<V>{box_, position.span()});
+  detector_.moved();
+  is_detected_ = has_near_pairs_ = false;
+}
+
+template <class V, class Exec>
+Bodies StepState<V, Exec>::download(const Buffer<V>& position_of, const Buffer<V>& velocity_of) const {
+  Bodies result;
+  for (const V& p : downloaded(position_of)) result.position.push_back(widen(p));
+  for (const V& v : downloaded(velocity_of)) result.velocity.push_back(widen(v));
+  const auto radius = downloaded(radius_), inverse = downloaded(inverse_mass_);
+  for (size_t i = 0; i < result.position.size(); ++i) {
+    result.radius.push_back(radius[radius.size() == 1 ? 0 : i]);
+    result.mass.push_back(1.0 / inverse[inverse.size() == 1 ? 0 : i]);
+  }
+  return result;
+}
+
+template <class V, class Exec>
+void StepState<V, Exec>::detect() {
+  if (is_detected_) return;
+  const int64_t searches = detector_.searches();
+  detector_.find(*exec_, bodies());
+  is_detected_ = true;
+  has_near_pairs_ = false;  // where there is no candidate list, these were its memory
+  is_list_without_margin_ |= detector_.searches() > searches;
+}
 
 }  // namespace ballpit

@@ -62,32 +62,11 @@ class TallyKeeper {
   explicit TallyKeeper(bool is_kept) : is_kept_(is_kept) {}
 
   /// Where the response is to note its impulses.
-  ImpulseNotes<V> begin(Exec& exec, int64_t bodies, int64_t contacts) {
-    if (!is_kept_) return {};
-    contact_.resize(contacts);
-    floor_.resize(bodies);
-    exec.fill("clear notes", contact_.span(), Real(0));
-    exec.fill("clear notes", floor_.span(), Real(0));
-    return {contact_.span(), floor_.span()};
-  }
+  ImpulseNotes<V> begin(Exec& exec, int64_t bodies, int64_t contacts);
 
   /// Adds them to the tally; `counts` tells whether new contacts are collisions, as at the first of a step's evaluations.
   void end(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs,
-           Span<const ContactGeometry<V>> geometry, bool counts = true) {
-    if (!is_kept_) return;
-    const int64_t n = bodies.size();
-    if (before_.size() != n) {
-      before_.resize(n);
-      exec.parallel_for("note positions", n, CopyValues<V>{bodies.position, before_.span()});
-    }
-    const Collisions sum =
-        reduce(exec, "sum impulses", pairs.size(), Collisions{},
-               CollisionOf<V>{bodies, pairs, geometry, box, before_.span(), contact_.span(), counts}, Sum{});
-    tally_.collisions += sum.count;
-    tally_.virial += sum.virial;
-    tally_.floor_impulse += reduce(exec, "sum impulses", n, 0.0, DoubleAt<Real>{floor_.span()}, Sum{});
-    if (counts) exec.parallel_for("note positions", n, CopyValues<V>{bodies.position, before_.span()});
-  }
+           Span<const ContactGeometry<V>> geometry, bool counts = true);
 
   /// Calls rearrange(values) for what is kept for each body.
   template <class Rearrange>
@@ -111,5 +90,33 @@ class TallyKeeper {
   Buffer<Real> contact_, floor_;
   Buffer<V> before_;
 };
+
+template <class V, class Exec>
+ImpulseNotes<V> TallyKeeper<V, Exec>::begin(Exec& exec, int64_t bodies, int64_t contacts) {
+  if (!is_kept_) return {};
+  contact_.resize(contacts);
+  floor_.resize(bodies);
+  exec.fill("clear notes", contact_.span(), Real(0));
+  exec.fill("clear notes", floor_.span(), Real(0));
+  return {contact_.span(), floor_.span()};
+}
+
+template <class V, class Exec>
+void TallyKeeper<V, Exec>::end(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs,
+         Span<const ContactGeometry<V>> geometry, bool counts) {
+  if (!is_kept_) return;
+  const int64_t n = bodies.size();
+  if (before_.size() != n) {
+    before_.resize(n);
+    exec.parallel_for("note positions", n, CopyValues<V>{bodies.position, before_.span()});
+  }
+  const Collisions sum =
+      reduce(exec, "sum impulses", pairs.size(), Collisions{},
+             CollisionOf<V>{bodies, pairs, geometry, box, before_.span(), contact_.span(), counts}, Sum{});
+  tally_.collisions += sum.count;
+  tally_.virial += sum.virial;
+  tally_.floor_impulse += reduce(exec, "sum impulses", n, 0.0, DoubleAt<Real>{floor_.span()}, Sum{});
+  if (counts) exec.parallel_for("note positions", n, CopyValues<V>{bodies.position, before_.span()});
+}
 
 }  // namespace ballpit

@@ -2,30 +2,22 @@
 // The world, written once for every executor, number of dimensions and precision. A step, from top to bottom:
 //
 //     sort       now and then, bodies in memory by where they are
-//     substeps   detect, respond, integrate: motion.h
+//     substeps   detect, respond, integrate: substepper.h
 //     guard      no sphere has left; now and then: nothing overlaps too much, no energy came from nowhere
 //
-// Instantiated for each vector type by worlds_cpu_*.cpp and cuda/worlds_cuda_*.cu.
+// Instantiated for each vector type by worlds_cpu.cpp and cuda/worlds_cuda_*.cu.
 #pragma once
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
 #include <utility>
-#include <variant>
 
 #include "simulate/guard.h"
 #include "simulate/inspect_more.h"
-#include "simulate/integrate/explicit_euler.h"
-#include "simulate/integrate/rk4.h"
-#include "simulate/integrate/symplectic_euler.h"
-#include "simulate/integrate/velocity_verlet.h"
 #include "simulate/make_world.h"
 #include "simulate/measure.h"
-#include "simulate/methods.h"
-#include "simulate/motion.h"
-#include "simulate/response/impulse.h"
-#include "simulate/response/kinematic.h"
+#include "simulate/substepper.h"
 #include "simulate/snapshot.h"
 #include "simulate/world.h"
 #include "simulate/write_bodies.h"
@@ -37,30 +29,23 @@ class WorldOn final : public World {
   using Real = Scalar<V>;
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
-  using Motion =
-      std::variant<VelocityMotion<V, Exec, ImpulseResponse<V, Exec>>,
-                   VelocityMotion<V, Exec, KinematicResponse<V, Exec>>, PositionMotion<V, Exec>,
-                   ForceMotion<V, Exec, ExplicitEuler<V, Exec>>, ForceMotion<V, Exec, SymplecticEuler<V, Exec>>,
-                   ForceMotion<V, Exec, VelocityVerlet<V, Exec>>, ForceMotion<V, Exec, RungeKutta4<V, Exec>>>;
 
  public:
   WorldOn(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings)
       : dt_(settings.dt),
         substeps_(settings.substeps),
         state_(std::move(exec), scene, settings, margin_of(scene, settings)),
-        motion_(make_motion(scene, settings)),
+        substepper_(make_substepper<V, Exec>(scene, settings)),
         tally_(settings.keeps_tally),
         guard_(settings.max_overlap, settings.max_energy) {}
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
-    if (!guard_.is_started()) guard_.start(state_, elastic_energy());
+    if (!guard_.is_started()) guard_.start(state_, substepper_->elastic_energy(state_));
     if (state_.order().is_due(steps_)) sort();
     ++steps_;
     const Real h = static_cast<Real>(dt_ / substeps_);
-    for (int k = 0; k < substeps_; ++k) {
-      std::visit([&](auto& motion) { motion.substep(state_, tally_, h); }, motion_);
-    }
+    for (int k = 0; k < substeps_; ++k) substepper_->substep(state_, tally_, h);
     guard_.check_inside(state_, steps_, time());
     if (guard_.is_due(steps_)) guard_.check(state_, steps_, time());
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -98,10 +83,9 @@ class WorldOn final : public World {
     report.searches = state_.detector().searches();
     report.detection_bytes = state_.detector().bytes();
     report.body_bytes = state_.bytes();
-    report.motion_bytes =
-        std::visit([](auto& motion) { return motion.bytes(); }, motion_) + guard_.bytes() + tally_.bytes();
+    report.motion_bytes = substepper_->bytes() + guard_.bytes() + tally_.bytes();
     measure_motion(exec, state_.bodies(), state_.gravity(), report);
-    report.elastic_energy = elastic_energy();
+    report.elastic_energy = substepper_->elastic_energy(state_);
     report.max_overlap = largest_overlap(exec, state_.bodies(), state_.box(), state_.pairs());
     report.state_hash = reduce(exec, "hash state", state_.count(), uint64_t(0),
                                HashOfBody<V>{state_.bodies(), state_.order().id_at()}, Sum{});
@@ -147,62 +131,9 @@ class WorldOn final : public World {
     return 0.01 * *std::max_element(radius.begin(), radius.end()) + length(scene.physics.gravity) * h * h;
   }
 
-  static Motion make_motion(const Scene& scene, const Settings& settings) {
-    const Physics& physics = scene.physics;
-    if (settings.response == "kinematic") {
-      return VelocityMotion<V, Exec, KinematicResponse<V, Exec>>(
-          KinematicResponse<V, Exec>(physics.restitution, physics.wall_restitution), settings.is_swept);
-    }
-    if (settings.response == "position-based") return PositionMotion<V, Exec>(position_parameters(physics, settings));
-    if (settings.response == "penalty") return make_force_motion(penalty_law(scene, settings), settings);
-    return VelocityMotion<V, Exec, ImpulseResponse<V, Exec>>(
-        ImpulseResponse<V, Exec>(impulse_parameters(physics, settings)), settings.is_swept);
-  }
-
-  static Motion make_force_motion(const PenaltyLaw<Real>& law, const Settings& settings) {
-    const std::string integrator = integrator_of(settings);
-    if (integrator == "explicit-euler") return ForceMotion<V, Exec, ExplicitEuler<V, Exec>>(law);
-    if (integrator == "symplectic-euler") return ForceMotion<V, Exec, SymplecticEuler<V, Exec>>(law);
-    if (integrator == "rk4") return ForceMotion<V, Exec, RungeKutta4<V, Exec>>(law);
-    return ForceMotion<V, Exec, VelocityVerlet<V, Exec>>(law);
-  }
-
-  static ImpulseParameters impulse_parameters(const Physics& physics, const Settings& settings) {
-    const double gravity = length(physics.gravity);
-    ImpulseParameters parameters;
-    parameters.restitution = physics.restitution;
-    parameters.wall_restitution = physics.wall_restitution;
-    parameters.push_limit = kPushSteps * gravity * settings.dt / settings.substeps;
-    parameters.correction = gravity > 0 ? 0.0 : 0.4;
-    if (settings.iterations) parameters.iterations = *settings.iterations;
-    parameters.is_by_colour = settings.solver == "gauss-seidel";
-    if (settings.correction != "split") {
-      parameters.push = parameters.foresight = parameters.slop = 0;
-      parameters.entered = parameters.correction = settings.correction == "surface" ? 1 : 0;
-    }
-    return parameters;
-  }
-
-  static PositionBasedParameters position_parameters(const Physics& physics, const Settings& settings) {
-    return {physics.restitution, physics.wall_restitution, settings.compliance, length(physics.gravity),
-            settings.iterations.value_or(1)};
-  }
-
-  static PenaltyLaw<Real> penalty_law(const Scene& scene, const Settings& settings) {
-    const Physics& physics = scene.physics;
-    const bool ends_with_force = settings.contact_end == "force",
-               has_walls = scene.domain.boundary != Boundary::periodic;
-    return {static_cast<Real>(physics.stiffness),
-            static_cast<Real>(damping_of(physics.restitution, ends_with_force)),
-            has_walls ? static_cast<Real>(damping_of(physics.wall_restitution, ends_with_force)) : Real(0),
-            static_cast<Real>(physics.shear),
-            physics.law == "hertz",
-            ends_with_force};
-  }
-
   void sort() {
     state_.sort([&](const auto& rearrange) {
-      std::visit([&](auto& motion) { motion.for_each_kept(rearrange); }, motion_);
+      for (Buffer<V>* const values : substepper_->kept()) rearrange(*values);
       tally_.for_each_kept(rearrange);
       guard_.for_each_kept(rearrange);
     });
@@ -213,22 +144,9 @@ class WorldOn final : public World {
   void for_each_saved(const Visit& visit) {
     visit(steps_);
     state_.for_each_saved(visit);
-    std::visit([&](auto& motion) { motion.for_each_kept(visit); }, motion_);
+    for (Buffer<V>* const values : substepper_->kept()) visit(*values);
     tally_.for_each_saved(visit);
     guard_.for_each_saved(state_, time(), visit);
-  }
-
-  /// [J] in springs; 0 for responses without.
-  double elastic_energy() {
-    return std::visit(
-        [&](auto& motion) {
-          if constexpr (requires { motion.elastic_energy(state_); }) {
-            return motion.elastic_energy(state_);
-          } else {
-            return 0.0;
-          }
-        },
-        motion_);
   }
 
   static std::vector<float> flat(const std::vector<V>& values) {
@@ -240,14 +158,10 @@ class WorldOn final : public World {
     return result;
   }
 
-  // Old overlap is pushed out at most as fast as a body falls in so many steps: enough to carry a heap as many spheres
-  // high, and no more, so that freed overlap does not throw spheres up.
-  static constexpr double kPushSteps = 100;
-
   double dt_;  // [s]
   int substeps_;
   StepState<V, Exec> state_;
-  Motion motion_;
+  std::unique_ptr<Substepper<V, Exec>> substepper_;
   TallyKeeper<V, Exec> tally_;
   Guard<V, Exec> guard_;
   int64_t steps_ = 0;

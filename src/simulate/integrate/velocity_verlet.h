@@ -66,11 +66,8 @@ class VelocityVerlet {
                       HalfKick<Scalar<V>>{dt, components(acceleration), components(state.velocity.span())});
   }
 
-  /// Calls rearrange(values) for what is kept for each body.
-  template <class Rearrange>
-  void for_each_kept(const Rearrange& rearrange) {
-    rearrange(acceleration_);
-  }
+  /// What is kept for each body.
+  Buffer* kept() { return &acceleration_; }
 
   int64_t bytes() const { return acceleration_.bytes(); }
 

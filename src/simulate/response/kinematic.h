@@ -105,11 +105,8 @@ class KinematicResponse {
   /// How far each body is to move beside its velocity [m], after respond().
   Span<const V> correction() const { return back_.span(); }
 
-  /// Calls rearrange(values) for what is kept for each body.
-  template <class Rearrange>
-  void for_each_kept(const Rearrange& rearrange) {
-    rearrange(valid_);
-  }
+  /// What is kept for each body.
+  Buffer<V>* kept() { return &valid_; }
 
   int64_t bytes() const { return valid_.bytes() + back_.bytes(); }
 

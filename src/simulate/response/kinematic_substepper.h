@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The motion of the kinematic response.
+#pragma once
+
+#include "simulate/response/kinematic.h"
+#include "simulate/velocity_substepper.h"
+
+namespace ballpit {
+
+template <class V, class Exec>
+std::unique_ptr<Substepper<V, Exec>> make_kinematic_substepper(const Scene& scene, const Settings& settings) {
+  using Response = KinematicResponse<V, Exec>;
+  return std::make_unique<VelocitySubstepper<V, Exec, Response>>(
+      Response(scene.physics.restitution, scene.physics.wall_restitution), settings.is_swept);
+}
+
+}  // namespace ballpit
