@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tests/app/run_program.h"
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -79,6 +81,19 @@ Program::~Program() {
 }
 
 void Program::signal(int number) const { ::kill(process_, number); }
+
+bool Program::wait_until_it_catches(int number) const {
+  for (int k = 0; k < 60'000; ++k) {
+    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (line.rfind("State:\tZ", 0) == 0) return false;
+      if (line.rfind("SigCgt:", 0) != 0) continue;
+      if (std::stoull(line.substr(7), nullptr, 16) >> (number - 1) & 1u) return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
 
 Outcome Program::wait() {
   int status = 0;

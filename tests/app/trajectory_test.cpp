@@ -111,12 +111,17 @@ TEST_CASE("a trajectory that cannot be written is told before the first step") {
              Contains("/nonexistent/a.xyz: cannot write: No such file or directory"));
 }
 
-TEST_CASE("Ctrl-C keeps the frames so far, and says where") {
+TEST_CASE("Ctrl-C and closing the terminal keep the frames so far, and say where") {
+  const int signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
   const Scratch folder;
   Program program({"simulate", "bouncing-balls", "--count", "100", "--time", "1e6", "--every", "100", "--trajectory",
                    folder / "a.xyz"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
-  program.signal(SIGINT);
+  std::error_code missing;
+  while (!(fs::file_size(folder / "a.xyz.part", missing) > 0) || missing) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.signal(signal);
+  if (signal == SIGHUP) program.signal(signal);  // the shell sends one as well
   const Outcome outcome = program.wait();
   CHECK(outcome.status == 1);
   CHECK_THAT(outcome.err, Contains("interrupted after ") && Contains(" so far ") && Contains("in " + folder / "a.xyz"));
