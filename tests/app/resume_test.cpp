@@ -165,8 +165,8 @@ TEST_CASE("Ctrl-C ends simulate with status 1 and the steps made, without a stat
 
 TEST_CASE("Ctrl-C takes effect within one long step of event-driven motion, and leaves no state") {
   const Scratch folder;
-  Program program({"simulate", "gas-dense", "--response", "event-driven", "--dt", "1e5", "--time", "1e5", "--out",
-                   folder / "state.csv"});
+  Program program({"simulate", "bouncing-balls", "--count", "5000", "--response", "event-driven", "--dt", "10", "--time",
+                   "10", "--out", folder / "state.csv"});
   REQUIRE(program.wait_until_it_catches(SIGINT));
   program.signal(SIGINT);
   const Outcome outcome = program.wait();
