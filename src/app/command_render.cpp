@@ -63,11 +63,12 @@ class RenderCommand final : public Command {
       throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
     }
 
-    check_output_folder(parse_path("--out", out_));
+    parse_path("--out", out_);
     Demo demo(arguments_.scene(), arguments_.given());
     demo.view = look;
     demo.touch();
     Session& session = demo.session;
+    check_output_folder(out_);
     FilmPlan plan{out_, "", 0, frames, from, interval, has_panel_};
     plan.key = film_key(demo, plan, {{width, height}, supersample, has_panel_, clicks_});
     first_ = plan.first = frames_to_keep(plan.key);

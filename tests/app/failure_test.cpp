@@ -76,7 +76,7 @@ TEST_CASE("an output that cannot be written is told before the run") {
   CHECK_THAT(failure_of({"simulate", "--time", "1e6", "--out", "/nonexistent/x.csv"}),
              Contains("/nonexistent/x.csv: cannot write: No such file"));
   CHECK_THAT(failure_of({"simulate", "--time", "1e6", "--trajectory", "/nonexistent/x.xyz"}), Contains("No such file"));
-  CHECK_THAT(failure_of({"render", "/nonexistent.toml", "--out", "/proc/film"}), Contains("/proc/film: cannot make"));
+  CHECK_THAT(failure_of({"render", "--from", "1e6", "--out", "/proc/film"}), Contains("/proc/film: cannot make"));
   CHECK_THAT(failure_of({"simulate", "/nonexistent.toml", "--out", "/nonexistent/x.csv"}), Contains("x.csv: cannot"));
 }
 
