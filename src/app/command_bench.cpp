@@ -6,7 +6,7 @@
 
 #include "app/bench_summary.h"
 #include "app/commands.h"
-#include "app/interrupt.h"
+#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "app/summary.h"

@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "app/interrupt.h"
+#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "core/error.h"
@@ -80,12 +80,6 @@ class LabProgress {
   Clock::time_point last_;
 };
 
-void make_folder(const std::filesystem::path& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) throw RunError(path.string() + ": cannot make this folder: " + error.message());
-}
-
 class LabCommand final : public Command {
  public:
   void add_options(CLI::App& command) override {
@@ -106,6 +100,7 @@ class LabCommand final : public Command {
     }
     folder_ = parse_path("--out", out_);
     seed_number_ = static_cast<uint64_t>(parse_integer("--seed", seed_, 0, INT64_MAX));
+    check_outputs();
     make_folder(folder_ / "cache");
     catch_interrupts();
     announce();
@@ -117,6 +112,17 @@ class LabCommand final : public Command {
   }
 
  private:
+  /// What the run is to leave, as far as it is known by name.
+  void check_outputs() const {
+    const std::filesystem::path cache = folder_ / "cache";
+    check_output_folder(cache);
+    for (const Experiment* experiment : chosen_) check_output_folder(folder_ / experiment->name);
+    if (!std::filesystem::exists(folder_)) return;
+    for (const char* report : {"report.html", "report.md"}) check_output(folder_ / report);
+    if (!std::filesystem::exists(cache)) return;
+    for (const Experiment* experiment : chosen_) check_output(cache / (std::string(experiment->name) + ".csv"));
+  }
+
   static std::vector<std::string_view> names() {
     std::vector<std::string_view> result;
     for (const Experiment& experiment : experiments()) result.push_back(experiment.name);

@@ -2,20 +2,16 @@
 // ballpit pairs: the overlapping pairs among spheres in a CSV file, and what it takes to find them.
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <new>
 
-#include <unistd.h>
-
 #include "app/backends.h"
 #include "app/commands.h"
-#include "app/interrupt.h"
+#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/pairs_summary.h"
 #include "app/progress.h"
@@ -32,15 +28,6 @@ namespace {
 /// The shared options that change how a single search is made.
 constexpr std::array<std::string_view, 6> kSearchSettings{"broadphase", "cell-size", "axis",
                                                           "table",      "backend",   "threads"};
-
-/// Says before a long search what write_file() would say after it, as far as that can be known.
-void check_place(const std::filesystem::path& out) {
-  const std::filesystem::path folder = out.parent_path() / ".";
-  std::error_code ignored;
-  const bool is_folder = std::filesystem::is_directory(out, ignored);
-  if (!is_folder && ::access(folder.c_str(), W_OK | X_OK) == 0) return;
-  throw RunError(out.string() + ": cannot write: " + std::strerror(is_folder ? EISDIR : errno));
-}
 
 /// The search works in float. Far from the origin, that rounds by more than small spheres allow.
 void warn_of_rounding(const RestingSpheres& spheres, const std::string& file) {
@@ -84,7 +71,8 @@ class PairsCommand final : public Command {
 
   void run() override {
     parse_path("FILE", file_);
-    if (out_option_->count() > 0) check_place(parse_path("--out", out_));
+    if (out_option_->count() > 0) parse_output("--out", out_);
+    if (std::filesystem::is_regular_file(file_)) reject_same_file("--out", out_, "FILE", file_);
     const int64_t repeat = parse_integer("--repeat", repeat_, 1, 10000);
     Settings settings;
     settings.broadphase = "auto";

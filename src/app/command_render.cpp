@@ -11,12 +11,14 @@
 #include "app/commands.h"
 #include "app/demo_renderer.h"
 #include "app/film.h"
-#include "app/interrupt.h"
+#include "app/film_key.h"
+#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/panel.h"
 #include "app/progress.h"
 #include "app/summary.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "render/gl_context.h"
 
 namespace ballpit {
@@ -48,7 +50,6 @@ class RenderCommand final : public Command {
   }
 
   void run() override {
-    parse_path("--out", out_);
     const auto [width, height] = parse_size(size_);
     const int frames = static_cast<int>(parse_integer("--frames", frames_, 1, 100000));
     const double interval =
@@ -62,10 +63,15 @@ class RenderCommand final : public Command {
       throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
     }
 
+    parse_path("--out", out_);
     Demo demo(arguments_.scene(), arguments_.given());
     demo.view = look;
     demo.touch();
     Session& session = demo.session;
+    check_output_folder(out_);
+    FilmPlan plan{out_, "", 0, frames, from, interval, has_panel_};
+    plan.key = film_key(demo, plan, {{width, height}, supersample, has_panel_, clicks_});
+    first_ = plan.first = frames_to_keep(plan.key);
     GlContext context(session.backend() == "cuda" ? 0 : -1);
     RenderOptions options{theme_named(look.theme), supersample,
                           has_panel_ ? Panel::width_in(width, height, look.ui_scale) : 0};
@@ -78,11 +84,10 @@ class RenderCommand final : public Command {
       if (panel) panel->draw(demo, input);
     };
     if (click_option_->count() > 0) click(*panel, draw);
-    first_ = resume_ ? next_frame_index(out_) : 0;
     remove_frames(out_, first_, frames);
     catch_interrupts();
     const auto start = std::chrono::steady_clock::now();
-    Film film(demo, {out_, first_, frames, from, interval, has_panel_});
+    Film film(demo, plan);
     Progress progress("frames", frames);
     while (!film.is_done() && !was_interrupted()) {
       advance(film, session);
@@ -102,9 +107,19 @@ class RenderCommand final : public Command {
   }
 
  private:
+  /// Of an earlier run with the same pictures.
+  int frames_to_keep(const std::string& key) const {
+    if (!resume_) return 0;
+    const int count = next_frame_index(out_);
+    check_frames(out_, count, key);
+    return count;
+  }
+
   static void advance(Film& film, Session& session) {
     try {
       film.advance(was_interrupted);
+    } catch (const Interrupted&) {
+      // within a long step
     } catch (const RunError& error) {
       throw RunError(error.what() + rescue(session, session.scene().name + "-last-good.csv"));
     }

@@ -15,7 +15,7 @@
 #include "app/commands.h"
 #include "app/demo.h"
 #include "app/demo_renderer.h"
-#include "app/interrupt.h"
+#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/panel.h"
 #include "app/remembered.h"
@@ -25,6 +25,7 @@
 #include "core/numbers.h"
 #include "render/painter.h"
 #include "render/renderer.h"
+#include "scene/catalog.h"
 
 namespace ballpit {
 
@@ -187,11 +188,16 @@ class ShowCommand final : public Command {
     parse_size(size_);
     (void)look_.view();  // a mistake is told before anything else
     const std::filesystem::path file = remembers_ ? remembered_file() : "";
+    if (remembers_) check_remembered(file);
     const std::unique_ptr<Demo> demo = start(recall(file));
     const auto [width, height] = parse_size(size_);
     catch_interrupts();
     Window window(width, height, "Ballpit");
-    Show(window, *demo).run();
+    try {
+      Show(window, *demo).run();
+    } catch (const Interrupted&) {
+      // within a long step: the same as between two
+    }
     if (!remembers_) return;
     const Session& session = demo->session;
     write_remembered(file, {lasting_name(session.scene_name()), session.given(), demo->view, size_of(window)});
@@ -211,8 +217,7 @@ class ShowCommand final : public Command {
 
   /// A scene's file by a path that leads to it from any folder.
   static std::string lasting_name(const std::string& scene) {
-    const bool is_file = scene.find('/') != scene.npos || scene.ends_with(".toml");  // as load_scene() tells them apart
-    return is_file ? std::filesystem::absolute(scene).string() : scene;
+    return is_scene_file(scene) ? std::filesystem::absolute(scene).string() : scene;
   }
 
   static void tell_forgotten(const UserError& error) {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/interrupt.h"
+#include "core/interrupt.h"
 #include "app/observe.h"
 #include "app/options.h"
 #include "app/progress.h"
@@ -12,6 +12,8 @@
 #include "app/summary.h"
 #include "app/trajectory.h"
 #include "core/error.h"
+#include "core/numbers.h"
+#include "scene/catalog.h"
 #include "scene/spheres_csv.h"
 
 namespace ballpit {
@@ -40,10 +42,10 @@ class SimulateCommand final : public Command {
   void run() override {
     std::optional<double> time;
     if (time_option_->count() > 0) time = parse_number("--time", time_, 0, 1e9);
-    if (out_option_->count() > 0) parse_path("--out", out_);
-    const int64_t every = parse_trajectory();
+    const int64_t every = parse_every();
     std::vector<Observable> observables;
     if (observe_option_->count() > 0) observables = parse_observables(observe_);
+    check_outputs();
     Session session(arguments_.scene(), arguments_.given(), need_tally(observables));
     simulate(session, time.value_or(session.scene().needs.duration), every);
     if (!out_.empty()) write_spheres_csv(out_, session.world().bodies());
@@ -51,14 +53,19 @@ class SimulateCommand final : public Command {
   }
 
  private:
+  void check_outputs() const {
+    if (out_option_->count() > 0) parse_output("--out", out_);
+    if (trajectory_option_->count() > 0) parse_output("--trajectory", trajectory_);
+    reject_same_file("--trajectory", trajectory_, "--out", out_);
+    if (!is_scene_file(arguments_.scene())) return;
+    reject_same_file("--out", out_, "SCENE", arguments_.scene());
+    reject_same_file("--trajectory", trajectory_, "SCENE", arguments_.scene());
+  }
+
   /// Returns the steps between frames.
-  int64_t parse_trajectory() const {
-    if (trajectory_option_->count() > 0) parse_path("--trajectory", trajectory_);
-    if (!trajectory_.empty() && trajectory_ == out_) {
-      throw UserError("--trajectory: found " + trajectory_ + ", which is --out as well, allowed a file of its own");
-    }
+  int64_t parse_every() const {
     const int64_t every = parse_integer("--every", every_, 1, 1'000'000'000);
-    if (every_option_->count() > 0 && trajectory_.empty()) {
+    if (every_option_->count() > 0 && trajectory_option_->count() == 0) {
       throw UserError("--every: found " + every_ + " without --trajectory, allowed together with it");
     }
     return every;
@@ -66,17 +73,21 @@ class SimulateCommand final : public Command {
 
   void simulate(Session& session, double time, int64_t every) const {
     const int64_t steps = session.steps_until(time);
+    catch_interrupts();  // a file is begun: it is also ended
     std::optional<Trajectory> trajectory;
     if (!trajectory_.empty()) trajectory.emplace(trajectory_, session.scene().domain, every);
     try {
       step_to(session, time, steps, trajectory);
+    } catch (const Interrupted&) {
+      // within a long step
     } catch (const RunError& error) {
       throw RunError(error.what() + rescue(session, last_good_file(session)) +
                      (trajectory ? trajectory->finish_early() : ""));
     }
     if (was_interrupted()) {
       throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " + std::to_string(steps) +
-                     " steps" + (trajectory ? trajectory->finish_early() : ""));
+                     " steps, at t = " + three_digits(session.world().time()) + " s" +
+                     (trajectory ? trajectory->finish_early() : ""));
     }
   }
 
@@ -86,7 +97,6 @@ class SimulateCommand final : public Command {
 
   /// Steps to the end, or until it is interrupted.
   static void step_to(Session& session, double time, int64_t steps, std::optional<Trajectory>& trajectory) {
-    catch_interrupts();
     Progress progress("steps", steps);
     session.advance_to(time, [&] {
       if (trajectory) trajectory->pass(session.world());

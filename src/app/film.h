@@ -14,6 +14,7 @@ namespace ballpit {
 
 struct FilmPlan {
   std::string folder;
+  std::string key = {};         ///< of what the frames show; see film_key.h
   int first = 0;                ///< where an earlier run left off
   int frames = 0;               ///< with those
   double from = 0;              ///< [s] of the world's time: frame 0
@@ -24,7 +25,7 @@ struct FilmPlan {
 class Film {
  public:
   /// Makes the folder. Throws RunError naming it if that fails. `demo` must outlive the film.
-  Film(Demo& demo, const FilmPlan& plan) : demo_(demo), plan_(plan), frames_(plan.folder, plan.first) {}
+  Film(Demo& demo, const FilmPlan& plan) : demo_(demo), plan_(plan), frames_(plan.folder, plan.first, plan.key) {}
 
   bool is_done() const { return next() >= plan_.frames; }
   int next() const { return frames_.next_index(); }  ///< the number of the frame that the next push takes

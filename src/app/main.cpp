@@ -3,6 +3,7 @@
 // is wrong.
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -76,6 +77,7 @@ int main(int argc, char** argv) {
   // system each time. Measured: one part in twenty of the time of a frame.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has left is told as a full disk is
   try {
     const int status = run(argc, argv);
     flush_output();

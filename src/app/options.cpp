@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/file.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
@@ -91,6 +92,18 @@ std::vector<std::string> split_list(const std::string& text) {
 const std::string& parse_path(std::string_view option, const std::string& text) {
   if (!text.empty()) return text;
   throw UserError(std::string(option) + ": found nothing, allowed a path");
+}
+
+const std::string& parse_output(std::string_view option, const std::string& text) {
+  check_output(parse_path(option, text));
+  return text;
+}
+
+void reject_same_file(std::string_view option, const std::string& path, std::string_view name,
+                      const std::string& other) {
+  if (!is_same_file(path, other)) return;
+  throw UserError(std::string(option) + ": found " + path + ", which is " + std::string(name) +
+                  " as well, allowed a file of its own");
 }
 
 std::vector<std::string> parse_overlays(std::string_view option, const std::string& text) {

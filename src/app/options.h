@@ -66,6 +66,13 @@ std::vector<std::string> parse_overlays(std::string_view option, const std::stri
 /// A path that is not empty. Throws UserError naming the option.
 const std::string& parse_path(std::string_view option, const std::string& text);
 
+/// The path of an output, looked at before any work is done. Throws UserError where it is empty, RunError where it cannot be
+/// written.
+const std::string& parse_output(std::string_view option, const std::string& text);
+
+/// Throws UserError where an output leads to the same place as a file that `name` is given.
+void reject_same_file(std::string_view option, const std::string& path, std::string_view name, const std::string& other);
+
 /// How a scene is looked at, for the commands that draw: --overlay, --color, --theme, --ui-scale.
 class LookArguments {
  public:

@@ -78,6 +78,11 @@ std::optional<Remembered> read_remembered(const std::filesystem::path& file) {
   }
 }
 
+void check_remembered(const std::filesystem::path& file) {
+  check_output_folder(file.parent_path());
+  if (std::filesystem::exists(file.parent_path())) check_output(file);
+}
+
 void write_remembered(const std::filesystem::path& file, const Remembered& remembered) {
   const View& view = remembered.view;
   Json options = Json::object();
@@ -94,8 +99,7 @@ void write_remembered(const std::filesystem::path& file, const Remembered& remem
                     {"color", view.coloring},
                     {"theme", view.theme}}},
                   {"size", remembered.size}};
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);  // write_file() tells what it led to
+  make_folder(file.parent_path());
   write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

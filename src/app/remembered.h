@@ -27,6 +27,9 @@ std::filesystem::path remembered_file();
 /// writes.
 std::optional<Remembered> read_remembered(const std::filesystem::path& file);
 
+/// Throws RunError where write_remembered() would; changes nothing.
+void check_remembered(const std::filesystem::path& file);
+
 /// Throws RunError naming the file.
 void write_remembered(const std::filesystem::path& file, const Remembered& remembered);
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/film_key.h"
 #include "core/error.h"
 #include "export/png.h"
 #include "render/painter.h"
@@ -75,6 +76,7 @@ void Saver::start_film(PictureSize size, int frames) {
     plan.frames = frames;
     plan.from = demo_.session.world().time();
     plan.keeps_timeline = true;
+    plan.key = film_key(demo_, plan, {size});
     film_ = std::make_unique<Film>(demo_, plan);
     world_ = demo_.worlds();
   });

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/interrupt.h"
+
 namespace ballpit {
 
 namespace {
@@ -41,6 +43,8 @@ void Timeline::advance(bool keeps_recent) {
   const int64_t before = step_now();
   try {
     world_.step();
+  } catch (const Interrupted&) {
+    throw;  // nothing is wrong with the state, and who made steps again would be interrupted again
   } catch (...) {
     world_.restore(*latest_before(before)->second);
     go_to(before);

@@ -30,6 +30,7 @@ class Timeline {
   Timeline(World& world, double dt, int64_t budget = kBudget);
 
   /// One step forward. Throws RunError as World::step() does; the world then is as it was before the step.
+  /// Interrupted passes as it is.
   void step();
 
   /// To a step from first() to furthest(), or to the nearest of them, by the same bits as when the world was first there.

@@ -15,11 +15,9 @@ namespace ballpit {
 
 namespace fs = std::filesystem;
 
-FrameSequence::FrameSequence(fs::path folder, int first_index)
-    : folder_(std::move(folder)), next_index_(first_index), next_written_(first_index) {
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) throw RunError(folder_.string() + ": cannot make the folder: " + error.message());
+FrameSequence::FrameSequence(fs::path folder, int first_index, std::string key)
+    : folder_(std::move(folder)), key_(std::move(key)), next_index_(first_index), next_written_(first_index) {
+  make_folder(folder_);
   encoder_ = std::thread([this] { encode_frames(); });
 }
 
@@ -61,7 +59,7 @@ void FrameSequence::encode_frames() {
     }
     changed_.notify_all();
     try {
-      write_file(folder_ / frame_name(next_written_), encode_png_fast(frame));
+      write_file(folder_ / frame_name(next_written_), encode_png_fast(frame, key_));
       ++next_written_;
     } catch (...) {  // frames after a missing one would only hide the gap
       const std::lock_guard lock(mutex_);
@@ -96,7 +94,7 @@ int next_frame_index(const fs::path& folder) try {
   if (!fs::exists(folder)) return 0;
   remove_left_overs(folder);
   int count = 0;
-  while (fs::exists(folder / frame_name(count))) ++count;
+  while (fs::is_regular_file(folder / frame_name(count))) ++count;
   if (count > 0 && !is_whole_png(read_file(folder / frame_name(count - 1)))) --count;
   return count;
 } catch (const fs::filesystem_error& error) {
@@ -107,6 +105,8 @@ void remove_frames(const fs::path& folder, int first, int end) {
   for (int index = first; index < end; ++index) {
     const fs::path path = folder / frame_name(index);
     std::error_code error;
+    const fs::file_status status = fs::symlink_status(path, error);
+    if (fs::is_symlink(status) || fs::is_other(status)) continue;  // also a pipe or a device: to be written to
     fs::remove(path, error);
     const bool absent = error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
     if (error && !absent) throw RunError(path.string() + ": cannot remove: " + error.message());

@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <string>
 #include <thread>
 
 #include "render/image.h"
@@ -16,8 +17,8 @@ namespace ballpit {
 
 class FrameSequence {
  public:
-  /// Makes the folder if it is missing. Throws RunError naming it if that fails.
-  explicit FrameSequence(std::filesystem::path folder, int first_index = 0);
+  /// Makes the folder if it is missing. Throws RunError naming it if that fails. Each frame carries `key`, as png.h has it.
+  explicit FrameSequence(std::filesystem::path folder, int first_index = 0, std::string key = {});
   FrameSequence(const FrameSequence&) = delete;
   FrameSequence& operator=(const FrameSequence&) = delete;
 
@@ -39,6 +40,7 @@ class FrameSequence {
   static constexpr size_t kQueueLength = 3;
 
   std::filesystem::path folder_;
+  std::string key_;
   int next_index_;
   int next_written_;  ///< the encoder's own
   std::mutex mutex_;
@@ -53,7 +55,7 @@ class FrameSequence {
 std::string frame_name(int index);
 
 /// Where a sequence goes on: the number of whole frames from frame_00000.png on without a gap. Removes
-/// left-overs of interrupted writes. 0 where the folder is missing.
+/// left-overs of interrupted writes. 0 where the folder is missing. What is no file (a pipe, a device) is no frame.
 int next_frame_index(const std::filesystem::path& folder);
 
 /// Removes the frames from `first` to `end` − 1: those that a new run is about to make. Left standing, they would be taken

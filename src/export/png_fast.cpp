@@ -2,7 +2,10 @@
 // PNG for frame sequences: every row filtered by SUB (each byte minus the one a pixel to the left), deflated
 // at level 1 by libdeflate. Flat grounds become zeros, so that little is lost against trying all filters.
 // Source: PNG specification, W3C REC-png-3, sections 5 (chunks), 9 (filtering).
+#include <cerrno>
 #include <cstddef>
+#include <cstring>
+#include <fstream>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -16,6 +19,7 @@ namespace ballpit {
 
 namespace {
 
+constexpr const char* kSignature = "\x89PNG\r\n\x1a\n";
 constexpr int kLevel = 1;
 constexpr char kSubFilter = 1;
 
@@ -61,6 +65,15 @@ std::vector<uint8_t> filtered_rows(const Image& image) {
   return rows;
 }
 
+/// Of the chunk that holds the key, with the zero that ends it (PNG specification, section 11.3.4.3).
+std::string keyword() { return std::string("Ballpit") + '\0'; }
+
+uint32_t big_endian(const std::string& bytes, size_t at) {
+  uint32_t value = 0;
+  for (size_t k = at; k < at + 4; ++k) value = value << 8 | static_cast<uint8_t>(bytes[k]);
+  return value;
+}
+
 std::string deflated(const std::vector<uint8_t>& rows) {
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(kLevel));
   if (!compressor) throw RunError("cannot encode a PNG: out of memory");
@@ -73,12 +86,28 @@ std::string deflated(const std::vector<uint8_t>& rows) {
 
 }  // namespace
 
-std::string encode_png_fast(const Image& image) {
-  std::string bytes = "\x89PNG\r\n\x1a\n";
+std::string encode_png_fast(const Image& image, const std::string& key) {
+  std::string bytes = kSignature;
   append_chunk(bytes, "IHDR", header(image));
+  if (!key.empty()) append_chunk(bytes, "tEXt", keyword() + key);
   append_chunk(bytes, "IDAT", deflated(filtered_rows(image)));
   append_chunk(bytes, "IEND", {});
   return bytes;
+}
+
+std::optional<PngHead> read_png_head(const std::filesystem::path& path) {
+  constexpr size_t kHeader = 33;  // signature, and the chunk with the size
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw UserError(path.string() + ": cannot read: " + std::strerror(errno));
+  std::string bytes(65536, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<size_t>(in.gcount()));
+  if (bytes.size() < kHeader || bytes.compare(0, 8, kSignature) != 0 || bytes.compare(12, 4, "IHDR") != 0) return {};
+  PngHead head{static_cast<int>(big_endian(bytes, 16)), static_cast<int>(big_endian(bytes, 20)), {}};
+  if (bytes.size() < kHeader + 8 || bytes.compare(kHeader + 4, 4, "tEXt") != 0) return head;
+  const std::string_view text = std::string_view(bytes).substr(kHeader + 8, big_endian(bytes, kHeader));
+  if (text.substr(0, keyword().size()) == keyword()) head.key = text.substr(keyword().size());
+  return head;
 }
 
 }  // namespace ballpit

@@ -2,18 +2,14 @@
 #include "lab/lab.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include "core/error.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "lab/chart.h"
 #include "lab/machine.h"
 #include "lab/table.h"
@@ -29,16 +25,6 @@ double number_in(const std::string& cell) {
   return value;
 }
 
-/// Appends whole lines to a file, each at once, so that no end of the program leaves less than was measured.
-void append_line(const std::filesystem::path& path, std::string_view line) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  const ssize_t written = file < 0 ? -1 : ::write(file, line.data(), line.size());
-  const int reason = written < 0 ? errno : ENOSPC;
-  if (file >= 0) ::close(file);
-  if (written == static_cast<ssize_t>(line.size())) return;
-  throw RunError(path.string() + ": cannot write: " + std::strerror(reason));
-}
-
 double load_average() {
   double load = 0;
   return ::getloadavg(&load, 1) == 1 ? load : 0;
@@ -48,7 +34,7 @@ double load_average() {
 
 Lab::Lab(LabOptions options) : options_(std::move(options)) {
   if (options_.cache.empty()) return;
-  append_line(options_.cache, "");  // what cannot be written is told before anything is measured
+  append_to_file(options_.cache, "");  // what cannot be written is told before anything is measured
   const std::string text = read_file(options_.cache);
   size_t start = 0;
   for (size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1) {
@@ -58,18 +44,20 @@ Lab::Lab(LabOptions options) : options_(std::move(options)) {
     for (size_t k = 1; k < cells.size(); ++k) values.push_back(number_in(cells[k]));
   }
   // A line without an end was cut short, by a full disk or a lost machine.
-  if (start < text.size()) std::filesystem::resize_file(options_.cache, start);
+  if (start < text.size()) shorten_file(options_.cache, static_cast<int64_t>(start));
 }
 
 std::vector<double> Lab::measure(const std::string& key, const std::function<std::vector<double>()>& function) {
-  if (options_.stop && options_.stop()) {
-    throw RunError("interrupted after " + std::to_string(asked_) +
-                   " measurements of this experiment, which are kept; the same command goes on from there");
-  }
+  if (options_.stop && options_.stop()) stop();
   const std::string full_key = std::string("ballpit ") + kVersion + "; " + key;
   const auto found = kept_.find(full_key);
   const bool was_kept = found != kept_.end();
-  std::vector<double> values = was_kept ? found->second : function();
+  std::vector<double> values;
+  try {
+    values = was_kept ? found->second : function();
+  } catch (const Interrupted&) {
+    stop();
+  }
   if (!was_kept) {
     keep(full_key, values);
     ++measured_;
@@ -91,12 +79,17 @@ std::vector<double> Lab::time(const std::string& key, const std::function<std::v
   return values;
 }
 
+void Lab::stop() const {
+  throw RunError("interrupted after " + std::to_string(asked_) +
+                 " measurements of this experiment, which are kept; the same command goes on from there");
+}
+
 void Lab::keep(const std::string& key, const std::vector<double>& values) {
   kept_[key] = values;
   if (options_.cache.empty()) return;
   std::vector<Cell> cells{key};
   cells.insert(cells.end(), values.begin(), values.end());
-  append_line(options_.cache, csv_line(cells));
+  append_to_file(options_.cache, csv_line(cells));
 }
 
 }  // namespace ballpit

@@ -29,7 +29,7 @@ class Lab {
   uint64_t seed() const { return options_.seed; }
 
   /// What the function gives: numbers that depend on the key and the version alone. Throws RunError where the run was
-  /// interrupted, or the cache cannot be written.
+  /// interrupted, also within a measurement, or the cache cannot be written.
   std::vector<double> measure(const std::string& key, const std::function<std::vector<double>()>& function);
 
   /// The same for seconds, which depend on the machine and the build too; the machine's load is noted.
@@ -42,6 +42,7 @@ class Lab {
   double load() const { return load_; }
 
  private:
+  [[noreturn]] void stop() const;
   void keep(const std::string& key, const std::vector<double>& values);
 
   LabOptions options_;

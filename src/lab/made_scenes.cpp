@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/interrupt.h"
 #include "core/random.h"
 #include "lab/theory.h"
 
@@ -152,7 +153,10 @@ std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settin
 }
 
 void step_until(World& world, double time, double dt) {
-  while (world.time() < time - dt / 2) world.step();
+  while (world.time() < time - dt / 2) {
+    stop_if_interrupted();
+    world.step();
+  }
 }
 
 }  // namespace ballpit

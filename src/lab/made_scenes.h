@@ -49,7 +49,7 @@ Settings exact_motion(double dt);
 
 std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settings);
 
-/// Steps until the time [s] is reached, to half a step.
+/// Steps until the time [s] is reached, to half a step. Throws Interrupted.
 void step_until(World& world, double time, double dt);
 
 }  // namespace ballpit

@@ -21,10 +21,12 @@ std::span<const SceneInfo> built_in_scenes() {
   return scenes;
 }
 
+bool is_scene_file(std::string_view name_or_path) {
+  return name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string_view::npos;
+}
+
 Scene load_scene(std::string_view name_or_path, const SceneOverrides& overrides) {
-  if (name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string_view::npos) {
-    return read_scene(std::filesystem::path(name_or_path), overrides);
-  }
+  if (is_scene_file(name_or_path)) return read_scene(std::filesystem::path(name_or_path), overrides);
   for (const EmbeddedFile& file : scene_files()) {
     if (file.name == std::string(name_or_path) + ".toml") return parse_scene(file.text, file.name, {}, overrides);
   }

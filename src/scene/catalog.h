@@ -17,6 +17,9 @@ std::span<const SceneInfo> built_in_scenes();
 /// The scene that runs where none is named.
 inline constexpr std::string_view kDefaultScene = "bouncing-balls";
 
+/// Whether a scene is named by its file.
+bool is_scene_file(std::string_view name_or_path);
+
 /// A built-in scene by name, or the scene in a file: a path ends in .toml or contains a '/'.
 /// Throws UserError that lists the names if there is no such scene.
 Scene load_scene(std::string_view name_or_path, const SceneOverrides& overrides = {});

@@ -124,7 +124,7 @@ TEST_CASE("bench prints a line an entry for people, and each stage where that is
 
 TEST_CASE("an interrupted bench says how far it came") {
   Program program({"bench", "--counts", "100", "--repeat", "1000", "--limit", "1000"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  REQUIRE(program.wait_until_it_catches(SIGINT));
   program.signal(SIGINT);
   const Outcome outcome = program.wait();
   CHECK(outcome.status == 1);

@@ -54,20 +54,56 @@ TEST_CASE("a state that cannot be written is named with the reason") {
 TEST_CASE("a full disk is named with the file that found no room, and leaves whole files only") {
   if (!fs::exists("/dev/full")) return;
   const Scratch scratch;
-  fs::create_symlink("/dev/full", scratch / "state.csv.part");
-  CHECK_THAT(failure_to_write(scratch / "state.csv"), Contains("state.csv: cannot write: No space left"));
+  const Circumstances small{0, "", "", 100};
+  CHECK_THAT(failure_of({"simulate", "two-spheres", "--time", "0", "--out", scratch / "state.csv"}, small),
+             Contains("state.csv: cannot write: File too large"));
   CHECK(fs::is_empty(scratch.path()));
 
-  fs::create_symlink("/dev/full", scratch / "frame_00002.png.part");
+  fs::create_symlink("/dev/full", scratch / "frame_00002.png");
   CHECK_THAT(failure_to_render(scratch.path().string()), Contains("frame_00002.png: cannot write: No space left"));
   CHECK(fs::exists(scratch / "frame_00001.png"));
-  CHECK_FALSE(fs::exists(scratch / "frame_00002.png"));
-  CHECK_FALSE(fs::is_symlink(scratch / "frame_00002.png.part"));
+  CHECK(fs::is_symlink(scratch / "frame_00002.png"));
+  CHECK_FALSE(fs::exists(scratch / "frame_00002.png.part"));
 
   fs::remove(scratch / "frame_00000.png");
-  fs::create_symlink("/dev/full", scratch / "frame_00000.png.part");
+  fs::create_symlink("/dev/full", scratch / "frame_00000.png");
   CHECK_THAT(failure_to_render(scratch.path().string(), "100"),
              Contains("frame_00000.png") && Contains("No space left"));
+}
+
+TEST_CASE("an output that cannot be written is told before the run") {
+  const Scratch scratch;
+  CHECK_THAT(failure_of({"simulate", "--time", "1e6", "--out", "/nonexistent/x.csv"}),
+             Contains("/nonexistent/x.csv: cannot write: No such file"));
+  CHECK_THAT(failure_of({"simulate", "--time", "1e6", "--trajectory", "/nonexistent/x.xyz"}), Contains("No such file"));
+  CHECK_THAT(failure_of({"render", "--from", "1e6", "--out", "/proc/film"}), Contains("/proc/film: cannot make"));
+  CHECK_THAT(failure_of({"simulate", "/nonexistent.toml", "--out", "/nonexistent/x.csv"}), Contains("x.csv: cannot"));
+}
+
+TEST_CASE("two outputs, or an output and the input, are not the same file") {
+  const Scratch scratch;
+  const auto refusal_of = [&](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run_program(arguments);
+    CHECK(outcome.status == 2);
+    return outcome.err;
+  };
+  fs::create_symlink("a", scratch / "b");
+  CHECK_THAT(refusal_of({"simulate", "two-spheres", "--out", scratch / "a", "--trajectory", scratch / "b"}),
+             Contains("--trajectory: found " + scratch / "b" + ", which is --out as well, allowed a file of its own"));
+  write_text(scratch / "s.toml", "[[spheres]]\n");
+  CHECK_THAT(refusal_of({"simulate", scratch / "s.toml", "--out", scratch / "s.toml"}),
+             Contains("--out: found ") && Contains("which is SCENE as well"));
+  write_text(scratch / "s.csv", "x,y,z,radius\n0,0,0,1\n");
+  CHECK_THAT(refusal_of({"pairs", scratch / "s.csv", "--out", scratch / "s.csv"}), Contains("which is FILE as well"));
+  CHECK(read_text(scratch / "s.csv") == "x,y,z,radius\n0,0,0,1\n");
+}
+
+TEST_CASE("a state goes into standard output where it is asked to, before the summary") {
+  const Scratch scratch;
+  const Outcome outcome = run_program({"simulate", "lecture-grid", "--time", "0", "--out", "/dev/stdout"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::StartsWith("x,y,") && Contains("lecture-grid"));
+  CHECK(std::count(outcome.out.begin(), outcome.out.end(), ',') >= 20 * 7);
 }
 
 TEST_CASE("a summary that cannot be written is a failure") {

@@ -117,7 +117,7 @@ TEST_CASE("a folder that cannot be made, or written, is told before anything is 
   write_text(scratch / "file", "");
   const Outcome blocked = run_divergence(scratch / "file");
   CHECK(blocked.status == 1);
-  CHECK_THAT(blocked.err, Contains("file/cache: cannot make this folder: "));
+  CHECK_THAT(blocked.err, Contains("file/cache: cannot make the folder: "));
   fs::create_directories(scratch / "out/cache/divergence.csv");
   const Outcome unwritable = run_divergence(scratch / "out");
   CHECK(unwritable.status == 1);

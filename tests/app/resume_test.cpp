@@ -150,13 +150,78 @@ TEST_CASE("frames of an earlier, longer film are told and left alone") {
   CHECK(render_whole(folder.path().string(), 6).err.empty());
 }
 
-TEST_CASE("Ctrl-C ends simulate with status 1 and the steps made, without a state") {
+TEST_CASE("Ctrl-C ends simulate with status 1 and the steps made, without a state, and so does closing the terminal") {
+  for (const int signal : {SIGINT, SIGHUP}) {
+    const Scratch folder;
+    Program program({"simulate", "bouncing-balls", "--count", "100", "--time", "1e6", "--out", folder / "state.csv"});
+    REQUIRE(program.wait_until_it_catches(signal));
+    program.signal(signal);
+    const Outcome outcome = program.wait();
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.err, Contains("interrupted after ") && Contains(" steps, at t = "));
+    CHECK(fs::is_empty(folder.path()));
+  }
+}
+
+TEST_CASE("Ctrl-C takes effect within one long step of event-driven motion, and leaves no state") {
   const Scratch folder;
-  Program program({"simulate", "bouncing-balls", "--count", "100", "--time", "1e6", "--out", folder / "state.csv"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+  Program program({"simulate", "bouncing-balls", "--count", "5000", "--response", "event-driven", "--dt", "10", "--time",
+                   "10", "--out", folder / "state.csv"});
+  REQUIRE(program.wait_until_it_catches(SIGINT));
   program.signal(SIGINT);
   const Outcome outcome = program.wait();
   CHECK(outcome.status == 1);
-  CHECK_THAT(outcome.err, Contains("interrupted after ") && Contains(" steps"));
+  CHECK_THAT(outcome.err, Contains("interrupted after 0 of 1 steps, at t = "));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
   CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("the option --resume refuses frames that show something else, and says what") {
+  const Scratch folder;
+  const std::string out = folder.path().string();
+  render_whole(out, 2);
+  const std::string first = read_text(frame(folder, 0));
+  const auto check_refused = [&](const Arguments& arguments, const std::string& what) {
+    INFO(what);
+    const Outcome outcome = run_program(arguments);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains("--resume: found frame_00000.png in " + out + " with " + what) &&
+                                Contains(", allowed frames with "));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(count_whole_frames(folder, false) == 2);
+    CHECK((read_text(frame(folder, 0)) == first));
+  };
+  check_refused({"render", "lecture-grid", "--size", "160x90", "--out", out, "--resume"}, "scene bouncing-balls");
+  check_refused({"render", "bouncing-balls", "--count", "150", "--size", "80x90", "--out", out, "--resume"},
+                "size 160x90");
+  for (const auto& [options, what] : std::vector<std::pair<Arguments, std::string>>{{{"--theme", "dark"}, "theme "},
+                                                                                    {{"--overlay", "none"}, "overlay "},
+                                                                                    {{"--color", "size"}, "color "},
+                                                                                    {{"--seed", "7"}, "state "},
+                                                                                    {{"--from", "1"}, "from 0"},
+                                                                                    {{"--fps", "30"}, "interval "},
+                                                                                    {{"--every", "2"}, "interval "},
+                                                                                    {{"--supersample", "2"}, "supersample 1"},
+                                                                                    {{"--panel"}, "panel none"},
+                                                                                    {{"--dt", "0.001"}, "dt "},
+                                                                                    {{"--swept", "on"}, "swept "}}) {
+    Arguments arguments = render(out, 4, options);
+    arguments.emplace_back("--resume");
+    check_refused(arguments, what);
+  }
+  render_whole(out, 3, {"--resume", "--threads", "1"});  // changes no picture
+  CHECK(count_whole_frames(folder, false) == 3);
+}
+
+TEST_CASE("frames of older versions, which do not say what they show, are refused where their size is another") {
+  const Scratch folder;
+  for (int k = 0; k < 2; ++k) {
+    write_text(frame(folder, k), encode_png_fast({160, 90, std::vector<uint8_t>(160 * 90 * 4, 9)}));
+  }
+  CHECK(render_whole(folder.path().string(), 3, {"--resume", "--json"}).json()["rendered"] == 1);
+  write_text(frame(folder, 1), encode_png_fast({80, 90, std::vector<uint8_t>(80 * 90 * 4, 9)}));
+  Arguments again = render(folder.path().string(), 4, {"--resume"});
+  const Outcome outcome = run_program(again);
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("found frame_00001.png in ") && Contains(" with size 80x90, allowed frames with size 160x90"));
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tests/app/run_program.h"
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -79,6 +81,23 @@ Program::~Program() {
 }
 
 void Program::signal(int number) const { ::kill(process_, number); }
+
+bool Program::wait_until_it_catches(int number) const {
+  for (int k = 0; k < 60'000; ++k) {
+    const std::string process = "/proc/" + std::to_string(process_);
+    std::error_code missing;
+    // Before that, it is still the test, which catches signals for itself.
+    const bool is_program = std::filesystem::equivalent(process + "/exe", BALLPIT_PROGRAM, missing);
+    std::ifstream status(process + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (line.rfind("State:\tZ", 0) == 0) return false;
+      if (!is_program || line.rfind("SigCgt:", 0) != 0) continue;
+      if (std::stoull(line.substr(7), nullptr, 16) >> (number - 1) & 1u) return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
 
 Outcome Program::wait() {
   int status = 0;

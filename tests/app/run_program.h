@@ -63,6 +63,9 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void signal(int number) const;
+
+  /// Waits until the program catches a signal, as /proc tells; false where it ends before or takes more than a minute.
+  bool wait_until_it_catches(int number) const;
   Outcome wait();
 
  private:

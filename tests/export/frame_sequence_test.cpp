@@ -89,15 +89,16 @@ TEST_CASE("a sequence resumes after the last whole frame") {
 TEST_CASE("memory stays bounded: pushing waits while the encoder cannot keep up") {
   const Folder folder("bounded");
   // Opening a pipe for writing waits until somebody reads: an encoder that is stuck.
-  const fs::path pipe = folder.path / "frame_00000.png.part";
+  const fs::path pipe = folder.path / "frame_00000.png";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   FrameSequence sequence(folder.path);
   std::atomic<int> pushed = 0;
   std::thread producer([&] {
     for (; pushed < 10; ++pushed) sequence.push(frame(5));
   });
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  CHECK(pushed <= 4);  // three wait, one is being written
+  while (pushed < 4) std::this_thread::yield();
+  for (int k = 0; k < 1000; ++k) std::this_thread::yield();
+  CHECK(pushed == 4);  // three wait, one is being written
   {
     std::ifstream reader(pipe, std::ios::binary);
     CHECK(std::string(std::istreambuf_iterator<char>(reader), {}) == encode_png_fast(frame(5)));
@@ -118,7 +119,7 @@ TEST_CASE("a folder that cannot be made is an error that names it") {
 TEST_CASE("a full disk stops the sequence with the file's name and the reason, and keeps the frames before") {
   if (!fs::exists("/dev/full")) return;
   const Folder folder("full");
-  fs::create_symlink("/dev/full", folder.path / "frame_00002.png.part");
+  fs::create_symlink("/dev/full", folder.path / "frame_00002.png");
   FrameSequence sequence(folder.path);
   const auto push_many = [&] {
     for (int i = 0; i < 100; ++i) sequence.push(frame(3));
@@ -127,7 +128,37 @@ TEST_CASE("a full disk stops the sequence with the file's name and the reason, a
   CHECK_THROWS_AS(sequence.push(frame(3)), RunError);
   CHECK_THROWS_AS(sequence.finish(), RunError);
   CHECK(next_frame_index(folder.path) == 2);
-  CHECK(count_files(folder.path) == 2);
+  CHECK(count_files(folder.path) == 3);
+  CHECK(fs::is_symlink(folder.path / "frame_00002.png"));
+}
+
+TEST_CASE("frames that are to be removed are files; a pipe and a link stay, to be written to") {
+  const Folder folder("kept");
+  std::ofstream(folder.path / "frame_00000.png") << "x";
+  REQUIRE(::mkfifo((folder.path / "frame_00001.png").c_str(), 0600) == 0);
+  fs::create_symlink("elsewhere", folder.path / "frame_00002.png");
+  remove_frames(folder.path, 0, 9);
+  CHECK_FALSE(fs::exists(folder.path / "frame_00000.png"));
+  CHECK(fs::is_fifo(folder.path / "frame_00001.png"));
+  CHECK(fs::is_symlink(folder.path / "frame_00002.png"));
+}
+
+TEST_CASE("a frame carries its key in front of the same pixels") {
+  const Folder folder("key");
+  FrameSequence sequence(folder.path, 0, "size 16x9\nscene a\n");
+  sequence.push(frame(3));
+  sequence.finish();
+  const auto head = read_png_head(folder.path / frame_name(0));
+  REQUIRE(head);
+  CHECK(head->width == 16);
+  CHECK(head->height == 9);
+  CHECK(head->key == "size 16x9\nscene a\n");
+  const std::string with_key = read_file(folder.path / frame_name(0)), without = encode_png_fast(frame(3));
+  CHECK(with_key.substr(with_key.find("IDAT")) == without.substr(without.find("IDAT")));
+  write_file(folder.path / frame_name(1), without);
+  CHECK(read_png_head(folder.path / frame_name(1))->key.empty());
+  write_file(folder.path / frame_name(2), "no picture");
+  CHECK_FALSE(read_png_head(folder.path / frame_name(2)));
 }
 
 TEST_CASE("a folder that vanishes under the sequence is told at the end at the latest") {

@@ -201,12 +201,13 @@ TEST_CASE("a trajectory that cannot be written names its path and the reason") {
                     "/nonexistent/a.xyz: cannot write: No such file or directory");
   if (!fs::exists("/dev/full")) return;
   const Folder folder;
-  fs::create_symlink("/dev/full", folder.path / "a.xyz.part");
+  fs::create_symlink("/dev/full", folder.path / "a.xyz");
   {
     ExtendedXyz file(folder.path / "a.xyz", Domain{});
     CHECK_THROWS_WITH(file.append(0, some_bodies(1, 1)),
                       Catch::Contains("a.xyz: cannot write: No space left on device"));
     CHECK(file.frames() == 0);
   }
-  CHECK(folder.holds_only(""));
+  CHECK(folder.holds_only("a.xyz"));
+  CHECK(fs::is_symlink(folder.path / "a.xyz"));
 }

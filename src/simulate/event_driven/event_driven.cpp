@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/interrupt.h"
 
 namespace ballpit {
 
@@ -16,6 +17,7 @@ constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 // contact if that is shorter: more than the cascades in any packing have.
 constexpr int64_t kStandstill = 1000;
 constexpr double kMoment = 0x1p-16;
+constexpr int64_t kEventsBetweenLooks = 1024;  // whether the run was interrupted: about a millisecond
 constexpr int kFewestToFetch = 5000;  // spheres; fewer lie in a cache
 
 double largest(const std::vector<double>& values) {
@@ -43,7 +45,10 @@ EventDriven<V>::EventDriven(const Scene& scene, const EventRules<V>& rules)
     forecasts_[size_t(i)].cell = cells_.cell_of(flight.position);
     cells_.link(i, cell(i));
   }
-  for (int i = 0; i < size(); ++i) forecast(i);
+  for (int i = 0; i < size(); ++i) {
+    check(i, flights_[size_t(i)].velocity);
+    forecast(i);
+  }
 }
 
 template <class V>
@@ -67,7 +72,11 @@ double EventDriven<V>::epoch_length(const Scene& scene) {
 template <class V>
 void EventDriven<V>::run_until(double time) {
   // The end is converted again in each epoch: an epoch begins with an event, not with a step.
-  while (queue_.first_time() <= local(time)) next_event();
+  for (int64_t k = 1; queue_.first_time() <= local(time); ++k) {
+    next_event();
+    settled_ = now_;
+    if (k % kEventsBetweenLooks == 0) stop_if_interrupted();
+  }
 }
 
 template <class V>
@@ -78,7 +87,7 @@ void EventDriven<V>::next_event() {
   now_ = f.time();
   flights_[size_t(i)].advance(now_, rules_.gravity);
   if (f.contact_time <= f.face_time) {
-    is_void(f) ? forecast(i) : collide(i, f.partner);
+    is_void(f) ? forecast_anew(i) : collide(i, f.partner);
   } else {
     f.is_wall ? hit_wall(i) : cross_face(i);
   }
@@ -95,6 +104,7 @@ void EventDriven<V>::start_epoch() {
   }
   queue_.shift(shift);
   now_ -= shift;
+  settled_ -= shift;
   moment_start_ -= shift;
   epoch_start_ += shift;
 }
@@ -114,11 +124,17 @@ void EventDriven<V>::count_event(int i) {
 /// Forecasts sphere i, which is at the present, from nothing.
 template <class V>
 void EventDriven<V>::forecast(int i) {
-  check(i);
   forecasts_[size_t(i)].contact_time = kNever;
   forecast_faces(i);
   forecast_contacts(i, {});
   schedule(i);
+}
+
+/// The contact that was forecast will not be: the partner has collided meanwhile.
+template <class V>
+void EventDriven<V>::forecast_anew(int i) {
+  check(i, flights_[size_t(i)].velocity);
+  forecast(i);
 }
 
 /// The block that an event's forecast will look at.
@@ -216,8 +232,13 @@ void EventDriven<V>::collide(int i, int j) {
   // might creep into each other, and three of them collide forever at one moment.
   const double parting = std::max(e * approach, kRounding * (length(a.velocity) + length(b.velocity)));
   const double share = mass(j) / (mass(i) + mass(j));  // μ / m_i
-  a.velocity -= (share * (approach + parting)) * n;
-  b.velocity += ((1 - share) * (approach + parting)) * n;
+  const V after_i = a.velocity - (share * (approach + parting)) * n;
+  const V after_j = b.velocity + ((1 - share) * (approach + parting)) * n;
+  count_event(i);
+  check(i, after_i);
+  check(j, after_j);
+  a.velocity = after_i;
+  b.velocity = after_j;
 
   ++tally_.collisions;
   tally_.virial += share * mass(i) * (approach + parting) * distance;
@@ -225,7 +246,6 @@ void EventDriven<V>::collide(int i, int j) {
     ++flights_[size_t(k)].collisions;
     forecasts_[size_t(k)].last_collision = now_;
   }
-  count_event(i);
   forecast(i);
   forecast(j);
 }
@@ -235,23 +255,26 @@ void EventDriven<V>::collide(int i, int j) {
 template <class V>
 void EventDriven<V>::hit_wall(int i) {
   const int axis = forecasts_[size_t(i)].axis, side = forecasts_[size_t(i)].side;
-  double& velocity = flights_[size_t(i)].velocity[axis];
-  const double approach = std::max(0.0, side * velocity);
+  V velocity = flights_[size_t(i)].velocity;
+  const double approach = std::max(0.0, side * velocity[axis]);
   const double e = is_lossless(i) ? 1.0 : rules_.wall_restitution;
   const double resting = std::max(0.0, 0.5 * rules_.contact_duration * side * rules_.gravity[axis]);
   const double parting = std::max(e * approach, resting);
-  velocity = -side * parting;
+  velocity[axis] = -side * parting;
+  count_event(i);
+  check(i, velocity);
+  flights_[size_t(i)].velocity = velocity;
 
   if (axis == 1 && side < 0) tally_.floor_impulse += mass(i) * (approach + parting);
   ++flights_[size_t(i)].collisions;
   if (parting > resting) forecasts_[size_t(i)].last_collision = now_;
-  count_event(i);
   forecast(i);
 }
 
 template <class V>
 void EventDriven<V>::cross_face(int i) {
   Forecast& f = forecasts_[size_t(i)];
+  count_event(i);
   cells_.unlink(i, f.cell);
   if (cells_.is_border(f.cell, f.axis, f.side)) {  // of a periodic domain: on to the other end
     f.cell[f.axis] = f.side > 0 ? 0 : cells_.count()[f.axis] - 1;
@@ -260,7 +283,6 @@ void EventDriven<V>::cross_face(int i) {
     f.cell[f.axis] += f.side;
   }
   cells_.link(i, f.cell);
-  count_event(i);
   // The forecast contact holds, since no velocity has changed; only the spheres ahead are new.
   const BlockPart ahead{f.axis, f.side};
   forecast_faces(i);
@@ -268,11 +290,13 @@ void EventDriven<V>::cross_face(int i) {
   schedule(i);
 }
 
+/// Throws where sphere i may not be where it is, or not have the velocity that an event is about to give it. An event checks
+/// before it changes a velocity: until then, the flights are those after the event before.
 template <class V>
-void EventDriven<V>::check(int i) const {
-  const Flight<V>& flight = flights_[size_t(i)];
-  if (rules_.box.holds(flight.position) && dot(flight.velocity, flight.velocity) < 1e30) return;  // false for NaN
-  const Vec3d p = widen(flight.position), v = widen(flight.velocity);
+void EventDriven<V>::check(int i, const V& velocity) const {
+  const V& position = flights_[size_t(i)].position;
+  if (rules_.box.holds(position) && dot(velocity, velocity) < 1e30) return;  // false for NaN
+  const Vec3d p = widen(position), v = widen(velocity);
   std::ostringstream what;
   what << "it left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z << "), its velocity (" << v.x
        << ", " << v.y << ", " << v.z << ")";

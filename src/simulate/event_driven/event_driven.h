@@ -67,8 +67,11 @@ class EventDriven {
 
   /// Handles all events up to `time` [s] since the start.
   /// Throws RunError, with sphere, event and time, where a sphere is not finite or outside the domain, or where collisions
-  /// follow each other without end.
+  /// follow each other without end; then it cannot go on. Throws Interrupted between two events; then it can.
   void run_until(double time);
+
+  /// [s] of the latest event that was handled in full, since the start. The state then holds after run_until() threw as well.
+  double settled_time() const { return epoch_start_ + settled_; }
 
   int size() const { return static_cast<int>(flights_.size()); }
   double radius(int i) const { return radii_[radii_.size() == 1 ? 0 : size_t(i)]; }
@@ -95,6 +98,7 @@ class EventDriven {
   void count_event(int i);
 
   void forecast(int i);
+  void forecast_anew(int i);
   void forecast_faces(int i);
   void forecast_contacts(int i, BlockPart part);
   bool is_void(const Forecast& f) const { return flights_[size_t(f.partner)].collisions != f.partner_collisions; }
@@ -106,7 +110,7 @@ class EventDriven {
   BlockPart part_of(const Forecast& f) const;
   bool is_lossless(int i) const { return now_ - forecasts_[size_t(i)].last_collision < rules_.contact_duration; }
 
-  void check(int i) const;
+  void check(int i, const V& velocity) const;
   [[noreturn]] void fail(int i, const std::string& what) const;
 
   EventRules<V> rules_;
@@ -118,6 +122,7 @@ class EventDriven {
   std::vector<double> radii_, masses_;  // [m], [kg] one each, or one for all
 
   double now_ = 0;           // [s] since the epoch
+  double settled_ = 0;       // [s] since the epoch: now_ after the latest event
   double epoch_length_ = 1;  // [s]
   double epoch_start_ = 0;   // [s] since the start; a multiple of the length
   int64_t events_ = 0, predictions_ = 0;

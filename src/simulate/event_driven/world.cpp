@@ -23,7 +23,15 @@ class EventDrivenWorld final : public World {
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
-    motion_.run_until(static_cast<double>(++steps_) * dt_);
+    const double end = static_cast<double>(steps_ + 1) * dt_;
+    try {
+      motion_.run_until(end);
+    } catch (...) {
+      time_ = std::max(time_, motion_.settled_time());
+      throw;
+    }
+    ++steps_;
+    time_ = end;
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -96,24 +104,27 @@ class EventDrivenWorld final : public World {
     return result;
   }
 
-  std::unique_ptr<Snapshot> snapshot() override { return std::make_unique<EventSnapshot>(motion_, steps_); }
+  std::unique_ptr<Snapshot> snapshot() override { return std::make_unique<EventSnapshot>(motion_, steps_, time_); }
   void restore(const Snapshot& snapshot) override {
     const auto& then = dynamic_cast<const EventSnapshot&>(snapshot);
     motion_ = then.motion;
     steps_ = then.steps;
+    time_ = then.time;
   }
 
   int64_t steps() const override { return steps_; }
-  double time() const override { return static_cast<double>(steps_) * dt_; }
+  double time() const override { return time_; }
 
  private:
   /// All of the motion: forecasts and queue as well, since the latest event of each sphere decides about the bits.
   struct EventSnapshot final : Snapshot {
-    EventSnapshot(const EventDriven<V>& motion_then, int64_t steps_then) : motion(motion_then), steps(steps_then) {}
+    EventSnapshot(const EventDriven<V>& motion_then, int64_t steps_then, double time_then)
+        : motion(motion_then), steps(steps_then), time(time_then) {}
     int64_t bytes() const override { return motion.bytes() + int64_t(sizeof(*this)); }
 
     EventDriven<V> motion;
     int64_t steps;
+    double time;
   };
 
   static EventRules<V> rules(const Scene& scene, const Settings& settings) {
@@ -195,6 +206,7 @@ class EventDrivenWorld final : public World {
   double dt_;  // [s]
   EventDriven<V> motion_;
   int64_t steps_ = 0;
+  double time_ = 0;  // [s] of the present state: the end of the latest step, or where a step ended early, the moment it reached
   double seconds_ = 0;
 };
 
