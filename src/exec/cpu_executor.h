@@ -227,7 +227,8 @@ class CpuExecutor {
     if (n <= grain || pool_.threads() == 1) {
       run_range(0, n, kernel);
     } else {
-      pool_.run_blocks(n, grain, [&](int64_t begin, int64_t end) { run_range(begin, end, kernel); });
+      const auto run_block = [&](int64_t begin, int64_t end) { run_range(begin, end, kernel); };
+      pool_.run_blocks(n, grain, BlockBody(run_block));
     }
   }
 
