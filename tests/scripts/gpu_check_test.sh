@@ -3,7 +3,7 @@
 # scripts/gpu-check with this program, from which all devices are hidden, and with programs that only pretend to have one:
 # gpu_check_test.sh PROGRAM.
 set -euo pipefail
-program=$1
+program=$(realpath "$1")
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -74,8 +74,9 @@ export PATH=$folder/fake:$PATH
 check 0 --build fake --docs
 expect "parts passed" "$(statuses passed)" "$names"
 expect "status" "$(rows -DKEYS=status,device)" $'passed\tPretended GPU'
+expect "parts without figures" "$(rows -DLIST=parts -DKEYS=figures,name | sed -n 's/^-\t//p')" ""
 for line in '^\*\*Pretended GPU\*\*' '^| 10 000 000 | 6 | 0.2 | 30 |$' '^| 1 000 | 0.25 |$' '^| 10 000 | 40 | 20 | 40 | 20 |$' \
-            '^| state-hashes |.*| 1 scenes equal; not for CUDA: events |$'; do
+            '^| state-hashes |.*| equal scenes: 1; not for CUDA: events |$'; do
   grep -q "$line" out/gpu-check/cuda-tables.md || fail "cuda-tables.md lacks $line"
   grep -q "$line" docs/cuda.md || fail "docs/cuda.md lacks $line"
 done
@@ -91,6 +92,7 @@ for reason in 'test_cuda: status 1: test cases: 2 | 1 passed | 1 "failed"' 'othe
               'interop: bodies copied: another device'; do
   grep -qF "$reason" <(rows -DLIST=parts -DKEYS=reason) || fail "reason missing: $reason"
 done
+grep -qF '| test_cuda: status 1: test cases: 2 \| 1 passed \| 1 "failed" |' out/gpu-check/cuda-tables.md || fail "cuda-tables.md"
 
 # Wrong arguments.
 for wrong in "--parts walk" "--parts" "--speed" "--docs --parts doctor"; do
