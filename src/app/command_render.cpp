@@ -44,6 +44,10 @@ class RenderCommand final : public Command {
     click_option_ =
         command.add_option("--click", clicks_, "items of the panel to click on before the first frame, by name")
             ->type_name("A,B,…");
+    command
+        .add_flag("--copy-bodies", copies_bodies_,
+                  "copy the spheres through the host, also where their processor can write into OpenGL's memory; to compare")
+        ->disable_flag_override();
     command.add_flag("--resume", resume_, "go on after the last whole frame in the folder")->disable_flag_override();
     command.add_flag("--json", json_, "print a summary as one JSON object")->disable_flag_override();
     arguments_.add_to(command);
@@ -76,6 +80,7 @@ class RenderCommand final : public Command {
     RenderOptions options{theme_named(look.theme), supersample,
                           has_panel_ ? Panel::width_in(width, height, look.ui_scale) : 0};
     DemoRenderer drawing(width, height, options);
+    if (copies_bodies_) drawing.copy_bodies();
     std::optional<Panel> panel;
     if (has_panel_) panel.emplace(drawing.renderer().sheet());
     const auto draw = [&](const PanelInput& input) {
@@ -191,7 +196,7 @@ class RenderCommand final : public Command {
   std::string supersample_ = "1";
   std::string clicks_;
   CLI::Option* click_option_ = nullptr;
-  bool resume_ = false, json_ = false, has_panel_ = false;
+  bool resume_ = false, json_ = false, has_panel_ = false, copies_bodies_ = false;
   int first_ = 0;
   double seconds_ = 0;
 };

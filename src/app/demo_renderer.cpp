@@ -31,6 +31,10 @@ void DemoRenderer::draw(Demo& demo, RenderOptions options) {
 }
 
 bool DemoRenderer::write(Demo& demo) {
+  if (copies_) {
+    path_ = "copied";
+    return false;
+  }
   const std::string& backend = demo.session.backend();
   BodyWriter& writer = backend == "cuda" ? *by_cuda_ : *by_cpu_;
   if (by_cuda_ && &writer != by_cuda_.get()) by_cuda_->release();

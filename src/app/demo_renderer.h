@@ -21,9 +21,12 @@ class DemoRenderer {
   /// message says so once, and copies are drawn.
   void draw(Demo& demo, RenderOptions options);
 
+  /// From now on the bodies are copied to the host and uploaded, as where a GPU cannot share its memory with OpenGL.
+  void copy_bodies() { copies_ = true; }
+
   Renderer& renderer() { return renderer_; }
 
-  /// How bodies got into the picture: "written by cuda", "written by cpu", "copied: " and why.
+  /// How bodies got into the picture: "written by cuda", "written by cpu", "copied: " and why, "copied" where this was asked for.
   const std::string& path() const { return path_; }
 
  private:
@@ -32,6 +35,7 @@ class DemoRenderer {
   Renderer renderer_;
   std::unique_ptr<BodyWriter> by_cuda_, by_cpu_;
   std::string path_;
+  bool copies_ = false;
 };
 
 }  // namespace ballpit

@@ -49,6 +49,21 @@ TEST_CASE("another scene, with other radii or dimensions, goes into the same buf
   }
 }
 
+TEST_CASE("bodies that are copied make the picture of those that are written, to the bit") {
+  const GlContext context;
+  const std::string scene = GENERATE("lecture-grid", "bouncing-balls");
+  CAPTURE(scene);
+  Demo demo(scene, {{"threads", "2"}});
+  for (int k = 0; k < 12; ++k) demo.step();
+  DemoRenderer written(320, 180, {}), copied(320, 180, {});
+  copied.copy_bodies();
+  written.draw(demo, {});
+  const Image expected = written.renderer().read_pixels();
+  copied.draw(demo, {});
+  CHECK(copied.path() == "copied");
+  CHECK(copied.renderer().read_pixels().pixels == expected.pixels);
+}
+
 TEST_CASE("who needs the state is shown it, also where the bodies are written") {
   Demo demo("lecture-grid", {});
   demo.view.overlays.clear();

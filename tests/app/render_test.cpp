@@ -71,6 +71,16 @@ TEST_CASE("rendering twice gives the same bytes, with any number of threads") {
   CHECK_FALSE(is_same(film({"--frames", "5", "--seed", "2"}), first));
 }
 
+TEST_CASE("the option --copy-bodies changes how spheres reach the picture, and no byte of the frames") {
+  CHECK(is_same(film({"--frames", "3", "--copy-bodies"}), film({"--frames", "3"})));
+  const Scratch scratch;
+  const std::vector<std::string> arguments{"render", "--frames", "1", "--size", "64x64", "--json", "--out", scratch / "film"};
+  CHECK(run_program(arguments).json()["bodies"] == "written by cpu");
+  std::vector<std::string> with_copies = arguments;
+  with_copies.push_back("--copy-bodies");
+  CHECK(run_program(with_copies).json()["bodies"] == "copied");
+}
+
 TEST_CASE("frames show the states that --every, --fps and --from ask for") {
   const std::vector<std::string> all = film({"--frames", "9"});
   const std::vector<std::string> every = film({"--frames", "4", "--every", "2"});

@@ -143,7 +143,7 @@ TEST_CASE("parallel_for on CUDA calls each index once") {
   CHECK(std::count(result.begin(), result.end(), 1) == n);
 }
 
-TEST_CASE("exclusive scan on CUDA gives each element the sum of those before it") {
+TEST_CASE("exclusive scan on CUDA gives each element the sum of those before it", "[sanitized]") {
   const int n = GENERATE(0, 1, 1000, 5000);
   CudaExecutor exec;
   const std::vector<int> counts = random_ints(n, 100, 3);
@@ -170,7 +170,7 @@ TEST_CASE("exclusive scan on CUDA reports totals beyond 32 bits") {
   CHECK(total == 6000000000);
 }
 
-TEST_CASE("sorting pairs on CUDA is stable and goes by the lowest bits of the keys, as on the CPU") {
+TEST_CASE("sorting pairs on CUDA is stable and goes by the lowest bits of the keys, as on the CPU", "[sanitized]") {
   const int n = GENERATE(0, 1, 2, 300, 9000);  // by one block of threads, and by many
   const int bits = GENERATE(0, 1, 8, 13, 24, 32);
   Random random(5);
@@ -194,7 +194,7 @@ TEST_CASE("keys and values of other sizes are sorted on CUDA") {
   CHECK(sort<int64_t>(cuda, narrow, 8) == sort<int64_t>(cpu, narrow, 8));
 }
 
-TEST_CASE("binning on CUDA gives what it gives on the CPU, which is right") {
+TEST_CASE("binning on CUDA gives what it gives on the CPU, which is right", "[sanitized]") {
   const int n = GENERATE(0, 1, 2, 300, 9000);
   const int bins = GENERATE(1, 2, 7, 8, 300, 5000);
   CAPTURE(n, bins);
@@ -238,7 +238,7 @@ TEST_CASE("both scratch memories on CUDA last beside each other, and beside sort
   CHECK(exec.download(b) == std::vector<int>(100, 7));
 }
 
-TEST_CASE("a floating-point sum has the same bits on CUDA and CPU") {
+TEST_CASE("a floating-point sum has the same bits on CUDA and CPU", "[sanitized]") {
   Random random(11);
   std::vector<double> values(10007);
   for (double& value : values) value = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-8, 8));

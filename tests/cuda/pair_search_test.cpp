@@ -159,7 +159,7 @@ TEST_CASE("auto chooses on CUDA as on the CPU, and changes its choice with the s
   CHECK(searches.cuda->report().method == few);
 }
 
-TEST_CASE("a row of very many contacts is sorted on CUDA as on the CPU") {
+TEST_CASE("a row of very many contacts is sorted on CUDA as on the CPU", "[sanitized]") {
   // One large sphere among small ones: a row longer than is kept, and long enough to be sorted by a heap.
   Spheres spheres({.count = 150, .smallest = 0.01, .largest = 0.02});
   spheres.position.insert(spheres.position.begin() + 20, Vec3(0.0f));

@@ -59,7 +59,7 @@ Scene heap(const Cloud& cloud) {
 
 }  // namespace
 
-TEST_CASE("CUDA finds the contacts that the CPU finds, by every broad phase") {
+TEST_CASE("CUDA finds the contacts that the CPU finds, by every broad phase", "[sanitized]") {
   const std::string broadphase = GENERATE("brute-force", "sort-and-sweep", "linked-cell", "sorted-grid");
   const std::string table = GENERATE("dense", "hashed");
   const Cloud cloud = GENERATE(
