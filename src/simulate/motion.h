@@ -8,9 +8,12 @@
 // Each has substep(state, tally, dt), for_each_kept(rearrange) for what it keeps for each body, and bytes().
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "simulate/integrate/symplectic_euler.h"
+#include "simulate/measure.h"
 #include "simulate/response/penalty.h"
 #include "simulate/response/position_based.h"
 #include "simulate/step_state.h"
@@ -131,6 +134,7 @@ class PositionMotion {
   void substep(StepState<V, Exec>& state, TallyKeeper<V, Exec>& tally, Real h) {
     Exec& exec = state.exec();
     const int64_t n = state.count();
+    if (substeps_ == 0) starts_overlapping_ = overlaps(state);
     before_.resize(n);
     exec.parallel_for("note velocities", n, CopyValues<V>{state.velocity.span(), before_.span()});
     if (state.has_gravity()) {
@@ -142,18 +146,45 @@ class PositionMotion {
     state.moved();
     const ContactsView<V> contacts = state.near_contacts();
     const ImpulseNotes<V> notes = tally.begin(exec, n, contacts.pairs.size());
-    response_.respond(state, contacts, before_.span(), h, notes);
+    response_.respond(state, contacts, before_.span(), h, starts_overlapping_ ? push_steps() : Real(-1), notes);
     tally.end(exec, state.bodies(), state.box(), contacts.pairs, contacts.geometry);
+    ++substeps_;
   }
 
   template <class Rearrange>
   void for_each_kept(const Rearrange&) {}
 
+  /// Calls visit(value) for what a snapshot holds beside it.
+  template <class Visit>
+  void for_each_saved(const Visit& visit) {
+    visit(substeps_);
+    visit(starts_overlapping_);
+  }
+
   int64_t bytes() const { return before_.bytes() + response_.bytes(); }
 
  private:
+  /// Whether anything overlaps by more than rounding.
+  static bool overlaps(StepState<V, Exec>& state) {
+    const Box<V>& box = state.box();
+    const V extent = box.max - box.min;
+    const double rounding = 32 * double(std::numeric_limits<Real>::epsilon()) * std::sqrt(double(dot(extent, extent)));
+    const double largest = largest_overlap(state.exec(), state.bodies(), box, state.near_pairs().pairs);
+    return largest * double(state.shape().smallest) > rounding;
+  }
+
+  /// Loads are carried by overlap that a substep leaves. While that which was there at the start is removed, it is not to be
+  /// taken for such; then contacts may carry more from substep to substep, up to a heap of kPushSteps layers.
+  Real push_steps() const {
+    constexpr Real kFirst = 2, kPerSubstep = 0.05, kPushSteps = 100;
+    const Real steps = kFirst + kPerSubstep * Real(substeps_);
+    return steps < kPushSteps ? steps : kPushSteps;
+  }
+
   PositionBasedResponse<V, Exec> response_;
   typename Exec::template Buffer<V> before_;
+  int64_t substeps_ = 0;
+  bool starts_overlapping_ = false;
 };
 
 }  // namespace ballpit

@@ -50,7 +50,7 @@ class WorldOn final : public World {
         state_(std::move(exec), scene, settings, margin_of(scene, settings)),
         motion_(make_motion(scene, settings)),
         tally_(settings.keeps_tally),
-        guard_(settings.max_overlap, settings.max_energy) {}
+        guard_(settings.max_overlap, settings.max_energy, settings.dt / settings.substeps, hint_of(scene, settings)) {}
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
@@ -200,6 +200,22 @@ class WorldOn final : public World {
             ends_with_force};
   }
 
+  /// What helps against overlap: where springs are resolved by the steps, only stiffer ones do.
+  static std::string hint_of(const Scene& scene, const Settings& settings) {
+    if (settings.response != "penalty" || scene.bodies.size() == 0) return kSmallerSteps;
+    const double radius = *std::min_element(scene.bodies.radius.begin(), scene.bodies.radius.end());
+    const double mass = *std::min_element(scene.bodies.mass.begin(), scene.bodies.mass.end());
+    // Hertz's springs grow stiffer with overlap: at the largest that is allowed.
+    const double stiffness =
+        scene.physics.stiffness *
+        (scene.physics.law == "hertz" ? 1.5 * std::sqrt(std::fmin(settings.max_overlap, 1.0) * radius) : 1.0);
+    const bool is_resolved = settings.dt / settings.substeps < kResolved * std::sqrt(mass / stiffness);
+    if (is_resolved && integrator_of(settings) != "explicit-euler") {
+      return "a larger [physics] stiffness may help (and the smaller --dt that it needs)";
+    }
+    return kSmallerSteps;
+  }
+
   void sort() {
     state_.sort([&](const auto& rearrange) {
       std::visit([&](auto& motion) { motion.for_each_kept(rearrange); }, motion_);
@@ -213,7 +229,12 @@ class WorldOn final : public World {
   void for_each_saved(const Visit& visit) {
     visit(steps_);
     state_.for_each_saved(visit);
-    std::visit([&](auto& motion) { motion.for_each_kept(visit); }, motion_);
+    std::visit(
+        [&](auto& motion) {
+          motion.for_each_kept(visit);
+          if constexpr (requires { motion.for_each_saved(visit); }) motion.for_each_saved(visit);
+        },
+        motion_);
     tally_.for_each_saved(visit);
     guard_.for_each_saved(state_, time(), visit);
   }
@@ -243,6 +264,9 @@ class WorldOn final : public World {
   // Old overlap is pushed out at most as fast as a body falls in so many steps: enough to carry a heap as many spheres
   // high, and no more, so that freed overlap does not throw spheres up.
   static constexpr double kPushSteps = 100;
+
+  static constexpr const char* kSmallerSteps = "a smaller --dt or more --substeps may help";
+  static constexpr double kResolved = 0.5;  // of √(m/k): well below the 0.71 at which packings become unstable
 
   double dt_;  // [s]
   int substeps_;
