@@ -122,6 +122,13 @@ class ForceMotion {
   Integrator integrator_;
 };
 
+/// Map: v² of body i.
+template <class V>
+struct SpeedSquared {
+  Span<const V> velocity;
+  HOST_DEVICE double operator()(int i) const { return double(dot(velocity[i], velocity[i])); }
+};
+
 /// For the position-based response. Spheres that do not overlap where they are predicted may come to while others are moved: so
 /// near ones are contacts, too.
 template <class V, class Exec>
@@ -134,7 +141,7 @@ class PositionMotion {
   void substep(StepState<V, Exec>& state, TallyKeeper<V, Exec>& tally, Real h) {
     Exec& exec = state.exec();
     const int64_t n = state.count();
-    if (substeps_ == 0) starts_overlapping_ = overlaps(state);
+    if (substeps_ == 0) starts_overlapping_ = overlaps(state, h);
     before_.resize(n);
     exec.parallel_for("note velocities", n, CopyValues<V>{state.velocity.span(), before_.span()});
     if (state.has_gravity()) {
@@ -164,13 +171,18 @@ class PositionMotion {
   int64_t bytes() const { return before_.bytes() + response_.bytes(); }
 
  private:
-  /// Whether anything overlaps by more than rounding.
-  static bool overlaps(StepState<V, Exec>& state) {
+  /// Whether anything overlaps by more than the motion of a substep explains: the bodies' own, and the fall that presses a
+  /// heap. What a run leaves in a saved state is less, and it goes on by the same bits.
+  static bool overlaps(StepState<V, Exec>& state, Real h) {
+    constexpr double kLayers = 20;
     const Box<V>& box = state.box();
     const V extent = box.max - box.min;
     const double rounding = 32 * double(std::numeric_limits<Real>::epsilon()) * std::sqrt(double(dot(extent, extent)));
     const double largest = largest_overlap(state.exec(), state.bodies(), box, state.near_pairs().pairs);
-    return largest * double(state.shape().smallest) > rounding;
+    const double speed = 2 * std::sqrt(reduce(state.exec(), "largest speed", state.count(), 0.0,
+                                              SpeedSquared<V>{state.velocity.span()}, Largest{}));
+    const double fall = kLayers * std::sqrt(double(dot(state.gravity(), state.gravity()))) * double(h);
+    return largest * double(state.shape().smallest) > rounding + (speed + fall) * double(h);
   }
 
   /// Loads are carried by overlap that a substep leaves. While that which was there at the start is removed, it is not to be

@@ -13,7 +13,7 @@
 // substeps pay more than iterations (Macklin et al. 2019). Velocities are changed by Σ Δx / h instead of being computed as
 // (x − x₀)/h, which would lose in rounding what it divides by h. Restitution is asked for above 2·g·h only, lest a heap jitter.
 //
-// Overlap that is there at the start of a run says nothing about the load that a contact carries, and v ← v + Σ Δx / h would
+// More overlap at the start of a run than its motion explains says nothing about the load that a contact carries, and v ← v + Σ Δx / h would
 // make any speed of it. In such a run Δx enters the velocity only until the contact parts at `push`, which is 0 without
 // gravity: the rest of the overlap is removed by position alone.
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour.
