@@ -114,7 +114,8 @@ bool lock_part(int descriptor, const fs::path& part) {
 int open_part(const fs::path& target, fs::path& part, mode_t mode, bool is_new) {
   for (int k = 1; k <= kMaxParts; ++k) {
     part = target;
-    part += k == 1 ? ".part" : "." + std::to_string(k) + ".part";
+    if (k > 1) part += std::string(".").append(std::to_string(k));
+    part += ".part";
     const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | (is_new ? O_EXCL : 0);
     const int descriptor = ::open(part.c_str(), flags, mode);
     const int reason = errno;

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "simulate/measure.h"
@@ -66,17 +68,32 @@ struct EnergyOffender {
   HOST_DEVICE Offender operator()(int i) const { return {motion(i).kinetic, i, -1}; }
 };
 
+/// Map: the energy of body i that needs no explanation [J].
+template <class V>
+struct LeastEnergy {
+  BodiesView<V> bodies;
+  double gravity;  ///< [m/s²]
+  double rounded;  ///< [J/kg]
+  HOST_DEVICE double operator()(int i) const {
+    return (gravity * double(bodies.radius[i]) + rounded) / double(bodies.inverse_mass[i]);
+  }
+};
+
 template <class V, class Exec>
 class Guard {
   using Buffer = typename Exec::template Buffer<V>;
 
  public:
-  Guard(double max_overlap, double max_energy) : max_overlap_(max_overlap), max_energy_(max_energy) {}
+  /// `h` [s]: length of a substep. `hint`: what helps against too much overlap, and against spheres that leave.
+  Guard(double max_overlap, double max_energy, double h, std::string hint)
+      : max_overlap_(max_overlap), max_energy_(max_energy), h_(h), hint_(std::move(hint)) {}
 
   /// To be called before the first step. `elastic` is the energy in springs [J].
   void start(StepState<V, Exec>& state, double elastic) {
-    max_overlap_ = std::fmax(max_overlap_, 2 * worst_overlap(state).amount);  // a start may overlap, and settles
+    overlap_at_start_ = worst_overlap(state).amount;
+    max_overlap_ = std::fmax(max_overlap_, 2 * overlap_at_start_);  // a start may overlap, and settles
     energy_at_start_ = energy(state) + elastic;
+    explained_ = std::fmax(energy_at_start_, least_energy(state));
     keep(state, 0);
   }
 
@@ -94,7 +111,7 @@ class Guard {
     const Vec3d p = widen(state.downloaded(state.position)[static_cast<size_t>(bad)]);
     std::ostringstream message;
     message << "sphere " << bad << " left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z << ")";
-    stop(step, time, message.str());
+    stop(step, time, message.str(), hint_);
   }
 
   /// Throws RunError where overlap or energy are beyond their limits; else the state is the last good one.
@@ -121,7 +138,9 @@ class Guard {
     bool is_now = is_started() && good_time_ == time;
     visit(is_now);
     visit(max_overlap_);
+    visit(overlap_at_start_);
     visit(energy_at_start_);
+    visit(explained_);
     visit(good_time_);
     if (is_now) {
       keep(state, good_time_);  // where it is put back; else it is kept already
@@ -135,9 +154,9 @@ class Guard {
  private:
   static constexpr int64_t kSteps = 16;
 
-  [[noreturn]] static void stop(int64_t step, double time, const std::string& what) {
+  [[noreturn]] static void stop(int64_t step, double time, const std::string& what, const std::string& hint) {
     std::ostringstream message;
-    message << "step " << step << " (t = " << time << " s): " << what << "; a smaller --dt or more --substeps may help";
+    message << "step " << step << " (t = " << time << " s): " << what << "; " << hint;
     throw RunError(message.str());
   }
 
@@ -174,20 +193,37 @@ class Guard {
       message << " overlaps a wall by ";
     }
     message << worst.amount << " of the smaller radius, more than --max-overlap " << max_overlap_;
-    stop(step, time, message.str());
+    stop(step, time, message.str(), hint_);
   }
 
   /// Springs are left out: energy from nowhere does not stay in them.
   void check_energy(StepState<V, Exec>& state, int64_t step, double time) const {
     if (state.box().is_periodic() && state.has_gravity()) return;  // falls for ever
     const double now = energy(state);
-    if (!(energy_at_start_ > 0) || now <= max_energy_ * energy_at_start_) return;
+    if (now <= max_energy_ * explained_) return;
     const Offender fastest = reduce(state.exec(), "check energy", state.count(), Offender{},
                                     EnergyOffender<V>{{state.bodies(), state.gravity()}}, WorseOffender{});
     std::ostringstream message;
-    message << "the energy is " << now / energy_at_start_ << " times that at the start, more than --max-energy "
-            << max_energy_ << "; sphere " << id(state, fastest.first) << " has most of it, " << fastest.amount << " J";
-    stop(step, time, message.str());
+    message << "the energy is ";
+    if (energy_at_start_ > 0) {
+      message << now / energy_at_start_ << " times that at the start";
+    } else {
+      message << now << " J, and was 0 J at the start";
+    }
+    message << ", more than --max-energy " << max_energy_ << "; sphere " << id(state, fastest.first)
+            << " has most of it, " << fastest.amount << " J";
+    stop(step, time, message.str(),
+         overlap_at_start_ > kOverlapThatMatters ? "less overlap at the start may help"
+                                                 : "a smaller --dt or more --substeps may help");
+  }
+
+  /// [J] What needs no explanation, however little a run begins with: spheres lifted by their radius, as out of the floor,
+  /// and positions rounded in a substep.
+  double least_energy(StepState<V, Exec>& state) const {
+    const V extent = state.box().max - state.box().min, g = state.gravity();
+    const double speed = 64 * double(std::numeric_limits<Scalar<V>>::epsilon()) * length(widen(extent)) / h_;
+    return reduce(state.exec(), "check energy", state.count(), 0.0,
+                  LeastEnergy<V>{state.bodies(), length(widen(g)), 0.5 * speed * speed}, Sum{});
   }
 
   /// [J] kinetic, and potential above the lowest corner of the domain.
@@ -219,7 +255,12 @@ class Guard {
     good_time_ = time;
   }
 
-  double max_overlap_, max_energy_, energy_at_start_ = 0;
+  static constexpr double kOverlapThatMatters = 0.001;  // of the smaller radius
+
+  double max_overlap_, max_energy_, h_;
+  std::string hint_;
+  double overlap_at_start_ = 0, energy_at_start_ = 0;
+  double explained_ = 0;  // [J] what --max-energy is a multiple of
   Buffer good_position_, good_velocity_;
   double good_time_ = 0;
 };

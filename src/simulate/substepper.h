@@ -32,6 +32,9 @@ class Substepper {
   /// What it keeps for each body from substep to substep.
   virtual std::vector<typename Exec::template Buffer<V>*> kept() { return {}; }
 
+  /// Numbers that a snapshot holds beside that.
+  virtual std::vector<int64_t*> counters() { return {}; }
+
   virtual int64_t bytes() const = 0;
 };
 

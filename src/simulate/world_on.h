@@ -10,13 +10,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "simulate/guard.h"
 #include "simulate/inspect_more.h"
 #include "simulate/make_world.h"
 #include "simulate/measure.h"
+#include "simulate/methods.h"
 #include "simulate/substepper.h"
 #include "simulate/snapshot.h"
 #include "simulate/world.h"
@@ -37,7 +40,7 @@ class WorldOn final : public World {
         state_(std::move(exec), scene, settings, margin_of(scene, settings)),
         substepper_(make_substepper<V, Exec>(scene, settings)),
         tally_(settings.keeps_tally),
-        guard_(settings.max_overlap, settings.max_energy) {}
+        guard_(settings.max_overlap, settings.max_energy, settings.dt / settings.substeps, hint_of(scene, settings)) {}
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
@@ -131,6 +134,22 @@ class WorldOn final : public World {
     return 0.01 * *std::max_element(radius.begin(), radius.end()) + length(scene.physics.gravity) * h * h;
   }
 
+  /// What helps against overlap: where springs are resolved by the steps, only stiffer ones do.
+  static std::string hint_of(const Scene& scene, const Settings& settings) {
+    if (settings.response != "penalty" || scene.bodies.size() == 0) return kSmallerSteps;
+    const double radius = *std::min_element(scene.bodies.radius.begin(), scene.bodies.radius.end());
+    const double mass = *std::min_element(scene.bodies.mass.begin(), scene.bodies.mass.end());
+    // Hertz's springs grow stiffer with overlap: at the largest that is allowed.
+    const double stiffness =
+        scene.physics.stiffness *
+        (scene.physics.law == "hertz" ? 1.5 * std::sqrt(std::fmin(settings.max_overlap, 1.0) * radius) : 1.0);
+    const bool is_resolved = settings.dt / settings.substeps < kResolved * std::sqrt(mass / stiffness);
+    if (is_resolved && integrator_of(settings) != "explicit-euler") {
+      return "a larger [physics] stiffness may help (and the smaller --dt that it needs)";
+    }
+    return kSmallerSteps;
+  }
+
   void sort() {
     state_.sort([&](const auto& rearrange) {
       for (Buffer<V>* const values : substepper_->kept()) rearrange(*values);
@@ -145,6 +164,7 @@ class WorldOn final : public World {
     visit(steps_);
     state_.for_each_saved(visit);
     for (Buffer<V>* const values : substepper_->kept()) visit(*values);
+    for (int64_t* const number : substepper_->counters()) visit(*number);
     tally_.for_each_saved(visit);
     guard_.for_each_saved(state_, time(), visit);
   }
@@ -157,6 +177,9 @@ class WorldOn final : public World {
     }
     return result;
   }
+
+  static constexpr const char* kSmallerSteps = "a smaller --dt or more --substeps may help";
+  static constexpr double kResolved = 0.5;  // of √(m/k): well below the 0.71 at which packings become unstable
 
   double dt_;  // [s]
   int substeps_;

@@ -121,3 +121,47 @@ TEST_CASE("while the candidate list shows that all spheres are inside, nobody el
   CHECK(checks(0) == 160);
   CHECK(checks(0.1) == 10);  // each 16th step, for what is not seen of positions
 }
+
+TEST_CASE("energy from nowhere stops a run that begins at rest without gravity") {
+  // Explicit Euler on a spring that rounding alone compresses: each step makes the oscillation larger.
+  Scene scene = wide_box(10);
+  scene.physics.stiffness = 1e6;
+  add_sphere(scene, {-0.5 + 1e-9, 0, 0}, Vec3d(0), 0.5, 1.0);
+  add_sphere(scene, {0.5, 0, 0}, Vec3d(0), 0.5, 1.0);
+  Settings settings = settings_of("penalty", 0.05, "explicit-euler");
+  settings.max_overlap = 1e6;
+  CHECK_THAT(stop_of(*make_cpu_world(scene, settings), 64),
+             Catch::Contains("--max-energy 10") || Catch::Contains("left the domain"));
+}
+
+TEST_CASE("a run that begins with next to no energy is not stopped by what gravity and springs explain") {
+  const std::string response = GENERATE("impulse", "position-based", "penalty");
+  Scene scene = wide_box(10);
+  scene.physics.gravity = {0, -9.81, 0};
+  scene.physics.stiffness = 1e5;
+  scene.physics.restitution = scene.physics.wall_restitution = 0.5;
+  add_sphere(scene, {0, -9.999, 0}, Vec3d(0), 0.5, 1.0);  // its centre nearly in the floor
+  CHECK(stop_of(*make_cpu_world(scene, settings_of(response, 1e-4)), 2000).empty());
+}
+
+TEST_CASE("spheres at rest without gravity, in touch or overlapping, are never stopped") {
+  const std::string response = GENERATE("impulse", "position-based", "penalty");
+  const double gap = GENERATE(1.0, 0.0, -1e-7, -0.3);
+  Scene scene = head_on(0.0, gap);
+  scene.physics.stiffness = 1e4;
+  CHECK(stop_of(*make_cpu_world(scene, settings_of(response, 1e-3)), 320).empty());
+}
+
+TEST_CASE("too much overlap of springs that the step resolves asks for stiffness, else for smaller steps") {
+  Scene scene = head_on(10.0, 0.1);
+  scene.physics.stiffness = 100;
+  Settings settings = settings_of("penalty", 1e-3);
+  settings.max_overlap = 0.3;
+  CHECK_THAT(stop_of(*make_cpu_world(scene, settings), 100), Catch::Contains("a larger [physics] stiffness may help"));
+  scene.physics.stiffness = 1e5;  // what it asks for
+  CHECK(stop_of(*make_cpu_world(scene, settings), 100).empty());
+  scene.physics.stiffness = 1e9;
+  CHECK_THAT(stop_of(*make_cpu_world(scene, settings), 100), Catch::Contains("a smaller --dt"));
+  settings.dt = 1e-6;  // what it asks for
+  CHECK(stop_of(*make_cpu_world(scene, settings), 30000).empty());
+}

@@ -18,10 +18,20 @@ constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 constexpr int64_t kStandstill = 1000;
 constexpr double kMoment = 0x1p-16;
 constexpr int64_t kEventsBetweenLooks = 1024;  // whether the run was interrupted: about a millisecond
+constexpr double kWedged = 1e-9;     // radii: a sphere with less room between two walls fits exactly between them
+constexpr double kRightAngle = 1e-6;  // part of a normal along an axis that does not count
 constexpr int kFewestToFetch = 5000;  // spheres; fewer lie in a cache
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 1.0 : *std::max_element(values.begin(), values.end());
+}
+
+/// The axes that a normal has a part along, as bits.
+template <class V>
+uint8_t axes_of(const V& normal) {
+  uint8_t axes = 0;
+  for (int axis = 0; axis < kDimensions<V>; ++axis) axes |= uint8_t((std::fabs(normal[axis]) > kRightAngle) << axis);
+  return axes;
 }
 
 double cell_limit(const Scene& scene) { return 64 + kCellsPerSphere * double(scene.bodies.size()); }
@@ -117,7 +127,14 @@ void EventDriven<V>::count_event(int i) {
     moment_start_ = now_;
     moment_events_ = 0;
   } else if (++moment_events_ > kStandstill * size()) {
-    fail(i, "collisions follow each other without end; a longer --contact-duration ends them");
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      if (!is_wedged(i, axis)) continue;
+      fail(i, std::string("it fits exactly between the walls along ") + "xyz"[axis] +
+                  ", and what pushes it there makes it collide without end; a domain with more room ends this");
+    }
+    const bool is_short = rules_.contact_duration < kMoment * epoch_length_;
+    fail(i, std::string("collisions follow each other without end; ") +
+                (is_short ? "a longer --contact-duration may end them" : "it has no room to move between its neighbours"));
   }
 }
 
@@ -227,7 +244,8 @@ void EventDriven<V>::collide(int i, int j) {
   const double distance = length(d);
   const V n = d / distance;
   const double approach = std::max(0.0, dot(a.velocity - b.velocity, n));
-  const double e = is_lossless(i) || is_lossless(j) ? 1.0 : rules_.restitution;
+  const uint8_t axes = axes_of(n);
+  const double e = is_lossless(i, axes) || is_lossless(j, axes) ? 1.0 : rules_.restitution;
   // They part at least so fast that rounding cannot leave them approaching; otherwise spheres that stay together (e = 0)
   // might creep into each other, and three of them collide forever at one moment.
   const double parting = std::max(e * approach, kRounding * (length(a.velocity) + length(b.velocity)));
@@ -244,22 +262,38 @@ void EventDriven<V>::collide(int i, int j) {
   tally_.virial += share * mass(i) * (approach + parting) * distance;
   for (const int k : {i, j}) {
     ++flights_[size_t(k)].collisions;
-    forecasts_[size_t(k)].last_collision = now_;
+    note_collision(k, axes);
   }
   forecast(i);
   forecast(j);
 }
 
+template <class V>
+void EventDriven<V>::note_collision(int i, uint8_t axes) {
+  Forecast& f = forecasts_[size_t(i)];
+  f.struck = is_in_contact(i) ? f.struck | axes : axes;
+  f.last_collision = now_;
+}
+
+/// Whether the walls leave sphere i no room along an axis.
+template <class V>
+bool EventDriven<V>::is_wedged(int i, int axis) const {
+  if (rules_.box.is_periodic() || (axis == 1 && rules_.box.boundary == Boundary::open_top)) return false;
+  return rules_.box.max[axis] - rules_.box.min[axis] - 2 * radius(i) <= kWedged * radius(i);
+}
+
 /// Sphere i is thrown back by a wall; at least so fast that gravity needs the duration of a contact to bring it back. A
-/// sphere that bounces no faster lies on the wall: that is no collision after which others would lose no energy.
+/// sphere that bounces no faster lies on the wall: that is no collision after which others would lose no energy. A sphere
+/// that fits exactly between two walls cannot move along their normal.
 template <class V>
 void EventDriven<V>::hit_wall(int i) {
   const int axis = forecasts_[size_t(i)].axis, side = forecasts_[size_t(i)].side;
   V velocity = flights_[size_t(i)].velocity;
   const double approach = std::max(0.0, side * velocity[axis]);
-  const double e = is_lossless(i) ? 1.0 : rules_.wall_restitution;
+  const auto axes = static_cast<uint8_t>(1 << axis);
+  const double e = is_lossless(i, axes) ? 1.0 : rules_.wall_restitution;
   const double resting = std::max(0.0, 0.5 * rules_.contact_duration * side * rules_.gravity[axis]);
-  const double parting = std::max(e * approach, resting);
+  const double parting = is_wedged(i, axis) ? 0.0 : std::max(e * approach, resting);
   velocity[axis] = -side * parting;
   count_event(i);
   check(i, velocity);
@@ -267,7 +301,7 @@ void EventDriven<V>::hit_wall(int i) {
 
   if (axis == 1 && side < 0) tally_.floor_impulse += mass(i) * (approach + parting);
   ++flights_[size_t(i)].collisions;
-  if (parting > resting) forecasts_[size_t(i)].last_collision = now_;
+  if (parting > resting) note_collision(i, axes);
   forecast(i);
 }
 

@@ -15,7 +15,9 @@
 //
 // Collisions take no time, and come one after another. Inelastic ones may then come infinitely often in a finite time
 // (a ball that comes to rest; inelastic collapse). The TC model ends this: a collision that follows a sphere's previous one
-// within the duration of a contact loses no energy.
+// within the duration of a contact loses no energy. Collisions at right angles do not hinder each other: a sphere that runs
+// into a corner strikes two or three walls at once, and loses energy at each. So a sphere remembers along which axes its
+// velocity has changed lately, and only along these a collision is free of loss.
 //
 // Each event reads some forty places of memory. Those of the events to come are fetched while others are handled, as far
 // ahead as the tournament tells who comes (schedule()): a collision among 100 000 spheres then costs 1.7 times what one
@@ -54,6 +56,7 @@ struct Forecast {
   double face_time = kNever;        ///< [s] since the epoch
   int8_t axis = 0, side = 0;        ///< of the face: side −1 towards smaller coordinates, +1 towards larger ones
   bool is_wall = false;             ///< of the face
+  uint8_t struck = 0;               ///< axes along which collisions have changed its velocity lately; for the TC model
   IVec3 cell{0};
   double last_collision = -kNever;  ///< [s] since the epoch; for the TC model
 
@@ -108,7 +111,10 @@ class EventDriven {
   void cross_face(int i);
   void schedule(int i);
   BlockPart part_of(const Forecast& f) const;
-  bool is_lossless(int i) const { return now_ - forecasts_[size_t(i)].last_collision < rules_.contact_duration; }
+  bool is_in_contact(int i) const { return now_ - forecasts_[size_t(i)].last_collision < rules_.contact_duration; }
+  bool is_lossless(int i, uint8_t axes) const { return is_in_contact(i) && (forecasts_[size_t(i)].struck & axes) != 0; }
+  void note_collision(int i, uint8_t axes);
+  bool is_wedged(int i, int axis) const;
 
   void check(int i, const V& velocity) const;
   [[noreturn]] void fail(int i, const std::string& what) const;

@@ -12,6 +12,10 @@
 // where the others have left the bodies. With one iteration a stack of n rests with an overlap of (n−1)·g·h² at its foot:
 // substeps pay more than iterations (Macklin et al. 2019). Velocities are changed by Σ Δx / h instead of being computed as
 // (x − x₀)/h, which would lose in rounding what it divides by h. Restitution is asked for above 2·g·h only, lest a heap jitter.
+//
+// More overlap at the start of a run than its motion explains says nothing about the load that a contact carries, and v ← v + Σ Δx / h would
+// make any speed of it. In such a run Δx enters the velocity only until the contact parts at `push`, which is 0 without
+// gravity: the rest of the overlap is removed by position alone.
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour.
 // Sources: Macklin, Müller, Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics
 // Simulation" (2019), doi 10.1145/3309486.3340247; Müller et al., "Detailed Rigid Body Simulation with Extended Position
@@ -43,6 +47,19 @@ struct PositionBasedView {
   Real h;           ///< [s] length of the substep
   Real compliance;  ///< α̃ = compliance / h² [1/kg]
   Real restitution, wall_restitution, threshold;
+  Span<const V> velocity;  ///< [m/s] kicked
+  Real push;               ///< [m/s] contacts make bodies part at most so fast; negative: no limit
+  Span<V> low_given, high_given;  ///< [kg·m] what of the multipliers has entered velocities; empty without a limit
+  Span<Real> given;
+
+  HOST_DEVICE bool is_limited() const { return push >= 0; }
+
+  /// What of a multiplier that has become `sum` enters velocities now [kg·m], where bodies part at `parting`.
+  HOST_DEVICE Real give(Real sum, Real& given_so_far, Real parting, Real w) const {
+    const Real before = given_so_far, asked = before + (push - parting) * h / w;
+    given_so_far = asked < 0 ? Real(0) : (asked < sum ? asked : sum);
+    return given_so_far - before;
+  }
 
   /// The change of a multiplier [kg·m] for an overlap [m] among inverse masses w; the sum never pulls.
   HOST_DEVICE Real change(Real multiplier, Real overlap, Real w) const {
@@ -74,7 +91,12 @@ struct MoveOutOfWalls {
         if (change == 0) continue;
         sum += change;
         position[i][axis] -= Real(side) * w * change;
-        shift[i][axis] -= Real(side) * w * change;
+        Real entering = change;
+        if (view.is_limited()) {
+          const Real parting = -Real(side) * (view.velocity[i][axis] + shift[i][axis] / view.h);
+          entering = view.give(sum, side < 0 ? view.low_given[i][axis] : view.high_given[i][axis], parting, w);
+        }
+        shift[i][axis] -= Real(side) * w * entering;
       }
     }
   }
@@ -99,9 +121,13 @@ struct MoveApart {
     const Real change = view.change(multiplier[c], view.radius[pair.i] + view.radius[pair.j] - distance, wi + wj);
     if (change == 0) return;
     multiplier[c] += change;
-    const V move = normal * change;
+    V move = normal * change;
     position[pair.i] -= move * wi;
     position[pair.j] += move * wj;
+    if (view.is_limited()) {
+      const V relative = view.velocity[pair.j] - view.velocity[pair.i] + (shift[pair.j] - shift[pair.i]) / view.h;
+      move = normal * view.give(multiplier[c], view.given[c], dot(relative, normal), wi + wj);
+    }
     shift[pair.i] -= move * wi;
     shift[pair.j] += move * wj;
   }
@@ -176,35 +202,41 @@ class PositionBasedResponse {
   explicit PositionBasedResponse(const PositionBasedParameters& parameters) : parameters_(parameters) {}
 
   /// Moves the bodies of `state`, which are at their predicted positions with kicked velocities, apart, and changes their
-  /// velocities accordingly. `before` are the velocities before the kick.
+  /// velocities accordingly. `before` are the velocities before the kick. `push_steps`: contacts make bodies part at most as
+  /// fast as they fall in so many substeps; negative: no limit.
   template <class State>
-  void respond(State& state, const ContactsView<V>& contacts, Span<const V> before, Real h,
+  void respond(State& state, const ContactsView<V>& contacts, Span<const V> before, Real h, Real push_steps,
                const ImpulseNotes<V>& notes) {
     Exec& exec = state.exec();
     const int64_t n = state.count();
-    const PositionBasedView<V> view = view_of(state, contacts, h);
-    clear(exec, n, state.box().is_periodic() ? 0 : n, contacts.pairs.size());
+    const bool is_limited = push_steps >= 0;
+    clear(exec, n, state.box().is_periodic() ? 0 : n, contacts.pairs.size(), is_limited);
+    const PositionBasedView<V> view = view_of(state, contacts, h, push_steps);
     colours_.build(exec, contacts, n);
     for (int k = 0; k < parameters_.iterations; ++k) move_apart(state, view);
     exec.parallel_for("take velocities", n, TakeVelocity<V>{h, shift_.span(), state.velocity.span()});
     state.moved();
     if (!state.box().is_periodic()) {
       exec.parallel_for("rebound from walls", n,
-                        ReboundFromWalls<V>{view, before, low_.span(), high_.span(), state.velocity.span(), notes});
+                        ReboundFromWalls<V>{view, before, is_limited ? low_given_.span() : low_.span(),
+                                            is_limited ? high_given_.span() : high_.span(), state.velocity.span(),
+                                            notes});
     }
+    const Span<const Real> pushed = is_limited ? given_.span() : multiplier_.span();
     colours_.for_each([&](Span<const int> colour) {
       exec.parallel_for("rebound", colour.size(),
-                        ReboundApart<V>{view, colour, multiplier_.span(), state.velocity.span(), notes});
+                        ReboundApart<V>{view, colour, pushed, state.velocity.span(), notes});
     });
   }
 
   int64_t bytes() const {
-    return shift_.bytes() + low_.bytes() + high_.bytes() + multiplier_.bytes() + colours_.bytes();
+    return shift_.bytes() + low_.bytes() + high_.bytes() + multiplier_.bytes() + low_given_.bytes() +
+           high_given_.bytes() + given_.bytes() + colours_.bytes();
   }
 
  private:
   template <class State>
-  PositionBasedView<V> view_of(State& state, const ContactsView<V>& contacts, Real h) const {
+  PositionBasedView<V> view_of(State& state, const ContactsView<V>& contacts, Real h, Real push_steps) {
     const BodiesView<V> bodies = state.bodies();
     const auto& p = parameters_;
     return {bodies.radius,
@@ -215,16 +247,27 @@ class PositionBasedResponse {
             Real(p.compliance) / (h * h),
             Real(p.restitution),
             Real(p.wall_restitution),
-            Real(2 * p.gravity) * h};
+            Real(2 * p.gravity) * h,
+            state.velocity.span(),
+            push_steps < 0 ? push_steps : push_steps * Real(p.gravity) * h,
+            low_given_.span(),
+            high_given_.span(),
+            given_.span()};
   }
 
-  void clear(Exec& exec, int64_t bodies, int64_t bodies_at_walls, int64_t contacts) {
+  void clear(Exec& exec, int64_t bodies, int64_t bodies_at_walls, int64_t contacts, bool is_limited) {
     shift_.resize(bodies);
     low_.resize(bodies_at_walls);
     high_.resize(bodies_at_walls);
     multiplier_.resize(contacts);
     for (Buffer<V>* buffer : {&shift_, &low_, &high_}) exec.fill("clear shifts", buffer->span(), V{});
     exec.fill("clear multipliers", multiplier_.span(), Real(0));
+    if (!is_limited) return;
+    low_given_.resize(bodies_at_walls);
+    high_given_.resize(bodies_at_walls);
+    given_.resize(contacts);
+    for (Buffer<V>* buffer : {&low_given_, &high_given_}) exec.fill("clear shifts", buffer->span(), V{});
+    exec.fill("clear multipliers", given_.span(), Real(0));
   }
 
   template <class State>
@@ -243,6 +286,8 @@ class PositionBasedResponse {
   PositionBasedParameters parameters_;
   Buffer<V> shift_, low_, high_;
   Buffer<Real> multiplier_;
+  Buffer<V> low_given_, high_given_;  // only with a limit
+  Buffer<Real> given_;
   ContactColours<V, Exec> colours_;
 };
 

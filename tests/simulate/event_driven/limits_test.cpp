@@ -181,3 +181,48 @@ TEST_CASE("event-driven: without a contact duration a ball that comes to rest st
     CHECK_THAT(error.what(), Catch::Contains("sphere 0") && Catch::Contains("--contact-duration"));
   }
 }
+
+TEST_CASE("event-driven: a ball that runs into a corner loses the same part of its speed at each wall") {
+  const int walls = GENERATE(2, 3);
+  Scene scene = empty_box(2.0);
+  scene.physics.wall_restitution = 0.8;
+  const Vec3d v(-1, -1, walls == 3 ? -1 : 0);
+  add_sphere(scene, {0.6, 0.6, walls == 3 ? 0.6 : 1.0}, v, 0.1);
+  const Vec3d after = world_at(scene, 0.6)->bodies().velocity[0];
+  CHECK(length(after + 0.8 * v) < 1e-12);
+}
+
+TEST_CASE("event-driven: a ball struck by a ball and a wall at right angles at once loses energy at both") {
+  Scene scene = empty_box(4.0);
+  scene.physics.restitution = scene.physics.wall_restitution = 0.5;
+  add_sphere(scene, {1, 1, 2}, {0, -1, 0}, 0.5, 1.0);  // reaches the floor at 0.5 s
+  add_sphere(scene, {2.5, 0.5, 2}, {-1, 0, 0}, 0.5, 1.0);  // and is there at that time, beside it
+  const Bodies after = world_at(scene, 0.6)->bodies();
+  CHECK(length(after.velocity[0] - Vec3d(-0.75, 0.5, 0)) < 1e-6);
+  CHECK(length(after.velocity[1] - Vec3d(-0.25, 0, 0)) < 1e-6);
+}
+
+TEST_CASE("event-driven: a sphere that fits exactly between two walls falls along them") {
+  Scene scene;
+  scene.domain.max = {1, 2, 1};
+  scene.physics.gravity = {0, -9.81, 0};
+  add_sphere(scene, {0.5, 1, 0.5}, {0.1, 0, 0}, 0.5);
+  const auto world = world_at(scene, 0.2);
+  CHECK(world->bodies().velocity[0].x == 0);
+  CHECK(world->bodies().position[0].y == Approx(1 - 0.5 * 9.81 * 0.04).epsilon(1e-9));
+  CHECK(world->bodies().position[0].x == Approx(0.5).margin(1e-9));
+  CHECK(world_at(scene, 5.0)->bodies().position[0].y == Approx(0.5).margin(1e-3));
+}
+
+TEST_CASE("event-driven: a sphere that gravity presses between two walls without room stops the run and is named so") {
+  Scene scene;
+  scene.domain.max = {2, 1, 2};
+  scene.physics.gravity = {0, -9.81, 0};
+  add_sphere(scene, {1, 0.5, 1}, {0.1, 0, 0}, 0.5);
+  try {
+    world_at(scene, 1.0);
+    FAIL("ran on");
+  } catch (const RunError& error) {
+    CHECK_THAT(error.what(), Catch::Contains("sphere 0") && Catch::Contains("fits exactly between the walls along y"));
+  }
+}

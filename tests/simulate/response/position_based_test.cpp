@@ -97,3 +97,61 @@ TEST_CASE("compliance lets a sphere at rest sink by compliance·m·g") {
   step_until(*world, 10);
   CHECK(0.5 - world->bodies().position[0].y == Approx(1e-4 * 9.81).epsilon(0.01));
 }
+
+TEST_CASE("overlap at the start is removed from position-based spheres at rest without giving them speed") {
+  const double dt = GENERATE(1.0 / 240, 1e-3, 1e-4), e = GENERATE(0.0, 1.0);
+  const int iterations = GENERATE(1, 10);
+  Scene scene = wide_box(1);
+  scene.physics.restitution = scene.physics.wall_restitution = e;
+  add_sphere(scene, {0, 0, 0}, Vec3d(0), 0.1, 1.0);
+  add_sphere(scene, {0.11, 0, 0}, Vec3d(0), 0.1, 1000.0);
+  add_sphere(scene, {0.05, 0.1, 0}, Vec3d(0), 0.1, 0.1);
+  add_sphere(scene, {-0.95, 0, 0}, Vec3d(0), 0.1, 1.0);  // in a wall
+  Settings settings = settings_of("position-based", dt);
+  settings.iterations = iterations;
+  const auto world = make_cpu_world(scene, settings);
+  for (int k = 0; k < 100; ++k) world->step();
+  CHECK(world->report().kinetic_energy < 1e-12);
+  CHECK(world->report().max_overlap < 1e-3);
+}
+
+TEST_CASE("two position-based spheres that overlap and fly on together keep their momentum and gain no energy") {
+  Scene scene = wide_box(5);
+  add_sphere(scene, {0, 0, 0}, {1, 2, 3}, 0.5, 1.0);
+  add_sphere(scene, {0.3, 0.1, 0}, {1, 2, 3}, 0.5, 7.0);
+  const auto world = make_cpu_world(scene, settings_of("position-based", 1e-3));
+  const Report before = world->report();
+  for (int k = 0; k < 100; ++k) world->step();
+  CHECK(length(world->report().momentum - before.momentum) < 1e-9);
+  CHECK(world->report().kinetic_energy <= before.kinetic_energy * (1 + 1e-12));
+  CHECK(world->report().max_overlap < 1e-9);
+}
+
+TEST_CASE("a stack that begins squeezed to nine tenths stretches without a leap, and rests as one that did not") {
+  const double dt = GENERATE(1.0 / 600, 1e-4);
+  Scene scene = stack(5);
+  for (int i = 0; i < 5; ++i) scene.bodies.position[size_t(i)].y = 0.45 + 0.9 * i;
+  const auto world = make_cpu_world(scene, settings_of("position-based", dt));
+  double most = 0;
+  while (world->time() < 2) {
+    world->step();
+    most = std::max(most, world->report().kinetic_energy);
+  }
+  // Lifting the stack to its height takes 9.81·0.1·(0.5 + 1.5 + … + 4.5) J = 12.3 J.
+  CHECK(most < 1.3);
+  CHECK(world->report().kinetic_energy < 1e-3);
+  CHECK(world->report().max_overlap * 0.5 < 1.01 * 6 * 9.81 * dt * dt);
+}
+
+TEST_CASE("a position-based run that began with overlap goes on to the same bits from a snapshot") {
+  Scene scene = stack(4);
+  for (int i = 0; i < 4; ++i) scene.bodies.position[size_t(i)].y = 0.45 + 0.9 * i;
+  const auto world = make_cpu_world(scene, settings_of("position-based", 1e-3));
+  for (int k = 0; k < 30; ++k) world->step();
+  const auto then = world->snapshot();
+  for (int k = 0; k < 30; ++k) world->step();
+  const uint64_t once = world->report().state_hash;
+  world->restore(*then);
+  for (int k = 0; k < 30; ++k) world->step();
+  CHECK(world->report().state_hash == once);
+}
