@@ -5,24 +5,63 @@
 //      │ ○╌╌╌╌╌╌╌╌╌▸○  │       |d + v·t| = r_i + r_j,  d, v relative:  t = c / (−b + √(b² − a·c)) with
 //      ╰───────────────╯       a = v·v, b = d·v, c = d·d − (r_i + r_j)²  – no difference of like numbers
 //
-// A pair with t in [0, dt] is a contact, with the normal that it has at t. Each body moves with its old velocity up to its
-// first contact, and on with the one that the response gives it. So the first hit of a body in a step cannot be missed, and
-// no body leaves through a wall; a second hit in the same step is found by the next one, if the bodies still overlap then.
+// A pair with t in [0, dt] is a contact, with the normal that it has at t. Each body moves on its parabola up to its first
+// contact. There the response takes the velocity that it has by then, v + t·g·dt: from before the kick, a ball would lose
+// g·dt with each bounce. It moves on with the velocity that the response gives it and what is left of the kick. So the
+// first hit of a body in a step cannot be missed, and no body leaves through a wall; a second hit in the same step is
+// found by the next one, if the bodies still overlap then. Bodies that meet walls alone bounce exactly: between_walls.h.
+//
+// A body that lies on a wall is not kicked against it: otherwise what strikes it would seem slower than it is.
 // Cost: the broad phase among larger spheres, O(candidates + n). Source: Ericson, "Real-Time Collision Detection" (2005),
 // section 5.5.5.
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 
 #include "core/error.h"
 #include "exec/reduce.h"
+#include "simulate/between_walls.h"
 #include "simulate/measure.h"
 #include "simulate/narrowphase/contact_list.h"
 #include "simulate/step_state.h"
 
 namespace ballpit {
+
+/// Kernel: what gravity adds to body i's velocity in the step: nothing against a wall that it lies on.
+template <class V>
+struct KickUnlessHeld {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;
+  Box<V> box;
+  V change;  ///< g·dt [m/s]
+  Real dt;
+  Span<V> kick, kicked;
+
+  HOST_DEVICE void operator()(int i) const {
+    V own = change;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      if (own[axis] != 0 && is_held(i, axis)) own[axis] = 0;
+    }
+    kick[i] = own;
+    kicked[i] = bodies.velocity[i] + own;
+  }
+
+ private:
+  /// A body lies on a wall where it would bounce less than a thousandth of g·dt² high, or less than rounding.
+  HOST_DEVICE bool is_held(int i, int axis) const {
+    if (box.is_periodic() || (axis == 1 && change[axis] > 0 && box.boundary == Boundary::open_top)) return false;
+    const Real p = bodies.position[i][axis], v = bodies.velocity[i][axis], radius = bodies.radius[i];
+    const Real wall = change[axis] < 0 ? box.min[axis] : box.max[axis];
+    const Real gap = std::fabs(p - wall) - radius, pressed = std::fabs(change[axis]) * dt;
+    const Real rounded = 8 * std::numeric_limits<Real>::epsilon() * (std::fabs(wall) + radius);
+    const Real least = Real(0.001) * pressed;
+    const Real height = (gap > 0 ? gap : Real(0)) + v * v * dt * dt / (2 * pressed);
+    return height <= (least > rounded ? least : rounded);
+  }
+};
 
 /// Kernel: the way of body i, and the sphere around it.
 template <class V>
@@ -30,13 +69,14 @@ struct SweepBody {
   using Real = Scalar<V>;
   BodiesView<V> bodies;
   Box<V> box;
-  Span<const V> velocity;
+  Span<const V> kick;  ///< empty without gravity
   Real dt;
   Span<V> way, middle;
   Span<Real> reach;
 
   HOST_DEVICE void operator()(int i) const {
-    const V w = velocity[i] * dt;
+    V w = bodies.velocity[i] * dt;
+    if (!kick.empty()) w += kick[i] * (dt / 2);
     way[i] = w;
     middle[i] = box.wrap(bodies.position[i] + w / Real(2));
     reach[i] = bodies.radius[i] + std::sqrt(dot(w, w)) / 2 * Real(1.00001);  // rounding must not shorten it
@@ -109,6 +149,7 @@ template <class V>
 struct MeasureImpact {
   using Real = Scalar<V>;
   FindImpact<V> find;
+  Span<const V> kick;
   Span<const Pair> pairs;
   Span<ContactGeometry<V>> geometry;
   Span<Real> time;
@@ -119,44 +160,116 @@ struct MeasureImpact {
     time[c] = impact.time;
     if (impact.time <= 0) return;  // they overlap already, and were measured so
     const V normal = impact.apart / std::sqrt(dot(impact.apart, impact.apart));
-    geometry[c] = {normal, Real(0), dot(find.bodies.velocity[pair.j] - find.bodies.velocity[pair.i], normal)};
+    V parting = find.bodies.velocity[pair.j] - find.bodies.velocity[pair.i];
+    if (!kick.empty()) parting += (kick[pair.j] - kick[pair.i]) * impact.time;
+    geometry[c] = {normal, Real(0), dot(parting, normal)};
   }
 };
 
-/// Kernel: body i moves with its old velocity up to its first contact, then with the new one, and not through a wall.
+/// Kernel: when body i meets its first contact.
 template <class V>
-struct SweptDrift {
+struct FindFirst {
   using Real = Scalar<V>;
-  BodiesView<V> bodies;  ///< before the drift
+  BodiesView<V> bodies;
   Box<V> box;
   ContactsView<V> contacts;
-  Span<const Real> time;  ///< of each contact
   Span<const V> way;
-  Span<const V> velocity;    ///< the new one
-  Span<const V> correction;  ///< [m]
-  Real dt;
-  Span<V> position;
+  Span<const Real> time;  ///< of each contact
+  Span<Real> first;
 
   HOST_DEVICE void operator()(int i) const {
     const V p = bodies.position[i];
     const Real radius = bodies.radius[i];
-    Real first = 1;
-    bool is_free = true;
-    contacts.for_each_of(i, [&](int c, int, int) { meet(time[c], first, is_free); });
+    Real earliest = 1;
+    contacts.for_each_of(i, [&](int c, int, int) {
+      if (time[c] < earliest) earliest = time[c];
+    });
     box.for_each_wall_on_way(p, p + way[i], radius, [&](int axis, int side, Real overlap) {
       const Real gap = (side < 0 ? p[axis] - box.min[axis] : box.max[axis] - p[axis]) - radius;
-      meet(overlap > 0 || gap <= 0 ? Real(0) : gap / std::fabs(way[i][axis]), first, is_free);
+      const Real met = overlap > 0 || gap <= 0 ? Real(0) : gap / std::fabs(way[i][axis]);
+      if (met < earliest) earliest = met;
     });
-    const Real before = is_free ? Real(1) : first;
-    V end = p + way[i] * before + velocity[i] * ((1 - before) * dt) + correction[i];
-    if (!box.is_periodic()) keep_inside(p, radius, end);
+    first[i] = earliest;
+  }
+};
+
+/// Kernel: where body i is after the step, and with which velocity: on its parabola up to its first contact, then with
+/// the velocity that the response gives it, and not through a wall. One that meets walls alone bounces exactly.
+template <class V>
+struct SweptDrift {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;  ///< before the step
+  Box<V> box;
+  ContactsView<V> contacts;
+  Sweep<V> sweep;
+  Span<const V> responded;   ///< velocities by the response
+  Span<const V> correction;  ///< [m]
+  V change;                  ///< g·dt [m/s]
+  Real dt, wall_restitution;
+  Span<V> position, velocity;
+  ImpulseNotes<V> notes;
+
+  HOST_DEVICE void operator()(int i) const {
+    if (!box.is_periodic() && contacts.count_of(i) == 0 && is_inside(i)) {
+      bounce(i);
+      return;
+    }
+    const V p = bodies.position[i], kick = sweep.kick_of(i), after = responded[i];
+    const Real before = sweep.first[i], rest = 1 - before;
+    V end = p + sweep.way[i] * before + after * (rest * dt) + correction[i];
+    if (!sweep.kick.empty()) {
+      end -= kick * (before * rest * dt / 2);  // from the chord to the parabola
+      if (is_flying(i)) end -= kick * (rest * rest * dt / 2);
+    }
+    if (!box.is_periodic()) keep_inside(p, bodies.radius[i], end);
     position[i] = end;
+    velocity[i] = after;
+    if (notes.are_kept() && !box.is_periodic()) {
+      notes.floor[i] += (kick - change)[1] > 0 ? (kick - change)[1] / bodies.inverse_mass[i] : Real(0);
+    }
   }
 
  private:
-  HOST_DEVICE static void meet(Real time, Real& first, bool& is_free) {
-    is_free = false;
-    if (time < first) first = time;
+  /// Whether body i is between the walls, but for rounding.
+  HOST_DEVICE bool is_inside(int i) const {
+    bool is_held = true;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      const Real p = bodies.position[i][axis], low = low_of(i, axis), high = high_of(i, axis);
+      const Real rounded = 8 * std::numeric_limits<Real>::epsilon() * (std::fabs(box.min[axis]) + bodies.radius[i]);
+      is_held = is_held & (low <= high) & (p >= low - rounded) & (p <= high + rounded);
+    }
+    return is_held;
+  }
+
+  HOST_DEVICE Real low_of(int i, int axis) const { return box.min[axis] + bodies.radius[i]; }
+  HOST_DEVICE Real high_of(int i, int axis) const {
+    return axis == 1 && box.boundary == Boundary::open_top ? box.kFar : box.max[axis] - bodies.radius[i];
+  }
+
+  HOST_DEVICE void bounce(int i) const {
+    V p = bodies.position[i], v = bodies.velocity[i];
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      const BetweenWalls<Real> walls{low_of(i, axis), high_of(i, axis), change[axis] / dt, wall_restitution};
+      const Real given = walls.fly(p[axis], v[axis], dt);
+      if (notes.are_kept() && axis == 1) notes.floor[i] = given / bodies.inverse_mass[i];
+    }
+    position[i] = p;
+    velocity[i] = v;
+  }
+
+  /// Whether body i parts from all that it meets: what does not part is held, and does not fall in the rest of the step.
+  HOST_DEVICE bool is_flying(int i) const {
+    const V own = responded[i];
+    const Real least = Real(0.01) * std::sqrt(dot(change, change));
+    bool is_free = true;
+    contacts.for_each_of(i, [&](int c, int other, int side) {
+      is_free = is_free & (dot(responded[other] - own, contacts.geometry[c].normal) * Real(side) > least);
+    });
+    const V p = bodies.position[i];
+    box.for_each_wall_on_way(p, p + sweep.way[i], bodies.radius[i], [&](int axis, int side, Real) {
+      is_free = is_free & (-Real(side) * own[axis] > least);
+    });
+    return is_free;
   }
 
   /// A sphere that did not overlap a wall does not after its way, either.
@@ -177,27 +290,37 @@ class SweptContacts {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  /// The contacts of a step of dt that begins at the state's positions, with these velocities.
-  ContactsView<V> find(StepState<V, Exec>& state, Span<const V> velocity, Real dt) {
+  /// The contacts of a step of dt that begins at the state's positions and velocities.
+  ContactsView<V> find(StepState<V, Exec>& state, Real dt) {
     Exec& exec = state.exec();
     const BodiesView<V> bodies = state.bodies();
-    sweep(exec, bodies, state.box(), velocity, dt);
+    const Box<V>& box = state.box();
+    kick(exec, state, dt);
+    cover_ways(exec, bodies, box, dt);
     search(state);
-    keep_impacts(exec, bodies, state.box());
-    list_.build(exec, pairs_.span(), first_.span(), bodies, state.box());
+    keep_impacts(exec, bodies, box);
+    list_.build(exec, pairs_.span(), first_.span(), bodies, box);
     time_.resize(pairs_.size());
-    exec.parallel_for("measure impacts", pairs_.size(),
-                      MeasureImpact<V>{finder(bodies, state.box()), pairs_.span(), list_.geometry(), time_.span()});
+    exec.parallel_for(
+        "measure impacts", pairs_.size(),
+        MeasureImpact<V>{finder(bodies, box), kick_.span(), pairs_.span(), list_.geometry(), time_.span()});
+    met_.resize(bodies.size());
+    exec.parallel_for("find first impacts", bodies.size(),
+                      FindFirst<V>{bodies, box, list_.view(), way_.span(), time_.span(), met_.span()});
     return list_.view();
   }
 
-  /// What each body is about to go [m], and when the contacts are met [of the step]; after find().
-  Span<const V> way() const { return way_.span(); }
-  Span<const Real> time() const { return time_.span(); }
+  /// How bodies move and when contacts are met; after find().
+  Sweep<V> sweep() const { return {way_.span(), kick_.span(), met_.span(), time_.span()}; }
+
+  /// Velocities after the kick; those of the state without gravity. After find().
+  Span<const V> kicked(const StepState<V, Exec>& state) const {
+    return kick_.size() > 0 ? kicked_.span() : state.bodies().velocity;
+  }
 
   int64_t bytes() const {
-    return way_.bytes() + middle_.bytes() + reach_.bytes() + is_hit_.bytes() + place_.bytes() + first_.bytes() +
-           pairs_.bytes() + time_.bytes() + detector_.bytes();
+    return way_.bytes() + middle_.bytes() + kick_.bytes() + kicked_.bytes() + reach_.bytes() + met_.bytes() +
+           is_hit_.bytes() + place_.bytes() + first_.bytes() + pairs_.bytes() + time_.bytes() + detector_.bytes();
   }
 
  private:
@@ -205,13 +328,22 @@ class SweptContacts {
     return {bodies, box, way_.span(), middle_.span()};
   }
 
-  void sweep(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const V> velocity, Real dt) {
+  void kick(Exec& exec, StepState<V, Exec>& state, Real dt) {
+    if (!state.has_gravity()) return;
+    const int64_t n = state.count();
+    kick_.resize(n);
+    kicked_.resize(n);
+    exec.parallel_for("kick", n, KickUnlessHeld<V>{state.bodies(), state.box(), state.gravity() * dt, dt, kick_.span(),
+                                                   kicked_.span()});
+  }
+
+  void cover_ways(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Real dt) {
     const int64_t n = bodies.size();
     way_.resize(n);
     middle_.resize(n);
     reach_.resize(n);
     exec.parallel_for("sweep bodies", n,
-                      SweepBody<V>{bodies, box, velocity, dt, way_.span(), middle_.span(), reach_.span()});
+                      SweepBody<V>{bodies, box, kick_.span(), dt, way_.span(), middle_.span(), reach_.span()});
   }
 
   void search(StepState<V, Exec>& state) {
@@ -253,8 +385,9 @@ class SweptContacts {
 
   Detector<V, Exec> detector_;
   ContactList<V, Exec> list_;
-  Buffer<V> way_, middle_;
+  Buffer<V> way_, middle_, kick_, kicked_;
   Buffer<Real> reach_, time_;
+  Buffer<Real> met_;  // when each body meets its first contact
   Buffer<int> is_hit_, place_, first_;
   Buffer<Pair> pairs_;
 };

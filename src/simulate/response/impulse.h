@@ -15,7 +15,8 @@
 // naively, a body with several contacts would answer each of them in full and gain energy. So each body's mass is split
 // among its c contacts: each solves its own pair of parts, and the parts are averaged. Averaging never adds kinetic
 // energy, so neither does an iteration with e = 0, and momentum is exchanged in equal and opposite portions. A single
-// contact is solved exactly by the first iteration; heaps converge over iterations and steps.
+// contact is solved exactly by the first iteration; heaps converge over iterations and steps. Walls at right angles do not
+// disturb each other: a body solves all of them in one part, so a corner is exact, too.
 // Taking u₀ before the kick makes a ball that bounces with e = 1 rise to where it fell from: the kick of the step of
 // impact is not reflected. A ball at rest stays at rest.
 //

@@ -35,7 +35,7 @@ struct ImpulseView {
   BodiesView<V> bodies;  ///< with the velocities before the kick
   WallsView<V> walls;
   ContactsView<V> contacts;
-  Span<const Real> share;  ///< c: contacts of each body, walls included
+  Span<const Real> share;  ///< c: contacts of each body; walls at right angles count as one
   Real dt, restitution, wall_restitution, push, push_limit, entered, correction, foresight, slop;
 
   /// Calls visit(axis, side, overlap) for each wall of body i.
@@ -46,8 +46,20 @@ struct ImpulseView {
 
   /// How much faster body i, at `velocity`, is to part from a wall [m/s]; at most 0 where it does by itself.
   HOST_DEVICE Real missing_at_wall(int i, const V& velocity, int axis, int side, Real overlap) const {
-    const Real before = -Real(side) * bodies.velocity[i][axis], parting = -Real(side) * velocity[axis];
-    return wanted(wall_restitution, before, overlap, bodies.radius[i]) - parting;
+    Real before = -Real(side) * bodies.velocity[i][axis], later = 0;
+    if (walls.is_swept()) {
+      const Real kick = -Real(side) * walls.sweep.kick_of(i)[axis], first = walls.sweep.first[i];
+      before += kick * first;
+      later = kick * (1 - first);
+    }
+    return wanted(wall_restitution, before, overlap, bodies.radius[i], later) + Real(side) * velocity[axis];
+  }
+
+  /// What the rest of the step's kick adds to the speed at which contact c parts [m/s]: nothing where contacts are not
+  /// swept, and nothing between spheres that both fall.
+  HOST_DEVICE Real later(int c, const Pair& pair, const V& normal) const {
+    if (!walls.is_swept()) return 0;
+    return dot(walls.sweep.kick_of(pair.j) - walls.sweep.kick_of(pair.i), normal) * (1 - walls.sweep.time[c]);
   }
 
   /// How far a contact that parted at `separation` before the step moved into overlap during the last one [m].
@@ -67,9 +79,10 @@ struct ImpulseView {
     return entered * entered_overlap(separation, overlap) + correction * old_overlap(separation, overlap, radii);
   }
 
-  /// The speed of parting that a contact wants: what restitution asks for, or what pushes old overlap out.
-  HOST_DEVICE Real wanted(Real e, Real separation, Real overlap, Real radii) const {
-    const Real rebound = separation < 0 ? -e * separation : Real(0);
+  /// The speed of parting that a contact wants at the end of the step: what restitution asks for at the impact, and what
+  /// the kick adds `later`; or what pushes old overlap out.
+  HOST_DEVICE Real wanted(Real e, Real separation, Real overlap, Real radii, Real later) const {
+    const Real rebound = separation < 0 ? later - e * separation : Real(0);
     const Real out = push * old_overlap(separation, overlap, radii) / dt;
     const Real limited = out < push_limit ? out : push_limit;
     return limited > rebound ? limited : rebound;
@@ -115,16 +128,20 @@ struct NoteFloorSum {
   }
 };
 
-/// Kernel: how many contacts body i splits its mass among.
+/// Kernel: how many contacts body i splits its mass among. Walls at right angles do not disturb each other, so they have
+/// one share together; two that face each other have two.
 template <class V>
 struct CountShares {
   ImpulseView<V> view;
   Span<Scalar<V>> share;
 
   HOST_DEVICE void operator()(int i) const {
-    int count = view.contacts.count_of(i);
-    view.for_each_wall(i, [&](int, int, Scalar<V>) { ++count; });
-    share[i] = static_cast<Scalar<V>>(count);
+    int walls = 0, last_axis = -1;
+    view.for_each_wall(i, [&](int axis, int, Scalar<V>) {
+      walls = axis == last_axis ? 2 : (walls > 1 ? walls : 1);
+      last_axis = axis;
+    });
+    share[i] = static_cast<Scalar<V>>(view.contacts.count_of(i) + walls);
   }
 };
 
@@ -140,7 +157,8 @@ struct ConstrainContact {
     const auto& [position, velocity, radius, inverse_mass] = view.bodies;
     const Scalar<V> softness = view.share[pair.i] * inverse_mass[pair.i] + view.share[pair.j] * inverse_mass[pair.j];
     const Scalar<V> radii = radius[pair.i] + radius[pair.j];
-    constraints[c] = {contact.normal, view.wanted(view.restitution, contact.separation, contact.overlap, radii),
+    const Scalar<V> later = view.later(c, pair, contact.normal);
+    constraints[c] = {contact.normal, view.wanted(view.restitution, contact.separation, contact.overlap, radii, later),
                       view.removable(contact.separation, contact.overlap, radii), 1 / softness};
   }
 };
