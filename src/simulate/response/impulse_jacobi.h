@@ -36,11 +36,15 @@ struct ResolveVelocity {
       impulse -= contact.normal * (Real(side) * add_unless_pulling(sum, contact.mass * (contact.wanted - parting)));
       if (side > 0) next_exchanged[c] = sum;
     });
+    V at_walls = own;  // of the one part that meets all walls, one after the other
+    const Real part = view.share[i] * inverse_mass;
     view.for_each_wall(i, [&](int axis, int side, Real overlap) {
       Real& sum = walls.at(i, axis, side);
       if (is_first) sum = 0;
-      const Real missing = view.missing_at_wall(i, own, axis, side, overlap);
-      impulse[axis] -= Real(side) * add_unless_pulling(sum, missing / (view.share[i] * inverse_mass));
+      const Real missing = view.missing_at_wall(i, at_walls, axis, side, overlap);
+      const Real change = Real(side) * add_unless_pulling(sum, missing / part);
+      impulse[axis] -= change;
+      at_walls[axis] -= change * part;
     });
     next_velocity[i] = own + impulse * inverse_mass;
   }

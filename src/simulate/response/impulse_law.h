@@ -35,7 +35,7 @@ struct ImpulseView {
   BodiesView<V> bodies;  ///< with the velocities before the kick
   WallsView<V> walls;
   ContactsView<V> contacts;
-  Span<const Real> share;  ///< c: contacts of each body; walls at right angles count as one
+  Span<const Real> share;  ///< c: contacts of each body; all walls count as one
   Real dt, restitution, wall_restitution, push, push_limit, entered, correction, foresight, slop;
 
   /// Calls visit(axis, side, overlap) for each wall of body i.
@@ -129,18 +129,15 @@ struct NoteFloorSum {
 };
 
 /// Kernel: how many contacts body i splits its mass among. Walls at right angles do not disturb each other, so they have
-/// one share together; two that face each other have two.
+/// one share together.
 template <class V>
 struct CountShares {
   ImpulseView<V> view;
   Span<Scalar<V>> share;
 
   HOST_DEVICE void operator()(int i) const {
-    int walls = 0, last_axis = -1;
-    view.for_each_wall(i, [&](int axis, int, Scalar<V>) {
-      walls = axis == last_axis ? 2 : (walls > 1 ? walls : 1);
-      last_axis = axis;
-    });
+    int walls = 0;
+    view.for_each_wall(i, [&](int, int, Scalar<V>) { walls = 1; });
     share[i] = static_cast<Scalar<V>>(view.contacts.count_of(i) + walls);
   }
 };

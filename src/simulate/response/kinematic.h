@@ -111,14 +111,14 @@ struct MirrorVelocity {
       kick *= 1 - walls.sweep.first[i];
     }
     Pressed<V> hit = pressed_by(i, before, [](const V&) { return true; });
-    const V along = hit.take_from(before), after = along - rebound(hit, before - along);
+    const V along = hit.take_from(before), into = before - along, after = along - rebound(hit, into);
     V moving = after + kick;
     Pressed<V> held = pressed_by(i, moving + kick / Real(2), [&](const V& normal) {
       return dot(after, normal) <= kSlow * std::sqrt(dot(kick, kick));
     });
     moving = held.take_from(moving);
     velocity[i] = moving;
-    back[i] = step_back(hit, held.count > 0, bodies.radius[i]);
+    back[i] = step_back(hit, into, held.count > 0, bodies.radius[i]);
     if (notes.are_kept()) note_floor(i, hit, held);
   }
 
@@ -168,18 +168,17 @@ struct MirrorVelocity {
     return pressed;
   }
 
-  /// Σ e·λ·n, not more than `into`, which it mirrors: where spheres and walls differ in e, it might be.
+  /// Σ e·λ·n, and no longer than `into`, which it mirrors: where spheres and walls differ in e, it might be.
   HOST_DEVICE static V rebound(const Pressed<V>& hit, const V& into) {
     V sum{};
     for (int k = 0; k < hit.count; ++k) {
       sum += hit.obstacle[k].normal * (hit.obstacle[k].restitution * hit.amount[k]);
     }
-    const Real given = dot(sum, sum), had = dot(into, into);
-    return given > had ? sum * std::sqrt(had / given) : sum;
+    return no_longer(sum, into);
   }
 
   /// Back by what the last step has entered; what has come to rest stays in contact.
-  HOST_DEVICE V step_back(const Pressed<V>& hit, bool rests, Real radius) const {
+  HOST_DEVICE V step_back(const Pressed<V>& hit, const V& into, bool rests, Real radius) const {
     V move{};
     for (int k = 0; k < hit.count; ++k) {
       const Real overlap = hit.obstacle[k].overlap, most = overlap - kSlop * radius;
@@ -188,7 +187,13 @@ struct MirrorVelocity {
       if (rests && distance > most) distance = most > 0 ? most : Real(0);
       move -= hit.obstacle[k].normal * distance;
     }
-    return move;
+    return no_longer(move, into * dt);
+  }
+
+  /// `vector`, shortened where it is longer than `limit`: between obstacles that face each other, parts of it may be.
+  HOST_DEVICE static V no_longer(const V& vector, const V& limit) {
+    const Real has = dot(vector, vector), most = dot(limit, limit);
+    return has > most ? vector * std::sqrt(most / has) : vector;
   }
 
   HOST_DEVICE void note_floor(int i, const Pressed<V>& hit, const Pressed<V>& held) const {
