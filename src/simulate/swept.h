@@ -30,7 +30,7 @@
 
 namespace ballpit {
 
-/// Kernel: what gravity adds to body i's velocity in the step: nothing against a wall that it lies on.
+/// Kernel: the velocity of body i before and after the kick. Where it lies on a wall, both are 0.
 template <class V>
 struct KickUnlessHeld {
   using Real = Scalar<V>;
@@ -38,28 +38,28 @@ struct KickUnlessHeld {
   Box<V> box;
   V change;  ///< g·dt [m/s]
   Real dt;
-  Span<V> kick, kicked;
+  Span<V> start, kick, kicked;
 
   HOST_DEVICE void operator()(int i) const {
-    V own = change;
+    V own = change, velocity = bodies.velocity[i];
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      if (own[axis] != 0 && is_held(i, axis)) own[axis] = 0;
+      if (change[axis] != 0 && is_held(i, axis)) own[axis] = velocity[axis] = 0;
     }
+    start[i] = velocity;
     kick[i] = own;
-    kicked[i] = bodies.velocity[i] + own;
+    kicked[i] = velocity + own;
   }
 
  private:
-  /// A body lies on a wall where it would bounce less than a thousandth of g·dt² high, or less than rounding.
+  /// A body lies on a wall where a hop would bring it back within the step, or is less than rounding.
   HOST_DEVICE bool is_held(int i, int axis) const {
     if (box.is_periodic() || (axis == 1 && change[axis] > 0 && box.boundary == Boundary::open_top)) return false;
     const Real p = bodies.position[i][axis], v = bodies.velocity[i][axis], radius = bodies.radius[i];
     const Real wall = change[axis] < 0 ? box.min[axis] : box.max[axis];
     const Real gap = std::fabs(p - wall) - radius, pressed = std::fabs(change[axis]) * dt;
     const Real rounded = 8 * std::numeric_limits<Real>::epsilon() * (std::fabs(wall) + radius);
-    const Real least = Real(0.001) * pressed;
     const Real height = (gap > 0 ? gap : Real(0)) + v * v * dt * dt / (2 * pressed);
-    return height <= (least > rounded ? least : rounded);
+    return height <= (pressed / 8 > rounded ? pressed / 8 : rounded);
   }
 };
 
@@ -204,6 +204,7 @@ struct SweptDrift {
   Sweep<V> sweep;
   Span<const V> responded;   ///< velocities by the response
   Span<const V> correction;  ///< [m]
+  Span<const V> kicked;      ///< velocities after the kick
   V change;                  ///< g·dt [m/s]
   Real dt, wall_restitution;
   Span<V> position, velocity;
@@ -224,8 +225,8 @@ struct SweptDrift {
     if (!box.is_periodic()) keep_inside(p, bodies.radius[i], end);
     position[i] = end;
     velocity[i] = after;
-    if (notes.are_kept() && !box.is_periodic()) {
-      notes.floor[i] += (kick - change)[1] > 0 ? (kick - change)[1] / bodies.inverse_mass[i] : Real(0);
+    if (notes.are_kept() && !box.is_periodic() && change[1] < 0) {  // what lies on the floor was not kicked
+      notes.floor[i] += (kicked[i] - bodies.velocity[i] - change)[1] / bodies.inverse_mass[i];
     }
   }
 
@@ -293,9 +294,9 @@ class SweptContacts {
   /// The contacts of a step of dt that begins at the state's positions and velocities.
   ContactsView<V> find(StepState<V, Exec>& state, Real dt) {
     Exec& exec = state.exec();
-    const BodiesView<V> bodies = state.bodies();
     const Box<V>& box = state.box();
     kick(exec, state, dt);
+    const BodiesView<V> bodies = this->bodies(state);
     cover_ways(exec, bodies, box, dt);
     search(state);
     keep_impacts(exec, bodies, box);
@@ -310,6 +311,13 @@ class SweptContacts {
     return list_.view();
   }
 
+  /// The bodies with the velocities that they begin the step with: what lies on a wall has none against it. After find().
+  BodiesView<V> bodies(const StepState<V, Exec>& state) const {
+    BodiesView<V> bodies = state.bodies();
+    if (kick_.size() > 0) bodies.velocity = start_.span();
+    return bodies;
+  }
+
   /// How bodies move and when contacts are met; after find().
   Sweep<V> sweep() const { return {way_.span(), kick_.span(), met_.span(), time_.span()}; }
 
@@ -319,8 +327,8 @@ class SweptContacts {
   }
 
   int64_t bytes() const {
-    return way_.bytes() + middle_.bytes() + kick_.bytes() + kicked_.bytes() + reach_.bytes() + met_.bytes() +
-           is_hit_.bytes() + place_.bytes() + first_.bytes() + pairs_.bytes() + time_.bytes() + detector_.bytes();
+    return way_.bytes() + middle_.bytes() + start_.bytes() + kick_.bytes() + kicked_.bytes() + reach_.bytes() +
+           met_.bytes() + is_hit_.bytes() + place_.bytes() + first_.bytes() + pairs_.bytes() + time_.bytes() + detector_.bytes();
   }
 
  private:
@@ -331,10 +339,9 @@ class SweptContacts {
   void kick(Exec& exec, StepState<V, Exec>& state, Real dt) {
     if (!state.has_gravity()) return;
     const int64_t n = state.count();
-    kick_.resize(n);
-    kicked_.resize(n);
-    exec.parallel_for("kick", n, KickUnlessHeld<V>{state.bodies(), state.box(), state.gravity() * dt, dt, kick_.span(),
-                                                   kicked_.span()});
+    for (Buffer<V>* buffer : {&start_, &kick_, &kicked_}) buffer->resize(n);
+    exec.parallel_for("kick", n, KickUnlessHeld<V>{state.bodies(), state.box(), state.gravity() * dt, dt, start_.span(),
+                                                   kick_.span(), kicked_.span()});
   }
 
   void cover_ways(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Real dt) {
@@ -385,7 +392,7 @@ class SweptContacts {
 
   Detector<V, Exec> detector_;
   ContactList<V, Exec> list_;
-  Buffer<V> way_, middle_, kick_, kicked_;
+  Buffer<V> way_, middle_, start_, kick_, kicked_;
   Buffer<Real> reach_, time_;
   Buffer<Real> met_;  // when each body meets its first contact
   Buffer<int> is_hit_, place_, first_;

@@ -60,12 +60,13 @@ class VelocitySubstepper final : public Substepper<V, Exec> {
     const ContactsView<V> contacts = swept_.find(state, dt);
     const Sweep<V> sweep = swept_.sweep();
     const ImpulseNotes<V> notes = tally.begin(exec, n, contacts.pairs.size());
-    response_.respond(exec, bodies, {state.box(), sweep}, contacts, dt, swept_.kicked(state), after_, notes);
+    const Span<const V> kicked = swept_.kicked(state);
+    response_.respond(exec, swept_.bodies(state), {state.box(), sweep}, contacts, dt, kicked, after_, notes);
     end_.resize(n);
     flown_.resize(n);
     exec.parallel_for("swept drift", n,
                       SweptDrift<V>{bodies, state.box(), contacts, sweep, after_.span(), response_.correction(),
-                                    state.gravity() * dt, dt, wall_restitution_, end_.span(), flown_.span(), notes});
+                                    kicked, state.gravity() * dt, dt, wall_restitution_, end_.span(), flown_.span(), notes});
     tally.end(exec, bodies, state.box(), contacts.pairs, contacts.geometry);
     std::swap(state.position, end_);
     std::swap(state.velocity, flown_);

@@ -254,8 +254,7 @@ TEST_CASE("looking at a world does not change its motion, by any response, with 
   }
 }
 
-TEST_CASE("a world started from another's bodies goes on by the same bits, by every response but kinematic") {
-  // Kinematic spheres in contact go back to where they were last free, which positions and velocities do not tell.
+TEST_CASE("a world started from another's bodies goes on by the same bits, by every response") {
   for (const Kind& kind : kinds()) {
     for (const Boundary boundary : {Boundary::walls, Boundary::periodic}) {
       Scene scene = crowd_to_save(boundary == Boundary::walls ? 2 : 3, boundary, kind);
@@ -268,7 +267,7 @@ TEST_CASE("a world started from another's bodies goes on by the same bits, by ev
         first->step();
         second->step();
       }
-      CHECK((second->report().state_hash == first->report().state_hash) == (kind.response != "kinematic"));
+      CHECK(second->report().state_hash == first->report().state_hash);
     }
   }
 }
@@ -288,22 +287,6 @@ TEST_CASE("a world of so many spheres that they are sorted goes on by the same b
       CHECK((second->report().state_hash == first->report().state_hash) == (steps == 64));
       CHECK(length(second->bodies().position[2000] - first->bodies().position[2000]) < 1e-3);
     }
-  }
-}
-
-TEST_CASE("a kinematic world started while nothing touches goes on by the same bits") {
-  for (const bool is_swept : {false, true}) {
-    const Kind kind{.response = "kinematic", .restitution = 1.0, .is_swept = is_swept};
-    Scene scene = pairs_apart(3, 1, kind);  // they meet from step 20 to 80
-    const auto first = world_after(scene, 10, kind.settings());
-    scene.bodies = first->bodies();
-    const auto second = world_after(scene, 0, kind.settings());
-    for (int k = 0; k < 100; ++k) {
-      first->step();
-      second->step();
-    }
-    CHECK(second->report().state_hash == first->report().state_hash);
-    CHECK(length(first->bodies().velocity[0] + scene.bodies.velocity[0]) < 1e-6);  // they have met
   }
 }
 

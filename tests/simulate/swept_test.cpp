@@ -40,7 +40,153 @@ double seen(double s, bool is_swept) {
   return hits / (kRings * kPhases);
 }
 
+double energy(World& world) {
+  const Report report = world.report();
+  return report.kinetic_energy + report.potential_energy;
+}
+
+/// A ball of radius 5 cm, 20 cm above the floor.
+Scene dropped(double e) {
+  Scene scene = wide_box(1);
+  scene.domain.min.y = 0;
+  scene.physics.gravity = {0, -9.81, 0};
+  scene.physics.restitution = scene.physics.wall_restitution = e;
+  add_sphere(scene, {0, 0.25, 0}, Vec3d(0), 0.05);
+  return scene;
+}
+
+/// The same above a ball that is a million times as heavy, and lies on the floor.
+Scene dropped_on_heavy(double e) {
+  Scene scene = dropped(e);
+  scene.bodies.position[0].y = 0.85;
+  add_sphere(scene, {0, 0.3, 0}, Vec3d(0), 0.3, 1e6);
+  return scene;
+}
+
 }  // namespace
+
+TEST_CASE("a swept elastic ball has its energy after 1 000 bounces, as one that is not swept") {
+  const double dt = GENERATE(1.0 / 100, 1.0 / 240, 1.0 / 1000);
+  const std::string response = GENERATE("impulse", "kinematic");
+  const double seconds = 1000 * 2 * std::sqrt(2 * 0.2 / 9.81);
+  const auto mean_energy = [&](bool is_swept, const std::string& precision) {
+    Settings settings = swept(dt);
+    settings.response = response;
+    settings.is_swept = is_swept;
+    settings.precision = precision;
+    const auto world = make_cpu_world(dropped(1), settings);
+    step_until(*world, seconds);
+    double sum = 0;  // symplectic Euler's energy goes up and down by g·v·dt/2 in each bounce
+    const int steps = static_cast<int>(1 / dt);
+    for (int k = 0; k < steps; ++k) {
+      world->step();
+      sum += energy(*world) / steps;
+    }
+    return sum;
+  };
+  INFO(response << ", dt = " << dt);
+  const double exact = 9.81 * 0.25, plain = mean_energy(false, "double"), in_double = mean_energy(true, "double");
+  CHECK(in_double == Approx(exact).epsilon(1e-6));
+  CHECK(in_double == Approx(plain).epsilon(0.01 + (response == "impulse" ? 9.81 * dt / 2 : 0)));
+  CHECK(mean_energy(true, "float") == Approx(exact).epsilon(0.01));
+}
+
+TEST_CASE("a swept elastic ball keeps its energy on a heavy one that lies on the floor, and in the plane") {
+  const double dt = GENERATE(1.0 / 100, 1.0 / 240, 1.0 / 1000);
+  const std::string response = GENERATE("impulse", "kinematic");
+  for (const int dimensions : {2, 3}) {
+    Scene scene = dropped_on_heavy(1);
+    scene.domain.dimensions = dimensions;
+    Settings settings = swept(dt);
+    settings.response = response;
+    const auto world = make_cpu_world(scene, settings);
+    const auto energy_above_rest = [&] {
+      const Bodies b = world->bodies();
+      return b.velocity[0].y * b.velocity[0].y / 2 + 9.81 * (b.position[0].y - 0.65);
+    };
+    step_until(*world, 40);  // a hundred bounces
+    INFO(response << ", dt = " << dt << ", " << dimensions << " dimensions");
+    CHECK(energy_above_rest() == Approx(9.81 * 0.2).epsilon(0.001));
+    CHECK(world->bodies().position[1].y == Approx(0.3).margin(1e-6));
+  }
+}
+
+TEST_CASE("swept balls that bounce on each other in the air keep their energy") {
+  Scene scene = dropped(1);
+  scene.domain.max.y = 3;
+  add_sphere(scene, {0, 0.75, 0}, {0, -1, 0}, 0.05, 0.25);
+  add_sphere(scene, {0, 1.2, 0}, {0, -0.5, 0}, 0.05, 3);
+  for (const double dt : {1.0 / 240, 1.0 / 1000}) {
+    const auto world = make_cpu_world(scene, swept(dt));
+    const double before = energy(*world);
+    step_until(*world, 20);
+    CHECK(energy(*world) == Approx(before).epsilon(0.01));
+  }
+}
+
+TEST_CASE("a swept ball rises to e²ⁿ of its height, off the floor and off a heavy ball, whatever the step") {
+  const double dt = GENERATE(1.0 / 50, 1.0 / 240, 1.0 / 1000), e = 0.8;
+  const std::string response = GENERATE("impulse", "kinematic");
+  for (const bool is_on_heavy : {false, true}) {
+    Settings settings = swept(dt);
+    settings.response = response;
+    const auto world = make_cpu_world(is_on_heavy ? dropped_on_heavy(e) : dropped(e), settings);
+    const double rest = is_on_heavy ? 0.65 : 0.05;
+    double t = std::sqrt(2 * 0.2 / 9.81), speed = 9.81 * t;
+    for (int bounce = 1; bounce <= 3; ++bounce) {
+      speed *= e;
+      step_until(*world, t + speed / 9.81);  // about at the top
+      const Bodies b = world->bodies();
+      const double height = b.position[0].y - rest + b.velocity[0].y * b.velocity[0].y / (2 * 9.81);
+      INFO(response << ", dt = " << dt << ", bounce " << bounce << (is_on_heavy ? " on a heavy ball" : ""));
+      CHECK(height == Approx(0.2 * std::pow(e, 2 * bounce)).epsilon(is_on_heavy ? 0.01 : 1e-6));
+      t += 2 * speed / 9.81;
+    }
+  }
+}
+
+TEST_CASE("swept steps that hold several impacts with walls lose no energy and no time") {
+  Scene scene = wide_box(0.5);
+  scene.physics.gravity = {0, -9.81, 0};
+  add_sphere(scene, {0.12, 0.2, 0}, {7, 9, -11}, 0.2);  // 0.6 m to fly
+  const auto run = [&](const std::string& response, double dt) {
+    Settings settings = swept(dt);
+    settings.response = response;
+    auto world = make_cpu_world(scene, settings);
+    step_until(*world, 2 - dt / 2);
+    return world;
+  };
+  const auto fine = run("impulse", 1e-4);
+  for (const char* const response : {"impulse", "kinematic"}) {
+    for (const double dt : {0.01, 0.1, 0.5}) {
+      const auto world = run(response, dt);
+      INFO(response << ", dt = " << dt);
+      CHECK(energy(*world) == Approx(125.5 + 9.81 * 0.2).epsilon(1e-9));
+      CHECK(length(world->bodies().position[0] - fine->bodies().position[0]) < 1e-6);
+      CHECK(length(world->bodies().velocity[0] - fine->bodies().velocity[0]) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("a floor carries the weight of swept balls that bounce, rest and are struck") {
+  Scene scene = dropped_on_heavy(0.5);
+  scene.bodies.mass[1] = 10;
+  for (const char* const response : {"impulse", "kinematic"}) {
+    Settings settings = swept(1.0 / 240);
+    settings.response = response;
+    settings.keeps_tally = true;
+    scene.bodies.position[0] = {0.7, 0.25, 0};  // both on the floor: kinematic spheres carry nothing
+    const auto world = make_cpu_world(scene, settings);
+    step_until(*world, 5);
+    CHECK(world->report().tally.floor_impulse == Approx(11 * 9.81 * 5).epsilon(0.002));
+  }
+  scene.bodies.position[0] = {0, 0.85, 0};
+  Settings settings = swept(1.0 / 240);
+  settings.keeps_tally = true;
+  const auto world = make_cpu_world(scene, settings);
+  step_until(*world, 5);
+  CHECK(world->report().tally.floor_impulse == Approx(11 * 9.81 * 5).epsilon(0.01));
+}
 
 TEST_CASE("discrete contacts see a hit with probability 1 − s²/12, and 4/(3s) from s = 2 on; swept ones see all") {
   // s = v·dt/D. The chord of a random hit is 2·√(D² − b²) long: ⟨min(1, chord/s)⟩ over the disc.
