@@ -5,7 +5,7 @@
 //     steps, position, velocity, order, …  ──SavePart──▶  snapshot  ──RestorePart──▶  the same parts
 //
 // Cost: a copy of what is kept for each body; 28 bytes a sphere in single precision and space, or 52 where the guard's last good
-// state is another, and 12 more where velocity Verlet or the kinematic response keep something.
+// state is another, and 12 more where velocity Verlet keeps something.
 #pragma once
 
 #include <any>

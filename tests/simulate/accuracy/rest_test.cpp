@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A heap comes to rest, and stays so: an RMS speed below 0.03 m/s after 5 s, by every response that carries one, at settings
-// that a scene would use. Kinematic spheres hover instead, and event-driven ones never rest.
+// that a scene would use. Kinematic spheres carry nothing, and event-driven ones never rest.
 #include <cmath>
 #include <limits>
 
