@@ -97,6 +97,8 @@ std::string describe_pairs(const Json& summary) {
   if (summary.contains("period")) {
     const Json& period = summary["period"];
     line("period") << period[0] << ", " << period[1] << ", " << period[2] << " m\n";
+  } else {
+    line("period") << "none\n";
   }
   line("method") << describe_method(summary) << "\n";
   line("took") << summary["seconds"].get<double>() << " s";

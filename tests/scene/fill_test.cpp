@@ -273,6 +273,7 @@ TEST_CASE("who follows the hints of a fill that does not fit has a scene") {
 TEST_CASE("a lattice is offered where it has room, and only there") {
   using Catch::Contains;
   const std::string offer = "arrangement = \"lattice\"";
-  CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.1\n"), Contains(offer));
+  CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.0999\n"), Contains(offer));  // 125 sites
+  CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.1\n"), !Contains(offer));  // 64
   CHECK_THAT(error_of("[[fill]]\ncount = 1000\nradius = 0.1\n"), !Contains(offer) && Contains("a larger region"));
 }

@@ -190,12 +190,12 @@ TEST_CASE("impossible fills are refused") {
        "2: [[fill]] count: found 92000000 spheres: they ask for 308295 % of their region, random placement "
        "reaches "
        "about 38 %, " +
-           help},
+           help_without_lattice},
       {"[[fill]]\ncount = 100\nradius = 0.1",
        "2: [[fill]] count: found 100 spheres, but only 68 found room: they ask for 41.9 % of their region, "
        "random "
        "placement reaches about 38 %, " +
-           help},
+           help_without_lattice},
       {"[domain]\ndimensions = 2\n[[fill]]\ncount = 2000\nradius = 0.01",
        "4: [[fill]] count: found 2000 spheres: they ask for 62.8 % of their region, random placement reaches "
        "about "
