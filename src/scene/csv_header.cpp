@@ -103,30 +103,6 @@ std::string CsvHeader::ignored() const {
   return text;
 }
 
-CsvFields::CsvFields(std::string_view line, char separator) : rest_(line), separator_(separator) {
-  while (!rest_.empty() && is_blank(rest_.back())) rest_.remove_suffix(1);
-  is_done_ = rest_.empty();
-}
-
-void CsvFields::skip_blanks() {
-  while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
-}
-
-bool CsvFields::next(std::string_view& field) {
-  if (is_done_) return false;
-  skip_blanks();
-  if (!rest_.empty() && rest_.front() == '"') {
-    take_quoted(field);
-    return true;
-  }
-  const size_t end = separator_ == ' ' ? rest_.find_first_of(" \t") : rest_.find(separator_);
-  field = rest_.substr(0, end);
-  while (!field.empty() && is_blank(field.back())) field.remove_suffix(1);
-  is_done_ = end == std::string_view::npos;
-  if (!is_done_) rest_.remove_prefix(end + 1);
-  return true;
-}
-
 /// A quote inside is written twice.
 void CsvFields::take_quoted(std::string_view& field) {
   size_t end = rest_.find('"', 1);

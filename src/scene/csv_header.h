@@ -10,6 +10,7 @@
 // docs/decisions/0027-reading-csv.md.
 #pragma once
 
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,17 +37,47 @@ struct CsvHeader {
 /// quote ends with one, and may hold separators.
 class CsvFields {
  public:
-  CsvFields(std::string_view line, char separator);
+  CsvFields(std::string_view line, char separator) : rest_(line), separator_(separator) {
+    while (!rest_.empty() && is_blank(rest_.back())) rest_.remove_suffix(1);
+    is_done_ = rest_.empty();
+  }
 
-  /// Takes the next field; false after the last.
-  bool next(std::string_view& field);
+  /// Takes the next field; false after the last. Inline, since a file has many.
+  bool next(std::string_view& field) {
+    if (is_done_) return false;
+    skip_blanks();
+    if (!rest_.empty() && rest_.front() == '"') {
+      take_quoted(field);
+      return true;
+    }
+    const size_t end = separator_ == ' ' ? rest_.find_first_of(" \t") : rest_.find(separator_);
+    field = rest_.substr(0, end);
+    while (!field.empty() && is_blank(field.back())) field.remove_suffix(1);
+    is_done_ = end == std::string_view::npos;
+    if (!is_done_) rest_.remove_prefix(end + 1);
+    return true;
+  }
+
+  /// Takes the next field where it is a bare number; false, and nothing is taken, where it may be anything else. What most
+  /// files are made of, in one pass.
+  bool next_number(std::string_view& field, double& value) {
+    const char* const last = rest_.data() + rest_.size();
+    const auto [end, error] = std::from_chars(rest_.data(), last, value);
+    if (is_done_ || error != std::errc() || (end != last && *end != separator_)) return false;
+    field = {rest_.data(), end};
+    is_done_ = end == last;
+    rest_.remove_prefix(field.size() + (is_done_ ? 0 : 1));
+    return true;
+  }
 
   /// What is wrong with the field taken last; nullptr where nothing is.
   const char* fault() const { return fault_; }
 
  private:
   bool is_blank(char c) const { return c == ' ' || (c == '\t' && separator_ != '\t'); }
-  void skip_blanks();
+  void skip_blanks() {
+    while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
+  }
   void take_quoted(std::string_view& field);
 
   std::string_view rest_;

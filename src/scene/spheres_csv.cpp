@@ -135,7 +135,13 @@ class Rows {
     const size_t columns = header_.columns.size();
     CsvFields fields(line_, header_.separator);
     size_t k = 0;
-    for (std::string_view field; fields.next(field); ++k) {
+    std::string_view field;
+    if (header_.separator == ',') {
+      for (double value; k < columns && header_.columns[k] != kIgnored && fields.next_number(field, value); ++k) {
+        row[header_.columns[k]] = checked(value, field, k);
+      }
+    }
+    for (; fields.next(field); ++k) {
       if (fields.fault() != nullptr) {
         throw input_error(place(), k < columns ? header_.names[k] : "row", fields.fault(),
                           "quotes around whole fields");
@@ -152,14 +158,18 @@ class Rows {
   double parse_number(std::string_view field, size_t k) {
     std::string_view digits = field;
     if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
-    const Column column = header_.columns[k];
     double value = 0;
-    const bool is_number = digits.find(',') == std::string_view::npos ? read_number(digits, value)
-                                                                      : read_decimal_comma(field, digits, k, value);
+    const bool is_number = read_number(digits, value) || read_decimal_comma(field, digits, k, value);
     if (header_.separator != ',' && digits.find('.') != std::string_view::npos) note_mark('.', field, k);
+    if (!is_number) refuse_number(field, k);
+    return checked(value, field, k);
+  }
+
+  double checked(double value, std::string_view field, size_t k) {
+    const Column column = header_.columns[k];
     if (column == kRadius) value *= header_.radius_factor;
-    if (is_number && kLimits[column].contains(value)) return value;
-    refuse_number(field, k);
+    if (!kLimits[column].contains(value)) refuse_number(field, k);
+    return value;
   }
 
   static bool read_number(std::string_view digits, double& value) {
@@ -171,12 +181,14 @@ class Rows {
   }
 
   bool read_decimal_comma(std::string_view field, std::string_view digits, size_t k, double& value) {
+    const size_t comma = digits.find(',');
+    if (comma == std::string_view::npos || digits.find('.') != std::string_view::npos) return false;
     if (header_.separator == ',' && groups_thousands(digits)) {
       throw input_error(place(), header_.names[k], quoted(field), "a number without separators between thousands");
     }
     std::string with_point(digits);
-    with_point[digits.find(',')] = '.';
-    if (digits.find('.') != std::string_view::npos || !read_number(with_point, value)) return false;
+    with_point[comma] = '.';
+    if (!read_number(with_point, value)) return false;
     note_mark(',', field, k);
     return true;
   }

@@ -53,7 +53,7 @@ std::string domain_of(const Case& c) {
 }
 
 std::vector<GivenOption> options_of(const Case& c, const std::string& precision) {
-  return {{"response", c.response}, {"precision", precision}, {"dt", "0.001"}};
+  return {{"response", c.response}, {"precision", precision}, {"dt", "0.001"}, {"max-overlap", "100"}};
 }
 
 void step(Session& session, int steps) {
