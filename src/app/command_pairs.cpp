@@ -12,7 +12,6 @@
 
 #include "app/backends.h"
 #include "app/commands.h"
-#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/pair_input.h"
 #include "app/pairs_summary.h"
@@ -20,6 +19,7 @@
 #include "app/summary.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "lab/machine.h"
 
 namespace ballpit {
@@ -58,22 +58,24 @@ SphereArrays arrays_of(const PairInput& input) {
 class PairsCommand final : public Command {
  public:
   void add_options(CLI::App& command) override {
-    command.add_option("FILE", file_, "spheres as CSV, with a header that names x, y, z, radius; or a built-in scene, or a .toml file, as at "
-                                    "the scene's start")
-        ->type_name("CSV|SCENE")
+    command
+        .add_option("FILE", file_,
+                    "spheres as CSV: a header that names x, y, z, radius; or a built-in scene, or a .toml file, as at "
+                    "the scene's start")
+        ->type_name("CSV")
         ->required();
     out_option_ = command.add_option("--out", out_, "write the pairs there, as CSV")->type_name("FILE");
+    command.add_option("--repeat", repeat_, "searches to make, each from the bare arrays; times are their median")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer")
+        ->disable_flag_override();
     period_option_ =
         command
             .add_option("--period", period_,
                         "lengths after which the spheres of a CSV file repeat, 0 for an axis along which they do not; "
                         "default: no period. A periodic scene has its own")
             ->type_name("X,Y,Z");
-    command.add_option("--repeat", repeat_, "searches to make, each from the bare arrays; times are their median")
-        ->type_name("N")
-        ->capture_default_str();
-    command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer")
-        ->disable_flag_override();
     command.add_flag("--json", json_, "print the summary as one JSON object")->disable_flag_override();
     settings_.add_to(command, "Search (default: --broadphase auto)", kSearchSettings);
   }

@@ -121,27 +121,15 @@ double largest_radius(const Bodies& bodies, const std::vector<Fill>& fills) {
   return largest;
 }
 
-/// Tells of a domain that the file leaves to the program.
-void note_defaults_of(const toml::table* domain, const std::string& file, Scene& scene) {
-  if (domain == nullptr) {
-    scene.notes.push_back(file + ": found no [domain]: it is a cube of 1 m with walls, from 0 to 1 along each axis");
-    return;
-  }
-  std::string missing;
-  for (const auto& [key, taken] : {std::pair{"min", "0"}, std::pair{"max", "1"}}) {
-    if (domain->contains(key)) continue;
-    missing += (missing.empty() ? "" : ", ") + std::string(key) + ": it is " + taken + " m along each axis";
-  }
-  if (!missing.empty()) scene.notes.push_back(file + ": found no [domain] " + missing);
-}
-
 /// The values of the file, before any sphere.
 Scene read_values(const TableReader& reader, const std::string& file, const SceneOverrides& overrides) {
   SceneInfo info = read_info(reader, file);
   Scene scene{info.name, info.title, info.description, info.title_de, info.description_de, {}, {}, {}, {}, {}};
-  const auto* domain = reader.subtable("domain");
-  if (domain != nullptr) scene.domain = read_domain(*domain, file);
-  note_defaults_of(domain, file, scene);
+  if (const auto* table = reader.subtable("domain")) {
+    scene.domain = read_domain(*table, file);
+  } else {
+    scene.notes.push_back(file + ": found no [domain]: it is a cube of 1 m with walls, from 0 to 1 along each axis");
+  }
   if (const auto* table = reader.subtable("physics")) {
     scene.physics = read_physics(*table, file, scene.domain.dimensions);
   }
