@@ -71,9 +71,11 @@ CentreBox centre_box(const Domain& domain, const Fill& fill, double radius) {
     if (box.low[axis] > box.high[axis]) {
       const double fitting = fitting_radius(fill, low, high);
       throw input_error(fill.place, "[[fill]] radius", number_text(radius),
-                        (fitting > 0.0 ? "at most " + number_text(fitting) + ", below" : "less than") +
-                            std::string(" half the region, whose edge along ") + "xyz"[axis] + " is " +
-                            number_text(fill.max[axis] - fill.min[axis]));
+                        fitting > 0.0
+                            ? "at most " + number_text(fitting) + ", below half the region, whose edge along " +
+                                  "xyz"[axis] + " is " + number_text(fill.max[axis] - fill.min[axis])
+                            : "in a larger region, or nearer to the origin: single precision rounds by " +
+                                  number_text(float_spacing(fill)) + " m here");
     }
   }
   return box;
