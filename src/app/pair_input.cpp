@@ -111,7 +111,8 @@ PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& p
   PairInput input;
   if (is_scene(file)) {
     if (period)
-      throw UserError("--period: found with the scene " + file + ", which has its own, allowed with a CSV file");
+      throw UserError("--period: found with the scene " + file +
+                      ", which says itself whether it is periodic, allowed with a CSV file");
     input = from_scene(file);
   } else {
     input.spheres = read_resting_spheres(file);

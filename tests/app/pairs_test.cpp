@@ -232,7 +232,7 @@ TEST_CASE("a period that cannot be is refused with what is allowed") {
   }
   CHECK_THAT(error_of(file, "0,7,0"),
              Contains("--period: found 7 along y with radius 2, allowed 0 for none, or at least four radii, 8"));
-  CHECK_THAT(error_of("gas-dense", "9,9,9"), Contains("--period: found with the scene gas-dense, which has its own"));
+  CHECK_THAT(error_of("gas-dense", "9,9,9"), Contains("--period: found with the scene gas-dense, which says itself"));
 }
 
 TEST_CASE("columns that are not read are named in one warning") {
