@@ -10,6 +10,8 @@
 #include <new>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "app/backends.h"
 #include "app/commands.h"
 #include "app/options.h"
@@ -57,7 +59,7 @@ SphereArrays arrays_of(const PairInput& input) {
 
 class PairsCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
+  void add_options(CommandOptions& command) override {
     command
         .add_option("FILE", file_,
                     "spheres as CSV: a header that names x, y, z, radius; or a built-in scene, or a .toml file, as at "
@@ -67,25 +69,24 @@ class PairsCommand final : public Command {
     out_option_ = command.add_option("--out", out_, "write the pairs there, as CSV")->type_name("FILE");
     command.add_option("--repeat", repeat_, "searches to make, each from the bare arrays; times are their median")
         ->type_name("N")
-        ->capture_default_str();
-    command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer")
-        ->disable_flag_override();
+        ->shows_default();
+    command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer");
     period_option_ =
         command
             .add_option("--period", period_,
                         "lengths after which the spheres of a CSV file repeat, 0 for an axis along which they do not; "
                         "default: no period. A periodic scene has its own")
             ->type_name("X,Y,Z");
-    command.add_flag("--json", json_, "print the summary as one JSON object")->disable_flag_override();
+    command.add_flag("--json", json_, "print the summary as one JSON object");
     settings_.add_to(command, "Search (default: --broadphase auto)", kSearchSettings);
   }
 
   void run() override {
     parse_path("FILE", file_);
-    if (out_option_->count() > 0) parse_output("--out", out_);
+    if (out_option_->is_given()) parse_output("--out", out_);
     if (std::filesystem::is_regular_file(file_)) reject_same_file("--out", out_, "FILE", file_);
     std::optional<Vec3d> period;
-    if (period_option_->count() > 0) period = parse_period(period_);
+    if (period_option_->is_given()) period = parse_period(period_);
     const int64_t repeat = parse_integer("--repeat", repeat_, 1, 10000);
     Settings settings;
     settings.broadphase = "auto";
@@ -153,7 +154,7 @@ class PairsCommand final : public Command {
   std::string out_;
   std::string period_;
   std::string repeat_ = "1";
-  CLI::Option *out_option_ = nullptr, *period_option_ = nullptr;
+  CommandOption *out_option_ = nullptr, *period_option_ = nullptr;
   bool verify_ = false;
   bool json_ = false;
 };
