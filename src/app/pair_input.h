@@ -20,9 +20,9 @@ struct PairInput {
 /// "X,Y,Z" [m], 0 for an axis without a period. Throws UserError.
 Vec3d parse_period(const std::string& text);
 
-/// Reads a CSV file, a scene file or a built-in scene, and tells what the user is to know about it. Centres outside of the
-/// period move to their images inside. `period` is for CSV files: a scene has its own. Throws UserError where it is given
-/// with a scene, or is too short for the spheres.
+/// Reads a CSV file, a scene file or a built-in scene, and tells what the user is to know about it. Centres outside of
+/// the period move to their images inside. `period` is for CSV files: a scene has its own. Throws UserError where it is
+/// given with a scene, or is too short for the spheres.
 PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& period);
 
 }  // namespace ballpit

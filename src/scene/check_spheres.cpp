@@ -19,8 +19,8 @@ std::string key_of(const SphereLines& lines, int axis) {
                    : "[[spheres]] position[" + std::to_string(axis) + "]";
 }
 
-/// Whether x is in the domain, or in the domain as a world in single precision rounds it: such a world writes states from
-/// there, and is to find the same bits in them.
+/// Whether x is in the domain, or in the domain as a world in single precision rounds it: such a world writes states
+/// from there, and is to find the same bits in them.
 bool is_in_period(const Domain& domain, int axis, double x) {
   const double low = domain.min[axis], high = domain.max[axis];
   return (x >= low && x < high) || (x >= double(static_cast<float>(low)) && x < double(static_cast<float>(high)));

@@ -23,10 +23,10 @@ struct SphereLines {
 /// The initial_overlap that allows every overlap.
 inline constexpr double kAnyOverlap = 1.0;
 
-/// Makes `bodies` fit `domain`: no third dimension in planar scenes; in periodic ones a centre outside moves to its image
-/// inside. Throws UserError for the first sphere that is not wholly inside walls, or sticks out by more than
-/// physics.initial_overlap · radius; and for a pair that overlaps by more than that fraction of the smaller radius, unless
-/// it is kAnyOverlap. What rounding to single precision makes is allowed in both. Adds all to `index`. Returns how many
+/// Makes `bodies` fit `domain`: no third dimension in planar scenes; in periodic ones a centre outside moves to its
+/// image inside. Throws UserError for the first sphere that sticks out of walls by more than
+/// physics.initial_overlap · radius; and for a pair that overlaps by more than that fraction of the smaller radius,
+/// unless it is kAnyOverlap. What rounding to single precision makes is allowed in both. Adds all to `index`. Returns how many
 /// spheres were outside of a periodic domain.
 int64_t check_spheres(const Domain& domain, const Physics& physics, const SphereLines& lines, Bodies& bodies,
                    SphereIndex& index);

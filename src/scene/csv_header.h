@@ -58,8 +58,8 @@ class CsvFields {
     return true;
   }
 
-  /// Takes the next field where it is a bare number; false, and nothing is taken, where it may be anything else. What most
-  /// files are made of, in one pass.
+  /// Takes the next field where it is a bare number; false, and nothing is taken, where it may be anything else. What
+  /// most files are made of, in one pass.
   bool next_number(std::string_view& field, double& value) {
     const char* const last = rest_.data() + rest_.size();
     const auto [end, error] = std::from_chars(rest_.data(), last, value);
@@ -86,7 +86,7 @@ class CsvFields {
   const char* fault_ = nullptr;
 };
 
-/// The header in `line`; nothing where it lacks a column that is needed. Throws UserError where a column is named twice.
+/// The header in `line`; nothing where it lacks a column that is needed. Throws UserError for a column named twice.
 std::optional<CsvHeader> parse_csv_header(std::string_view line, const Place& place);
 
 /// What to throw where `line` is no header.

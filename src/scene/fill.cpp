@@ -149,7 +149,7 @@ Lattice lattice_of(const Domain& domain, const Fill& fill) {
   return lattice;
 }
 
-/// How many of a fill's spheres find a free site beside those in `index`, up to its count, each as large as the largest.
+/// How many of a fill's spheres find a free site beside those in `index`, up to its count, as large as its largest.
 int64_t free_sites(const Domain& domain, const Fill& fill, const SphereIndex& index) {
   const Lattice lattice = lattice_of(domain, fill);
   if (index.size() == 0) return std::min(lattice.size(), fill.count);

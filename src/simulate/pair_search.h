@@ -19,7 +19,7 @@ namespace ballpit {
 struct SphereArrays {
   Span<const Vec3> position;  ///< [m] finite
   Span<const float> radius;   ///< [m] above 0; one value for all, or one each
-  std::optional<Box<Vec3>> period{};  ///< the periodic domain that holds all centres, each edge at least four radii long
+  std::optional<Box<Vec3>> period{};  ///< periodic domain that holds all centres, each edge four radii or longer
 };
 
 /// How a search was made, and what it took.

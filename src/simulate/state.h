@@ -51,8 +51,8 @@ struct Box {
     return d;
   }
 
-  /// The image of p inside a periodic domain, in [min, max) also where rounding is coarse; p itself in others. What is not
-  /// finite becomes NaN.
+  /// The image of p inside a periodic domain, in [min, max) also where rounding is coarse; p itself in others. What is
+  /// not finite becomes NaN.
   HOST_DEVICE V wrap(V p) const {
     if (is_periodic()) {
       for (int axis = 0; axis < kDimensions<V>; ++axis) {
@@ -68,8 +68,8 @@ struct Box {
     return p;
   }
 
-  /// Whether p is a place where a centre may be: finite, and inside all walls; of a periodic domain, inside after wrap().
-  /// False for NaN.
+  /// Whether p is a place where a centre may be: finite, and inside all walls; of a periodic domain, inside after
+  /// wrap(). False for NaN.
   HOST_DEVICE bool holds(const V& p) const {
     bool is_held = true;
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
