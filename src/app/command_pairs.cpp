@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ballpit pairs: the overlapping pairs among spheres in a CSV file, and what it takes to find them.
+// ballpit pairs: the overlapping pairs among spheres in a CSV file or a scene, and what it takes to find them.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -8,20 +8,21 @@
 #include <iostream>
 #include <limits>
 #include <new>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "app/backends.h"
 #include "app/commands.h"
-#include "core/interrupt.h"
 #include "app/options.h"
+#include "app/pair_input.h"
 #include "app/pairs_summary.h"
 #include "app/progress.h"
 #include "app/summary.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "lab/machine.h"
-#include "scene/spheres_csv.h"
 
 namespace ballpit {
 
@@ -48,17 +49,21 @@ void warn_of_rounding(const RestingSpheres& spheres, const std::string& file) {
 }
 
 /// Views of the spheres: one radius where all are equal.
-SphereArrays arrays_of(const RestingSpheres& spheres) {
+SphereArrays arrays_of(const PairInput& input) {
+  const RestingSpheres& spheres = input.spheres;
   const std::vector<float>& radius = spheres.radius;
   const bool is_uniform =
       !radius.empty() && std::all_of(radius.begin(), radius.end(), [&](float r) { return r == radius.front(); });
-  return {{spheres.position.data(), spheres.size()}, {radius.data(), is_uniform ? 1 : spheres.size()}};
+  return {{spheres.position.data(), spheres.size()}, {radius.data(), is_uniform ? 1 : spheres.size()}, input.box};
 }
 
 class PairsCommand final : public Command {
  public:
   void add_options(CommandOptions& command) override {
-    command.add_option("FILE", file_, "spheres as CSV: a header that names x, y, z, radius")
+    command
+        .add_option("FILE", file_,
+                    "spheres as CSV: a header that names x, y, z, radius; or a built-in scene, or a .toml file, as at "
+                    "the scene's start")
         ->type_name("CSV")
         ->required();
     out_option_ = command.add_option("--out", out_, "write the pairs there, as CSV")->type_name("FILE");
@@ -66,6 +71,12 @@ class PairsCommand final : public Command {
         ->type_name("N")
         ->shows_default();
     command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer");
+    period_option_ =
+        command
+            .add_option("--period", period_,
+                        "lengths after which the spheres of a CSV file repeat, 0 for an axis along which they do not; "
+                        "default: no period. A periodic scene has its own")
+            ->type_name("X,Y,Z");
     command.add_flag("--json", json_, "print the summary as one JSON object");
     settings_.add_to(command, "Search (default: --broadphase auto)", kSearchSettings);
   }
@@ -74,6 +85,8 @@ class PairsCommand final : public Command {
     parse_path("FILE", file_);
     if (out_option_->is_given()) parse_output("--out", out_);
     if (std::filesystem::is_regular_file(file_)) reject_same_file("--out", out_, "FILE", file_);
+    std::optional<Vec3d> period;
+    if (period_option_->is_given()) period = parse_period(period_);
     const int64_t repeat = parse_integer("--repeat", repeat_, 1, 10000);
     Settings settings;
     settings.broadphase = "auto";
@@ -81,20 +94,21 @@ class PairsCommand final : public Command {
     warn_of_small_cells(settings);
     const Backend backend = select_backend(settings.backend);
     try {
-      search(backend, settings, repeat);
+      search(backend, settings, repeat, period);
     } catch (const std::bad_alloc&) {
       throw RunError("out of memory: " + file_ + " has more spheres, or more of them overlap, than memory can hold");
     }
   }
 
  private:
-  void search(const Backend& backend, const Settings& settings, int64_t repeat) {
-    const RestingSpheres spheres = read_resting_spheres(file_);
-    warn_of_rounding(spheres, file_);
-    const SphereArrays arrays = arrays_of(spheres);
+  void search(const Backend& backend, const Settings& settings, int64_t repeat, const std::optional<Vec3d>& period) {
+    const PairInput input = read_pair_input(file_, period);
+    warn_of_rounding(input.spheres, file_);
+    const SphereArrays arrays = arrays_of(input);
     PairsOutcome outcome;
     outcome.file = file_;
-    outcome.count = spheres.size();
+    outcome.count = input.spheres.size();
+    outcome.period = input.period;
     outcome.backend = backend.name;
     if (backend.name == "cpu") outcome.threads = thread_count(settings.threads);
     const std::unique_ptr<PairSearch> search = search_repeatedly(backend, settings, arrays, repeat, outcome.seconds);
@@ -138,8 +152,9 @@ class PairsCommand final : public Command {
   SettingOptions settings_;
   std::string file_;
   std::string out_;
+  std::string period_;
   std::string repeat_ = "1";
-  CommandOption* out_option_ = nullptr;
+  CommandOption *out_option_ = nullptr, *period_option_ = nullptr;
   bool verify_ = false;
   bool json_ = false;
 };

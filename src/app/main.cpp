@@ -24,7 +24,7 @@ constexpr std::array kCommands{
     CommandEntry{"show", "a window with the panel", make_show_command},
     CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
     CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
-    CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file", make_pairs_command},
+    CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file or a scene", make_pairs_command},
     CommandEntry{"bench", "time per step by method, backend, threads and number of spheres", make_bench_command},
 #if BALLPIT_HAS_LABORATORY
     CommandEntry{"lab", "experiments: tables, charts and one report of what methods cost and get right",

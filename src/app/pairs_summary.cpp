@@ -67,7 +67,9 @@ std::string describe_work(const Json& work) {
 
 Json summarize(const PairsOutcome& outcome) {
   const SearchReport& report = outcome.report;
-  Json summary{{"file", outcome.file}, {"count", outcome.count}, {"method", report.method}};
+  Json summary{{"file", outcome.file}, {"count", outcome.count}};
+  if (outcome.period) summary["period"] = {outcome.period->x, outcome.period->y, outcome.period->z};
+  summary["method"] = report.method;
   if (!report.reason.empty()) summary["reason"] = report.reason;
   summary["backend"] = outcome.backend;
   summary["threads"] = outcome.threads > 0 ? Json(outcome.threads) : Json();
@@ -94,6 +96,12 @@ std::string describe_pairs(const Json& summary) {
     return text << padded;
   };
   line("spheres") << summary["count"] << " in " << summary["file"].get<std::string>() << "\n";
+  if (summary.contains("period")) {
+    const Json& period = summary["period"];
+    line("period") << period[0] << ", " << period[1] << ", " << period[2] << " m\n";
+  } else {
+    line("period") << "none\n";
+  }
   line("method") << describe_method(summary) << "\n";
   line("took") << summary["seconds"].get<double>() << " s";
   if (summary.contains("seconds_min")) {

@@ -17,7 +17,8 @@ namespace ballpit {
 
 struct PairsOutcome {
   std::string file;
-  int64_t count = 0;  ///< spheres
+  int64_t count = 0;            ///< spheres
+  std::optional<Vec3d> period;  ///< [m] 0 along axes that have none; empty without any
   std::string backend;
   int threads = 0;              ///< of the CPU; 0 where it does not search
   std::vector<double> seconds;  ///< [s] of each search, from bare arrays to the list

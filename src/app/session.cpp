@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "app/backends.h"
+#include "app/notes.h"
 #include "core/error.h"
 #include "render/overlays/overlay.h"
 #include "scene/catalog.h"
@@ -36,7 +38,9 @@ void Session::start(std::string name, std::vector<GivenOption> given) {
   apply_given(overrides, given);
   Scene scene = load_scene(name, {overrides.count, overrides.seed});
   const Settings settings = combine(scene.defaults, given);
+  const std::vector<std::string> notes = std::exchange(scene.notes, {});
   use(std::move(scene), settings);
+  if (name != scene_name_) tell_notes(notes);  // once, not again where it is filled anew
   scene_name_ = std::move(name);
   given_ = std::move(given);
   time_before_ = 0;

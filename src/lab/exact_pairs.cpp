@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -20,6 +21,7 @@ struct SortedSpheres {
   std::vector<float> radius;                     ///< [m]
   std::vector<int32_t> index;                    ///< in the order of the owner
   float largest_radius = 0;
+  Vec3 period{0};  ///< [m] 0 where there is none
 };
 
 /// The axis along which the centres reach farthest: the fewest are near each other there.
@@ -38,6 +40,7 @@ SortedSpheres sorted_along(int axis, const SphereArrays& spheres) {
   std::iota(sorted.index.begin(), sorted.index.end(), 0);
   std::sort(sorted.index.begin(), sorted.index.end(),
             [&](int32_t a, int32_t b) { return spheres.position[a][axis] < spheres.position[b][axis]; });
+  if (spheres.period) sorted.period = spheres.period->max - spheres.period->min;
   for (const int32_t i : sorted.index) {
     for (int k = 0; k < 3; ++k) sorted.coordinate[k].push_back(spheres.position[i][k]);
     sorted.radius.push_back(spheres.radius[spheres.radius.size() == 1 ? 0 : i]);
@@ -58,10 +61,25 @@ size_t end_of_reach(const SortedSpheres& spheres, size_t a) {
   return static_cast<size_t>(std::partition_point(along.begin() + a + 1, along.end(), is_near) - along.begin());
 }
 
+/// The first sphere that a may reach across the end of a periodic axis, which is the end of the order there too. Half of
+/// the reach more makes up for all rounding: there is an edge of two reaches at least.
+size_t begin_of_reach_across(const SortedSpheres& spheres, size_t a) {
+  const std::vector<float>& along = spheres.coordinate[spheres.axis];
+  const float reach = 1.5f * (spheres.radius[a] + spheres.largest_radius), period = spheres.period[spheres.axis];
+  const auto is_apart = [&](float other) { return (other - along[a]) + reach < period; };
+  return static_cast<size_t>(std::partition_point(along.begin() + a + 1, along.end(), is_apart) - along.begin());
+}
+
+/// A difference of coordinates, to the nearest image where there is a period.
+float nearest(float difference, float period) {
+  return period == 0 ? difference : difference - period * std::nearbyint(difference / period);
+}
+
 /// The predicate itself. (a − b)² and (b − a)² are the same float.
 bool overlaps(const SortedSpheres& spheres, size_t a, size_t b) {
   const auto& [x, y, z] = spheres.coordinate;
-  const float dx = x[b] - x[a], dy = y[b] - y[a], dz = z[b] - z[a];
+  const float dx = nearest(x[b] - x[a], spheres.period.x), dy = nearest(y[b] - y[a], spheres.period.y),
+              dz = nearest(z[b] - z[a], spheres.period.z);
   const float sum = spheres.radius[a] + spheres.radius[b];
   return dx * dx + dy * dy + dz * dz <= sum * sum;
 }
@@ -74,11 +92,14 @@ std::vector<Pair> exact_pairs(const SphereArrays& spheres, const std::function<v
   for (size_t a = 0; a < sorted.index.size(); ++a) {
     if (tell && a % 1024 == 0) tell(static_cast<int64_t>(a));
     const size_t end = end_of_reach(sorted, a);
-    for (size_t b = a + 1; b < end; ++b) {
-      if (!overlaps(sorted, a, b)) continue;
+    const auto test = [&](size_t b) {
+      if (!overlaps(sorted, a, b)) return;
       const auto [i, j] = std::minmax(sorted.index[a], sorted.index[b]);
       pairs.push_back({i, j});
-    }
+    };
+    for (size_t b = a + 1; b < end; ++b) test(b);
+    if (!spheres.period) continue;
+    for (size_t b = std::max(end, begin_of_reach_across(sorted, a)); b < sorted.index.size(); ++b) test(b);
   }
   std::sort(pairs.begin(), pairs.end(), comes_before);
   return pairs;

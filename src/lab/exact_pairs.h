@@ -17,8 +17,8 @@
 namespace ballpit {
 
 /// All pairs with |x_j − x_i|² ≤ (r_i + r_j)², as single precision evaluates it: differences, their squares summed in
-/// the order x, y, z; radii summed, then squared. Sorted by i, then j. `tell` hears now and then how many spheres are
-/// done.
+/// the order x, y, z; radii summed, then squared; with a period, differences to the nearest image. Sorted by i, then j.
+/// `tell` hears now and then how many spheres are done.
 std::vector<Pair> exact_pairs(const SphereArrays& spheres, const std::function<void(int64_t)>& tell = {});
 
 /// How a list of pairs differs from the exact one.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace ballpit {
@@ -18,13 +19,27 @@ std::string key_of(const SphereLines& lines, int axis) {
                    : "[[spheres]] position[" + std::to_string(axis) + "]";
 }
 
-void check_periodic(const Domain& domain, const SphereLines& lines, int64_t i, int axis, double& x) {
-  if (x < domain.min[axis] || x > domain.max[axis]) {
-    throw input_error(place_of(lines, i), key_of(lines, axis), number_text(x) + " for sphere " + std::to_string(i),
-                      limits_text({domain.min[axis], domain.max[axis]}) + ", the domain");
+/// Whether x is in the domain, or in the domain as a world in single precision rounds it: such a world writes states
+/// from there, and is to find the same bits in them.
+bool is_in_period(const Domain& domain, int axis, double x) {
+  const double low = domain.min[axis], high = domain.max[axis];
+  return (x >= low && x < high) || (x >= double(static_cast<float>(low)) && x < double(static_cast<float>(high)));
+}
+
+/// The image of x in [min, max).
+double wrapped(const Domain& domain, int axis, double x) {
+  const double low = domain.min[axis], period = domain.max[axis] - low;
+  x -= period * std::floor((x - low) / period);
+  return x >= low && x < domain.max[axis] ? x : low;
+}
+
+/// [m] What rounding to single precision moves two spheres towards each other, or one towards a wall.
+double rounding_at(const Domain& domain, const Vec3d& p) {
+  double largest = 0.0;
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    largest = std::max({largest, std::abs(domain.min[axis]), std::abs(domain.max[axis]), std::abs(p[axis])});
   }
-  // Also if it would be only after rounding to float.
-  if (static_cast<float>(x) >= static_cast<float>(domain.max[axis])) x = domain.min[axis];
+  return 2.0 * double(std::numeric_limits<float>::epsilon()) * largest;
 }
 
 void check_walls(const Domain& domain, const SphereLines& lines, int64_t i, int axis, double x, double radius,
@@ -40,17 +55,23 @@ void check_walls(const Domain& domain, const SphereLines& lines, int64_t i, int 
           ", the domain");
 }
 
-void check_inside(const Domain& domain, const Physics& physics, const SphereLines& lines, int64_t i, Bodies& bodies) {
+/// Returns whether sphere i was outside of a periodic domain, and is inside now.
+bool check_inside(const Domain& domain, const Physics& physics, const SphereLines& lines, int64_t i, Bodies& bodies) {
   const auto k = static_cast<size_t>(i);
+  bool was_outside = false;
   if (domain.dimensions == 2) bodies.position[k].z = bodies.velocity[k].z = 0.0;
   for (int axis = 0; axis < domain.dimensions; ++axis) {
     if (domain.boundary == Boundary::periodic) {
-      check_periodic(domain, lines, i, axis, bodies.position[k][axis]);
+      double& x = bodies.position[k][axis];
+      if (is_in_period(domain, axis, x)) continue;
+      was_outside |= x != domain.max[axis];  // which is the same point as min
+      x = wrapped(domain, axis, x);
     } else {
       check_walls(domain, lines, i, axis, bodies.position[k][axis], bodies.radius[k],
-                  physics.initial_overlap * bodies.radius[k]);
+                  physics.initial_overlap * bodies.radius[k] + rounding_at(domain, bodies.position[k]));
     }
   }
+  return was_outside;
 }
 
 [[noreturn]] void fail_overlap(const SphereLines& lines, int64_t i, int64_t j, double overlap, double smaller,
@@ -64,9 +85,11 @@ void check_inside(const Domain& domain, const Physics& physics, const SphereLine
 
 }  // namespace
 
-void check_spheres(const Domain& domain, const Physics& physics, const SphereLines& lines, Bodies& bodies,
-                   SphereIndex& index) {
-  for (int64_t i = 0; i < bodies.size(); ++i) check_inside(domain, physics, lines, i, bodies);
+int64_t check_spheres(const Domain& domain, const Physics& physics, const SphereLines& lines, Bodies& bodies,
+                      SphereIndex& index) {
+  int64_t wrapped = 0;
+  for (int64_t i = 0; i < bodies.size(); ++i) wrapped += check_inside(domain, physics, lines, i, bodies);
+  const bool may_overlap = physics.initial_overlap >= kAnyOverlap;
 
   // The largest first: then each search is among spheres of its own size or larger, which are few within
   // reach.
@@ -80,19 +103,24 @@ void check_spheres(const Domain& domain, const Physics& physics, const SphereLin
     const double radius = bodies.radius[k];
     index.visit_near(bodies.position[k], radius, 0.0, [&](const SphereIndex::Sphere& other, double distance2) {
       const double overlap = radius + other.radius - std::sqrt(distance2);
-      if (!(overlap > physics.initial_overlap * radius)) return false;
+      if (may_overlap) return false;
+      if (overlap <= physics.initial_overlap * radius + rounding_at(domain, bodies.position[k])) return false;
       const auto [first, second] = std::minmax(i, other.id);
       fail_overlap(lines, first, second, overlap, radius, physics.initial_overlap);
     });
     index.insert(i, bodies.position[k], radius);
   }
+  return wrapped;
 }
 
 void check_periodic_edges(const Domain& domain, double largest_radius, const Place& place) {
   if (domain.boundary != Boundary::periodic) return;
   for (int axis = 0; axis < domain.dimensions; ++axis) {
     const double edge = domain.max[axis] - domain.min[axis];
-    if (edge >= 4.0 * largest_radius) continue;
+    // The difference of two rounded numbers is off by their rounding: 0.3 − 0.1 < 0.2.
+    const double rounding = 2.0 * std::numeric_limits<double>::epsilon() *
+                            std::max({std::abs(domain.min[axis]), std::abs(domain.max[axis]), 4.0 * largest_radius});
+    if (edge >= 4.0 * largest_radius - rounding) continue;
     throw input_error(place, "[domain] max",
                       "an edge of " + number_text(edge) + " along " + kAxes[static_cast<size_t>(axis)] +
                           " with radius " + number_text(largest_radius),

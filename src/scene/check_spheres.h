@@ -20,11 +20,15 @@ struct SphereLines {
   bool csv = false;
 };
 
-/// Makes `bodies` fit `domain`: no third dimension in planar scenes; in periodic ones a centre on the upper
-/// edge moves to the lower, which is the same point. Throws UserError for the first sphere that is not wholly
-/// inside, or sticks out by more than physics.initial_overlap · radius; and for a pair that overlaps by more
-/// than that fraction of the smaller radius. Adds all to `index`.
-void check_spheres(const Domain& domain, const Physics& physics, const SphereLines& lines, Bodies& bodies,
+/// The initial_overlap that allows every overlap.
+inline constexpr double kAnyOverlap = 1.0;
+
+/// Makes `bodies` fit `domain`: no third dimension in planar scenes; in periodic ones a centre outside moves to its
+/// image inside. Throws UserError for the first sphere that sticks out of walls by more than
+/// physics.initial_overlap · radius; and for a pair that overlaps by more than that fraction of the smaller radius,
+/// unless it is kAnyOverlap. What rounding to single precision makes is allowed in both. Adds all to `index`. Returns how many
+/// spheres were outside of a periodic domain.
+int64_t check_spheres(const Domain& domain, const Physics& physics, const SphereLines& lines, Bodies& bodies,
                    SphereIndex& index);
 
 /// Throws UserError unless each edge of a periodic domain is at least four times the largest radius: then two

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/random.h"
@@ -37,6 +38,24 @@ struct CentreBox {
   }
 };
 
+/// [m] From a coordinate of the region to the next float.
+double float_spacing(const Fill& fill) {
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    largest = std::max({largest, std::abs(fill.min[axis]), std::abs(fill.max[axis])});
+  }
+  const auto coordinate = static_cast<float>(largest);
+  return double(std::nextafter(coordinate, std::numeric_limits<float>::infinity())) - double(coordinate);
+}
+
+/// [m] A radius that fits between two ends, in few digits: half the room, less what placing and rounding need.
+double fitting_radius(const Fill& fill, double low, double high) {
+  const double radius = (0.5 * (high - low) - 2.0 * float_spacing(fill)) / (1.0 + 2.0 * kPlacementGap);
+  if (radius <= 0.0) return 0.0;
+  const double digit = std::pow(10.0, std::floor(std::log10(radius)) - 3.0);
+  return std::floor(radius / digit) * digit;
+}
+
 CentreBox centre_box(const Domain& domain, const Fill& fill, double radius) {
   CentreBox box{fill.min, fill.max};
   for (int axis = 0; axis < domain.dimensions; ++axis) {
@@ -46,12 +65,17 @@ CentreBox centre_box(const Domain& domain, const Fill& fill, double radius) {
     box.periodic[axis] = domain.boundary == Boundary::periodic && fill.min[axis] == domain.min[axis] &&
                          fill.max[axis] == domain.max[axis];
     if (box.periodic[axis]) continue;
+    const double low = box.low[axis], high = box.high[axis];
     box.low[axis] += radius * (1.0 + kPlacementGap);
     box.high[axis] -= radius * (1.0 + kPlacementGap);
     if (box.low[axis] > box.high[axis]) {
+      const double fitting = fitting_radius(fill, low, high);
       throw input_error(fill.place, "[[fill]] radius", number_text(radius),
-                        "at most half the region, whose edge along " + std::string(1, "xyz"[axis]) + " is " +
-                            number_text(fill.max[axis] - fill.min[axis]));
+                        fitting > 0.0
+                            ? "at most " + number_text(fitting) + ", below half the region, whose edge along " +
+                                  "xyz"[axis] + " is " + number_text(fill.max[axis] - fill.min[axis])
+                            : "in a larger region, or nearer to the origin: single precision rounds by " +
+                                  number_text(float_spacing(fill)) + " m here");
     }
   }
   return box;
@@ -76,15 +100,64 @@ double volume_fraction(const Domain& domain, const Fill& fill) {
 /// small boxes.
 double saturation(const Domain& domain) { return domain.dimensions == 2 ? 0.56 : 0.40; }
 
-/// `placed` is empty where none was tried.
-[[noreturn]] void fail_random(const Domain& domain, const Fill& fill, std::optional<int64_t> placed) {
+/// `placed` is empty where none was tried. A lattice is offered where it has room.
+[[noreturn]] void fail_random(const Domain& domain, const Fill& fill, std::optional<int64_t> placed,
+                              bool fits_lattice) {
   const double percent = std::round(1000.0 * volume_fraction(domain, fill)) / 10.0;
   const std::string only = placed ? ", but only " + std::to_string(*placed) + " found room" : "";
   throw input_error(fill.place, fill.count_key,
                     std::to_string(fill.count) + " spheres" + only + ": they ask for " + number_text(percent) +
                         " % of their region, random placement reaches about " +
                         (domain.dimensions == 2 ? "54 %" : "38 %"),
-                    "fewer or smaller spheres, a larger region, or arrangement = \"lattice\"");
+                    fits_lattice ? "fewer or smaller spheres, a larger region, or arrangement = \"lattice\""
+                                 : "fewer or smaller spheres, or a larger region");
+}
+
+/// Sites at low + (i, j, k) · spacing, counted i first, then k, then j: from the floor up.
+struct Lattice {
+  Vec3d low;
+  double spacing;
+  int64_t sites[3];
+
+  int64_t size() const {
+    const double product =
+        static_cast<double>(sites[0]) * static_cast<double>(sites[1]) * static_cast<double>(sites[2]);
+    return static_cast<int64_t>(std::min(product, 1e18));
+  }
+  Vec3d site(int64_t index) const {
+    const int64_t i = index % sites[0];
+    const int64_t k = index / sites[0] % sites[2];
+    const int64_t j = index / sites[0] / sites[2];
+    const Vec3d p = low + Vec3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)) * spacing;
+    return {as_float(p.x), as_float(p.y), as_float(p.z)};
+  }
+};
+
+Lattice lattice_of(const Domain& domain, const Fill& fill) {
+  const double radius = fill.radius_max;
+  const CentreBox box = centre_box(domain, fill, radius);
+  // Two units in the last place make up for rounding each of two neighbours to float.
+  const double ulp = float_spacing(fill);
+  Lattice lattice{box.low + ulp, 2.0 * radius * (1.0 + 2.0 * kPlacementGap) + 2.0 * ulp, {1, 1, 1}};
+  if (domain.dimensions == 2) lattice.low.z = 0.0;
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    const double room = box.high[axis] - box.low[axis] - 2.0 * ulp;
+    // The last site of a periodic axis is the neighbour of the first.
+    const double count = std::floor(room / lattice.spacing) + (box.periodic[axis] ? 0.0 : 1.0);
+    lattice.sites[axis] = static_cast<int64_t>(std::clamp(count, 0.0, static_cast<double>(kLargestCount)));
+  }
+  return lattice;
+}
+
+/// How many of a fill's spheres find a free site beside those in `index`, up to its count, as large as its largest.
+int64_t free_sites(const Domain& domain, const Fill& fill, const SphereIndex& index) {
+  const Lattice lattice = lattice_of(domain, fill);
+  if (index.size() == 0) return std::min(lattice.size(), fill.count);
+  int64_t free = 0;
+  for (int64_t site = 0; site < lattice.size() && free < fill.count; ++site) {
+    free += index.is_free(lattice.site(site), fill.radius_max, kPlacementGap);
+  }
+  return free;
 }
 
 /// A fill while it is placed: its spheres are those from `first` on.
@@ -95,6 +168,7 @@ struct Placement {
   uint64_t position_seed;
   SphereIndex& index;
   Bodies& bodies;
+  const std::vector<std::pair<int64_t, int64_t>>& fixed;  ///< from, to: bodies that are placed before random ones
 
   void set_position(int64_t i, const Vec3d& position) const {
     const auto k = static_cast<size_t>(i);
@@ -139,6 +213,19 @@ bool throw_until_free(const Placement& placement, double radius, Random& random,
   return false;
 }
 
+/// Whether the fill would go onto a lattice, which is placed before what is random: beside the spheres that were there
+/// before all fills, and those of other lattices.
+bool fits_lattice(const Placement& placement) {
+  SphereIndex fixed(placement.scene.domain);
+  for (const auto& [first, end] : placement.fixed) {
+    for (int64_t i = first; i < end; ++i) {
+      const auto k = static_cast<size_t>(i);
+      fixed.insert(static_cast<int32_t>(i), placement.bodies.position[k], placement.bodies.radius[k]);
+    }
+  }
+  return free_sites(placement.scene.domain, placement.fill, fixed) == placement.fill.count;
+}
+
 void place_at_random(const Placement& placement) {
   const Fill& fill = placement.fill;
   const std::vector<double>& radius = placement.bodies.radius;
@@ -152,51 +239,10 @@ void place_at_random(const Placement& placement) {
   for (size_t k = 0; k < order.size(); ++k) {
     Vec3d position(0.0);
     if (!throw_until_free(placement, radius[static_cast<size_t>(order[k])], random, budget, position)) {
-      fail_random(placement.scene.domain, fill, static_cast<int64_t>(k));
+      fail_random(placement.scene.domain, fill, static_cast<int64_t>(k), fits_lattice(placement));
     }
     placement.set_position(order[k], position);
   }
-}
-
-/// Sites at low + (i, j, k) · spacing, counted i first, then k, then j: from the floor up.
-struct Lattice {
-  Vec3d low;
-  double spacing;
-  int64_t sites[3];
-
-  int64_t size() const {
-    const double product =
-        static_cast<double>(sites[0]) * static_cast<double>(sites[1]) * static_cast<double>(sites[2]);
-    return static_cast<int64_t>(std::min(product, 1e18));
-  }
-  Vec3d site(int64_t index) const {
-    const int64_t i = index % sites[0];
-    const int64_t k = index / sites[0] % sites[2];
-    const int64_t j = index / sites[0] / sites[2];
-    const Vec3d p = low + Vec3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)) * spacing;
-    return {as_float(p.x), as_float(p.y), as_float(p.z)};
-  }
-};
-
-Lattice lattice_of(const Domain& domain, const Fill& fill) {
-  const double radius = fill.radius_max;
-  const CentreBox box = centre_box(domain, fill, radius);
-  // Two units in the last place make up for rounding each of two neighbours to float.
-  double largest = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    largest = std::max({largest, std::abs(fill.min[axis]), std::abs(fill.max[axis])});
-  }
-  const auto coordinate = static_cast<float>(largest);
-  const double ulp = std::nextafter(coordinate, std::numeric_limits<float>::infinity()) - coordinate;
-  Lattice lattice{box.low + ulp, 2.0 * radius * (1.0 + 2.0 * kPlacementGap) + 2.0 * ulp, {1, 1, 1}};
-  if (domain.dimensions == 2) lattice.low.z = 0.0;
-  for (int axis = 0; axis < domain.dimensions; ++axis) {
-    const double room = box.high[axis] - box.low[axis] - 2.0 * ulp;
-    // The last site of a periodic axis is the neighbour of the first.
-    const double count = std::floor(room / lattice.spacing) + (box.periodic[axis] ? 0.0 : 1.0);
-    lattice.sites[axis] = static_cast<int64_t>(std::clamp(count, 0.0, static_cast<double>(kLargestCount)));
-  }
-  return lattice;
 }
 
 [[noreturn]] void fail_lattice(const Fill& fill, int64_t fitting) {
@@ -233,17 +279,18 @@ std::vector<size_t> placing_order(std::span<const Fill> fills) {
 }
 
 /// Refuses what cannot fit before memory is taken for it.
-void check_room(const Domain& domain, const Fill& fill) {
+void check_room(const Domain& domain, const Fill& fill, const SphereIndex& index) {
   if (fill.count == 0) return;
   if (fill.arrangement == Arrangement::lattice) {
-    const int64_t sites = lattice_of(domain, fill).size();
-    if (sites < fill.count) fail_lattice(fill, sites);
+    if (lattice_of(domain, fill).size() < fill.count) fail_lattice(fill, free_sites(domain, fill, index));
     return;
   }
   centre_box(domain, fill, fill.radius_max);
   const bool many_equal = fill.radius_min == fill.radius_max && fill.count >= 1000;
   const double most = many_equal ? saturation(domain) : 1.0;
-  if (volume_fraction(domain, fill) > most) fail_random(domain, fill, std::nullopt);
+  if (volume_fraction(domain, fill) > most) {
+    fail_random(domain, fill, std::nullopt, free_sites(domain, fill, index) == fill.count);
+  }
 }
 
 }  // namespace
@@ -251,15 +298,17 @@ void check_room(const Domain& domain, const Fill& fill) {
 void place_fills(const Scene& scene, std::span<const Fill> fills, SphereIndex& index, Bodies& bodies) {
   int64_t total = bodies.size();
   for (const Fill& fill : fills) {
-    check_room(scene.domain, fill);
+    check_room(scene.domain, fill, index);
     total += fill.count;
   }
   Random master(scene.seed);
   std::vector<Placement> placements;
   int64_t first = bodies.size();
+  std::vector<std::pair<int64_t, int64_t>> fixed{{0, first}};
   bodies.resize(total);
   for (const Fill& fill : fills) {
-    placements.push_back({scene, fill, first, 0, index, bodies});
+    placements.push_back({scene, fill, first, 0, index, bodies, fixed});
+    if (fill.arrangement == Arrangement::lattice) fixed.emplace_back(first, first + fill.count);
     draw_properties(placements.back(), master);
     placements.back().position_seed = master.bits();
     first += fill.count;

@@ -20,7 +20,8 @@ size_t character_length(std::string_view text) {
   return length;
 }
 
-/// Control characters and bytes outside UTF-8 would break the line or the terminal: they are shown as \xNN.
+}  // namespace
+
 std::string visible(std::string_view text) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
   std::string result;
@@ -36,8 +37,6 @@ std::string visible(std::string_view text) {
   }
   return result;
 }
-
-}  // namespace
 
 UserError input_error(const Place& place, std::string_view key, std::string_view found, std::string_view allowed) {
   std::string line = place.file + ':' + std::to_string(place.line) + ": ";

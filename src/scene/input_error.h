@@ -34,6 +34,9 @@ struct Place {
 /// "scene.toml:3: [physics] restitution: found 1.5, allowed 0 to 1", with control characters made visible.
 UserError input_error(const Place& place, std::string_view key, std::string_view found, std::string_view allowed);
 
+/// `text` with control characters, and bytes that are not UTF-8, as \xNN: they would break the line or the terminal.
+std::string visible(std::string_view text);
+
 /// The shortest text that reads back as `value`: "0.1", "1e-06", "nan".
 std::string number_text(double value);
 

@@ -20,6 +20,7 @@ constexpr size_t kBufferSize = 1 << 20;
 LineReader::LineReader(std::string_view text, std::string_view file_name)
     : place_{std::string(file_name), 0}, rest_(text) {
   skip_byte_order_mark();
+  find_line_end();
 }
 
 LineReader::LineReader(const std::filesystem::path& path) : place_{path.string(), 0} {
@@ -35,11 +36,12 @@ LineReader::LineReader(const std::filesystem::path& path) : place_{path.string()
   rest_ = {buffer_.get(), 0};
   refill();
   skip_byte_order_mark();
+  find_line_end();
 }
 
 bool LineReader::next(std::string_view& line) {
-  size_t end = rest_.find('\n');
-  while (end == std::string_view::npos && refill()) end = rest_.find('\n');
+  size_t end = rest_.find(line_end_);
+  while (end == std::string_view::npos && refill()) end = rest_.find(line_end_);
   if (rest_.empty()) return false;
   ++place_.line;
   line = rest_.substr(0, end);
@@ -49,7 +51,7 @@ bool LineReader::next(std::string_view& line) {
 }
 
 int64_t LineReader::expected_lines() const {
-  const auto lines = std::count(rest_.begin(), rest_.end(), '\n') + 1;
+  const auto lines = std::count(rest_.begin(), rest_.end(), line_end_) + 1;
   if (bytes_to_come_ <= 0 || rest_.empty()) return lines;
   const double times = static_cast<double>(bytes_to_come_) / static_cast<double>(rest_.size());
   return lines + static_cast<int64_t>(1.01 * times * static_cast<double>(lines));
@@ -76,6 +78,12 @@ bool LineReader::refill() {
 void LineReader::skip_byte_order_mark() {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+}
+
+/// Some spreadsheets end lines by a carriage return alone.
+void LineReader::find_line_end() {
+  const size_t end = rest_.find_first_of("\r\n");
+  if (end < rest_.size() && end + 1 < rest_.size() && rest_[end] == '\r' && rest_[end + 1] != '\n') line_end_ = '\r';
 }
 
 }  // namespace ballpit

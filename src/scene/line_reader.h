@@ -38,8 +38,10 @@ class LineReader {
 
   bool refill();
   void skip_byte_order_mark();
+  void find_line_end();
 
   Place place_;
+  char line_end_ = '\n';
   std::unique_ptr<std::FILE, Close> file_;  // none where the text is in memory, or read to its end
   std::unique_ptr<char[]> buffer_;
   std::string_view rest_;      // what is in memory and not taken yet

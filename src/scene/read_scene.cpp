@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/file.h"
@@ -40,11 +40,12 @@ SphereLines read_listed_spheres(const TableReader& reader, const std::string& fi
     if (!std::filesystem::exists(path, ignored)) {
       throw reader.error("spheres", describe(*node) + ", but no such file", "a CSV file beside the scene");
     }
-    scene.bodies = read_spheres_csv(path, scene.physics.density);
+    SphereSource source;
+    scene.bodies = read_spheres_csv(path, scene.physics.density, &source);
     lines.file = path.string();
     lines.csv = true;
-    lines.line.resize(scene.bodies.position.size());
-    std::iota(lines.line.begin(), lines.line.end(), 2);
+    lines.line = std::move(source.line);
+    if (!source.note.empty()) scene.notes.push_back(std::move(source.note));
   } else if (node != nullptr && !node->is_array()) {
     throw reader.error("spheres", describe(*node), "tables [[spheres]], or the name of a CSV file");
   } else {
@@ -60,8 +61,8 @@ std::optional<int64_t> default_integer(const toml::table* defaults, const std::s
                                        int64_t high) {
   if (defaults == nullptr || !defaults->contains(key)) return std::nullopt;
   const toml::node& node = *defaults->get(key);
-  const auto* value = node.as_integer();
-  if (value != nullptr && value->get() >= 0 && value->get() <= high) return value->get();
+  const std::optional<int64_t> value = whole_number(node);
+  if (value && *value >= 0 && *value <= high) return value;
   throw input_error({file, std::max(1, static_cast<int>(node.source().begin.line))}, "[defaults] " + std::string(key),
                     describe(node), "an integer, 0 to " + std::to_string(high));
 }
@@ -124,7 +125,11 @@ double largest_radius(const Bodies& bodies, const std::vector<Fill>& fills) {
 Scene read_values(const TableReader& reader, const std::string& file, const SceneOverrides& overrides) {
   SceneInfo info = read_info(reader, file);
   Scene scene{info.name, info.title, info.description, info.title_de, info.description_de, {}, {}, {}, {}, {}};
-  if (const auto* table = reader.subtable("domain")) scene.domain = read_domain(*table, file);
+  if (const auto* table = reader.subtable("domain")) {
+    scene.domain = read_domain(*table, file);
+  } else {
+    scene.notes.push_back(file + ": found no [domain]: it is a cube of 1 m with walls, from 0 to 1 along each axis");
+  }
   if (const auto* table = reader.subtable("physics")) {
     scene.physics = read_physics(*table, file, scene.domain.dimensions);
   }
@@ -148,7 +153,14 @@ Scene parse_scene(std::string_view text, std::string_view file_name, const std::
   const std::vector<Fill> fills = read_fills(reader, file, scene, overrides);
   check_periodic_edges(scene.domain, largest_radius(scene.bodies, fills), reader.place("domain"));
   SphereIndex index(scene.domain);
-  check_spheres(scene.domain, scene.physics, lines, scene.bodies, index);
+  const int64_t wrapped = check_spheres(scene.domain, scene.physics, lines, scene.bodies, index);
+  if (wrapped > 0) {
+    scene.notes.push_back(lines.file + ": " + std::to_string(wrapped) + " of " + std::to_string(scene.bodies.size()) +
+                          " spheres were outside of the periodic domain, and are at their images inside");
+  }
+  if (scene.bodies.size() == 0 && fills.empty()) {
+    scene.notes.push_back(lines.file + ": found no spheres" + (lines.csv ? "" : ", neither [[spheres]] nor [[fill]]"));
+  }
   place_fills(scene, fills, index, scene.bodies);
   return scene;
 }

@@ -45,6 +45,7 @@ void check_region(const TableReader& reader, const Domain& domain, const Fill& f
 /// An option's value as it would be typed; empty for what cannot be typed.
 std::optional<std::string> typed(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
+  if (const auto number = whole_number(node)) return std::to_string(*number);  // also 1e5, for options that count
   if (node.is_number() || node.is_boolean()) return describe(node);
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #include "scene/table_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ballpit {
 
@@ -18,6 +19,16 @@ std::string describe(const toml::node& node) {
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   if (const auto* array = node.as_array()) return "an array of " + std::to_string(array->size()) + " values";
   return node.is_table() ? "a table" : "a date or time";
+}
+
+std::optional<int64_t> whole_number(const toml::node& node) {
+  if (const auto* number = node.as_integer()) return number->get();
+  const auto* number = node.as_floating_point();
+  constexpr double kExact = 0x1p53;  // beyond it, not every integer is a double
+  if (number == nullptr || !(std::abs(number->get()) <= kExact) || std::trunc(number->get()) != number->get()) {
+    return std::nullopt;
+  }
+  return static_cast<int64_t>(number->get());
 }
 
 toml::table parse_toml(std::string_view text, std::string_view file_name) {
@@ -60,8 +71,8 @@ std::optional<double> TableReader::number(std::string_view key, const Limits& li
 std::optional<int64_t> TableReader::integer(std::string_view key, int64_t low, int64_t high) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;
-  const auto* value = node->as_integer();
-  if (value != nullptr && value->get() >= low && value->get() <= high) return value->get();
+  const std::optional<int64_t> value = whole_number(*node);
+  if (value && *value >= low && *value <= high) return value;
   throw error(key, describe(*node), "an integer, " + std::to_string(low) + " to " + std::to_string(high));
 }
 

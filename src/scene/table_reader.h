@@ -64,6 +64,9 @@ class TableReader {
 /// A value as an error shows it: 1.5, "high", true, an array of 2 values.
 std::string describe(const toml::node& node);
 
+/// An integer, or a float that is one: 10, 10.0, 1e5. Empty for others.
+std::optional<int64_t> whole_number(const toml::node& node);
+
 /// Parses a whole file. Throws UserError with the line and the reason of a syntax error.
 toml::table parse_toml(std::string_view text, std::string_view file_name);
 

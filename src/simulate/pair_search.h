@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "core/span.h"
 #include "exec/stage_times.h"
 #include "simulate/pair.h"
+#include "simulate/state.h"
 
 namespace ballpit {
 
@@ -17,6 +19,7 @@ namespace ballpit {
 struct SphereArrays {
   Span<const Vec3> position;  ///< [m] finite
   Span<const float> radius;   ///< [m] above 0; one value for all, or one each
+  std::optional<Box<Vec3>> period{};  ///< periodic domain that holds all centres, each edge four radii or longer
 };
 
 /// How a search was made, and what it took.

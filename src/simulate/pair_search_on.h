@@ -145,7 +145,7 @@ class PairSearchOn final : public PairSearch {
   }
 
   void find(const SphereArrays& spheres) override {
-    if (!may_go_on(spheres)) start(spheres, bounds(spheres.position));
+    if (!may_go_on(spheres)) start(spheres, spheres.period ? *spheres.period : bounds(spheres.position));
     visit([&](auto& search) { search.find(*exec_, spheres); });
   }
 
@@ -188,10 +188,14 @@ class PairSearchOn final : public PairSearch {
     return box;
   }
 
+  static bool is_in_a_plane(Span<const Vec3> position) {
+    return std::all_of(position.begin(), position.end(), [&](const Vec3& p) { return p.z == position[0].z; });
+  }
+
   /// Whether the grid of the last search may serve for these spheres: with a skin, while their sizes are the same. Spheres that
   /// have left its box count to the cells at its border, which is right but slow: so now and then there is a new box.
   bool may_go_on(const SphereArrays& spheres) {
-    if (*settings_.skin == 0 || count_ != spheres.position.size()) return false;
+    if (*settings_.skin == 0 || spheres.period || count_ != spheres.position.size()) return false;
     if (!std::equal(spheres.radius.begin(), spheres.radius.end(), radius_.begin(), radius_.end())) return false;
     int64_t searches = 0;
     visit([&](auto& search) { searches = search.detector().searches(); });
@@ -202,11 +206,11 @@ class PairSearchOn final : public PairSearch {
     visit([&](auto& search) { searches_ += search.detector().searches(); });
     count_ = spheres.position.size();
     if (*settings_.skin > 0) radius_.assign(spheres.radius.begin(), spheres.radius.end());
-    const bool is_planar = count_ > 0 && box.min.z == box.max.z && settings_.axis != "z";
+    const bool is_planar = count_ > 0 && is_in_a_plane(spheres.position) && settings_.axis != "z";
     if (is_planar && *settings_.skin == 0) {  // with a skin, they may leave the plane
       spatial_.reset();
       if (!planar_) planar_.emplace();
-      planar_->plan(*exec_, settings_, Box<Vec2>{Vec2(box.min), Vec2(box.max), Boundary::walls}, spheres);
+      planar_->plan(*exec_, settings_, Box<Vec2>{Vec2(box.min), Vec2(box.max), box.boundary}, spheres);
     } else {
       planar_.reset();
       if (!spatial_) spatial_.emplace();

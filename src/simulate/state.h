@@ -35,7 +35,7 @@ struct Box {
   V max{};
   Boundary boundary = Boundary::walls;
 
-  static constexpr Real kFar = Real(1e30);  ///< [m]
+  static constexpr Real kFar = Real(1e30);  ///< [m] above an open top
 
   HOST_DEVICE bool is_periodic() const { return boundary == Boundary::periodic; }
 
@@ -51,24 +51,30 @@ struct Box {
     return d;
   }
 
-  /// The image of p inside a periodic domain; p itself in others.
+  /// The image of p inside a periodic domain, in [min, max) also where rounding is coarse; p itself in others. What is
+  /// not finite becomes NaN.
   HOST_DEVICE V wrap(V p) const {
     if (is_periodic()) {
       for (int axis = 0; axis < kDimensions<V>; ++axis) {
-        const Real period = max[axis] - min[axis];
-        p[axis] -= period * std::floor((p[axis] - min[axis]) / period);
+        const Real low = min[axis], high = max[axis];
+        Real x = p[axis];
+        if (x < low || x >= high) {
+          x -= (high - low) * std::floor((x - low) / (high - low));
+          if (x < low || x >= high) x = low;  // rounded to the edge, or so far out that no digit is left
+        }
+        p[axis] = x;
       }
     }
     return p;
   }
 
-  /// Whether p is a place where a centre may be: finite, and inside all walls. False for NaN.
+  /// Whether p is a place where a centre may be: finite, and inside all walls; of a periodic domain, inside after
+  /// wrap(). False for NaN.
   HOST_DEVICE bool holds(const V& p) const {
     bool is_held = true;
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const Real low = is_periodic() ? -kFar : min[axis];
-      const Real high = is_periodic() || (boundary == Boundary::open_top && axis == 1) ? kFar : max[axis];
-      is_held = is_held & (p[axis] >= low) & (p[axis] <= high);
+      const Real high = boundary == Boundary::open_top && axis == 1 ? kFar : max[axis];
+      is_held = is_held & (p[axis] >= min[axis]) & (p[axis] <= high);
     }
     return is_held;
   }

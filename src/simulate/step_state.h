@@ -164,7 +164,7 @@ class StepState {
 
   void upload(const Bodies& bodies) {
     std::vector<V> positions, velocities;
-    for (const Vec3d& p : bodies.position) positions.push_back(narrow<V>(p));
+    for (const Vec3d& p : bodies.position) positions.push_back(box_.wrap(narrow<V>(p)));
     for (const Vec3d& v : bodies.velocity) velocities.push_back(narrow<V>(v));
     exec_->upload(position, positions);
     exec_->upload(velocity, velocities);

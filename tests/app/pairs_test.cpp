@@ -2,6 +2,7 @@
 // ballpit pairs: the pairs of a file, the same from every broad phase, with what it took to find them.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include <catch2/catch.hpp>
@@ -9,6 +10,7 @@
 #include "app/pairs_summary.h"
 #include "core/random.h"
 #include "lab/exact_pairs.h"
+#include "scene/input_error.h"
 #include "scene/spheres_csv.h"
 #include "simulate/methods.h"
 #include "simulate/settings.h"
@@ -137,6 +139,114 @@ TEST_CASE("the histogram of work counts every thread once, and a warp is never b
   }
 }
 
+TEST_CASE("every broad phase and the exact reference find the pairs across the ends of a period") {
+  const Scratch scratch;
+  write_text(scratch / "cloud.csv", cloud(1000, 0.05));  // in a unit cube
+  std::string expected;
+  int64_t contacts = 0;
+  for (const char* period : {"1,1,1", "1,1,0", "0,1,0", "0,0,1.5", "0,0,0"}) {
+    expected.clear();
+    for (const std::string& method : broad_phases()) {
+      INFO(method << " with " << period);
+      const nlohmann::json summary = pairs({scratch / "cloud.csv", "--verify", "--period", period, "--broadphase", method,
+                                            "--out", scratch / "pairs.csv"});
+      CHECK(summary["missed"] == 0);
+      CHECK(summary["wrong"] == 0);
+      CHECK(summary["duplicate"] == 0);
+      if (expected.empty()) {
+        expected = read_text(scratch / "pairs.csv");
+        CHECK((contacts == 0 || summary["contacts"].get<int64_t>() < contacts));  // fewer than with all periods
+        if (contacts == 0) contacts = summary["contacts"];
+      }
+      CHECK((read_text(scratch / "pairs.csv") == expected));
+    }
+  }
+  pairs({scratch / "cloud.csv", "--out", scratch / "none.csv"});
+  CHECK((read_text(scratch / "none.csv") == expected));  // of no period at all
+}
+
+TEST_CASE("touching spheres of a periodic crystal have as many contacts in pairs as in simulate") {
+  const Scratch scratch;
+  // Face-centred cubic: twelve neighbours each, six contacts a sphere. A little too large, so that rounding parts none.
+  std::string text = "x,y,z,radius\n";
+  const double edge = std::sqrt(2.0);
+  for (int cell = 0; cell < 27; ++cell) {
+    const Vec3d corner = edge * Vec3d(cell % 3, cell / 3 % 3, cell / 9);
+    for (const Vec3d& site : {Vec3d(0, 0, 0), Vec3d(0.5, 0.5, 0), Vec3d(0.5, 0, 0.5), Vec3d(0, 0.5, 0.5)}) {
+      const Vec3d p = corner + edge * site;
+      text += number_text(p.x) + ',' + number_text(p.y) + ',' + number_text(p.z) + ",0.50025\n";
+    }
+  }
+  write_text(scratch / "fcc.csv", text);
+  const std::string period = number_text(3 * edge);
+  write_text(scratch / "fcc.toml", "spheres = 'fcc.csv'\n[domain]\nboundary = 'periodic'\nmin = [0, 0, 0]\nmax = [" +
+                                       period + ", " + period + ", " + period + "]\n[physics]\ninitial_overlap = 0.01\n");
+  const Outcome simulated = run_program({"simulate", scratch / "fcc.toml", "--time", "0", "--json", "--out", scratch / "state.csv"});
+  INFO(simulated.err);
+  CHECK(simulated.json()["contacts"] == 648);
+  CHECK(pairs({scratch / "fcc.toml", "--verify"})["contacts"] == 648);
+  const nlohmann::json summary =
+      pairs({scratch / "state.csv", "--verify", "--period", period + "," + period + "," + period});
+  CHECK(summary["contacts"] == 648);
+  CHECK(summary["missed"] == 0);
+  CHECK(summary["period"][2] == 3 * edge);
+  CHECK(pairs({scratch / "state.csv"})["contacts"] == 450);
+}
+
+TEST_CASE("pairs reads built-in scenes, planar ones too, and finds the contacts of simulate") {
+  for (const char* scene : {"gas-dense", "lecture-grid", "cradle", "bouncing-balls"}) {
+    INFO(scene);
+    const Outcome simulated = run_program({"simulate", scene, "--time", "0", "--json"});
+    const nlohmann::json found = pairs({scene, "--verify"});
+    CHECK(found["count"] == simulated.json()["count"]);
+    CHECK(found["contacts"] == simulated.json()["contacts"]);
+    CHECK(found["missed"] == 0);
+    CHECK(found["wrong"] == 0);
+  }
+}
+
+TEST_CASE("centres outside of the period are searched at their images, and told in one line") {
+  const Scratch scratch;
+  write_text(scratch / "a.csv", "x,y,z,radius\n0.1,0,0,0.2\n99.9,0,0,0.2\n-50.2,7,0,0.05\n");
+  const Outcome outcome = run_program({"pairs", scratch / "a.csv", "--period", "10,0,0", "--json", "--verify"});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.json()["contacts"] == 1);
+  CHECK(outcome.json()["missed"] == 0);
+  CHECK_THAT(outcome.err, Contains("a.csv: 2 of 3 spheres were outside of the period"));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+}
+
+TEST_CASE("a period that cannot be is refused with what is allowed") {
+  const Scratch scratch;
+  write_text(scratch / "four.csv", kFour);
+  const auto error_of = [&](const std::string& file, const std::string& period) {
+    const Outcome outcome = run_program({"pairs", file, "--period", period});
+    CHECK(outcome.status == 2);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    return outcome.err;
+  };
+  const std::string file = scratch / "four.csv";
+  for (const char* period : {"", "1", "1,2", "1,2,3,4"}) CHECK_THAT(error_of(file, period), Contains("allowed X,Y,Z"));
+  for (const char* period : {"1,2,x", "-1,0,0", "nan,0,0", "inf,0,0", "1e16,0,0"}) {
+    CHECK_THAT(error_of(file, period), Contains("--period: found") && Contains("allowed a number from 0 to"));
+  }
+  CHECK_THAT(error_of(file, "0,7,0"),
+             Contains("--period: found 7 along y with radius 2, allowed 0 for none, or at least four radii, 8"));
+  CHECK_THAT(error_of("gas-dense", "9,9,9"), Contains("--period: found with the scene gas-dense, which says itself"));
+}
+
+TEST_CASE("columns that are not read are named in one warning") {
+  const Scratch scratch;
+  write_text(scratch / "a.csv", ",x,y,z,radius,tag\n0,0,0,0,0.5,a\n1,0.9,0,0,0.5,b\n");
+  write_text(scratch / "a.toml", "spheres = 'a.csv'\n[domain]\nmin = [-1, -1, -1]\nmax = [2, 2, 2]\n[physics]\ninitial_overlap = 1\n");
+  const std::string warning = "ballpit: warning: " + scratch / "a.csv" +
+                              ":1: what these columns hold is ignored: column 1 without a name, \"tag\"\n";
+  const Outcome searched = run_program({"pairs", scratch / "a.csv", "--json"});
+  CHECK(searched.err == warning);
+  CHECK(searched.json()["contacts"] == 1);
+  CHECK(run_program({"simulate", scratch / "a.toml", "--time", "0.01"}).err == warning);
+}
+
 TEST_CASE("automatic choice says what it chose, and why") {
   const std::vector<std::string> names = broad_phases();
   if (std::find(names.begin(), names.end(), "auto") == names.end()) return;
@@ -238,7 +348,7 @@ TEST_CASE("wrong files of spheres are refused with file, line, column, what was 
   const std::vector<std::pair<std::string, std::string>> table = {
       {"", ":1: header: found an empty file" + columns},
       {"x,y,z\n1,2,3\n", ":1: header: found no column \"radius\"" + columns},
-      {"1,2,3,4\n", ":1: header: found \"1\"" + columns},
+      {"1,2,3,4\n", ":1: header: found \"1,2,3,4\", no column \"x\"" + columns},
       {header + "1,2,3\n", ":2: row: found 3 fields, allowed 4, as in the header"},
       {header + "1,2,3,1\n1,two,3,1\n", ":3: y: found \"two\", allowed a number, -1e+15 to 1e+15"},
       {header + "nan,2,3,1\n", ":2: x: found \"nan\", allowed a number, -1e+15 to 1e+15"},
@@ -246,7 +356,7 @@ TEST_CASE("wrong files of spheres are refused with file, line, column, what was 
       {header + "1,1e16,3,1\n", ":2: y: found \"1e16\", allowed a number, -1e+15 to 1e+15"},
       {header + "1,2,3,0\n", ":2: radius: found \"0\", allowed a number, 1e-12 to 1e+15"},
       {header + "1,2,3,-1\n", ":2: radius: found \"-1\", allowed a number, 1e-12 to 1e+15"},
-      {std::string("\x7F\x45LF\x02\x00\n\xFF", 8), ":1: header: found \"\\x7FELF\\x02\\x00\"" + columns},
+      {std::string("\x7F\x45LF\x02\x00\n\xFF", 8), ":1: header: found \"\\x7FELF\\x02\\x00\", no column \"x\"" + columns},
       {std::string(3'000'000, 'x'), ":1: line: found more than 1048576 bytes"},
   };
   for (const auto& [text, message] : table) {

@@ -57,7 +57,7 @@ TEST_CASE("what auto chose is told, and its reason, and how many searches a skin
 
 TEST_CASE("a file whose name is no UTF-8 is simulated, and named as far as JSON can") {
   const Scratch scratch;
-  write_text(scratch / "dr\xF6p.toml", "[[fill]]\ncount = 3\nradius = 0.02\n");
+  write_text(scratch / "dr\xF6p.toml", "[domain]\n[[fill]]\ncount = 3\nradius = 0.02\n");
   CHECK_THAT(simulate({scratch / "dr\xF6p.toml", "--time", "0.01"})["scene"].get<std::string>(),
              Catch::StartsWith("dr"));
 }
@@ -107,7 +107,7 @@ TEST_CASE("the option --count replaces the scene's number of spheres") {
 TEST_CASE("a written state starts again with the same bits, and goes on as the run does") {
   const Scratch scratch;
   const std::string physics = "[physics]\ngravity = [0, -9.81, 0]\ninitial_overlap = 1\n";
-  const std::string domain = GENERATE(as<std::string>{}, "", "[domain]\nboundary = 'periodic'\n",
+  const std::string domain = GENERATE(as<std::string>{}, "[domain]\n", "[domain]\nboundary = 'periodic'\n",
                                       "[domain]\nboundary = 'open-top'\n", "[domain]\ndimensions = 2\n");
   write_text(scratch / "first.toml", domain + physics + "[[fill]]\ncount = 60\nradius = [0.02, 0.04]\nspeed = 1\n");
   write_text(scratch / "second.toml", "spheres = 'state.csv'\n" + domain + physics);

@@ -70,6 +70,42 @@ TEST_CASE("the exact reference takes one radius for all") {
   CHECK(exact_pairs({}).empty());
 }
 
+TEST_CASE("the exact reference finds pairs across the ends of a period, as the definition says") {
+  struct Family {
+    Spheres spheres;
+    Vec3 low, high;
+  };
+  const std::vector<Family> families{
+      {scattered(Vec3d(1), 0.02, 0.1), Vec3(-1), Vec3(1)},
+      {scattered(Vec3d(1, 2, 0.5), 0.02, 0.1), Vec3(-1, -2, -0.5f), Vec3(1, 2, 0.5f)},
+      {scattered(Vec3d(1), 0.2, 0.5), Vec3(-1), Vec3(1)},  // of four radii, exactly
+      {scattered(Vec3d(1), 0.1, 0.1, 0.2), Vec3(-1), Vec3(1)},
+      {scattered(Vec3d(1e-9), 1e-11, 1e-10), Vec3(-1e-9f), Vec3(1e-9f)},
+  };
+  for (const auto& [spheres, low, high] : families) {
+    SphereArrays arrays = spheres.arrays();
+    arrays.period = Box<Vec3>{low, high, Boundary::periodic};
+    std::vector<Pair> expected;
+    for (size_t i = 0; i < spheres.position.size(); ++i) {
+      for (size_t j = i + 1; j < spheres.position.size(); ++j) {
+        float squared = 0;
+        for (int axis = 0; axis < 3; ++axis) {  // the nearest of three images
+          float nearest = spheres.position[j][axis] - spheres.position[i][axis];
+          for (const float shift : {low[axis] - high[axis], high[axis] - low[axis]}) {
+            const float image = spheres.position[j][axis] - spheres.position[i][axis] + shift;
+            if (std::fabs(image) < std::fabs(nearest)) nearest = image;
+          }
+          squared += nearest * nearest;
+        }
+        const float sum = spheres.radius[i] + spheres.radius[j];
+        if (squared <= sum * sum) expected.push_back({int32_t(i), int32_t(j)});
+      }
+    }
+    CHECK(expected.size() > by_definition(spheres).size());
+    CHECK((exact_pairs(arrays) == expected));
+  }
+}
+
 TEST_CASE("missed, wrong and duplicate pairs are told apart") {
   const std::vector<Pair> exact{{0, 1}, {0, 4}, {2, 3}, {5, 6}};
   const auto deviation = [&](std::vector<Pair> found) {

@@ -204,3 +204,76 @@ TEST_CASE("a fill gives up in bounded time and says how far it came") {
 TEST_CASE("the order of placing is from large to small, so that wide ranges fit") {
   CHECK(filled("[[fill]]\ncount = 3000\nradius = 0.01\n[[fill]]\ncount = 1\nradius = 0.35").bodies.size() == 3001);
 }
+
+namespace {
+
+std::string error_of(const std::string& text) {
+  try {
+    filled(text);
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The number that stands behind these words.
+std::string number_behind(const std::string& text, const std::string& words) {
+  const size_t begin = text.find(words) + words.size();
+  std::string number = text.substr(begin, text.find_first_not_of("0123456789.e-", begin) - begin);
+  while (!number.empty() && number.back() == '.') number.pop_back();
+  return number;
+}
+
+}  // namespace
+
+TEST_CASE("who follows the hints of a fill that does not fit has a scene") {
+  struct Crowded {
+    std::string before;  ///< the fill
+    int count;
+    std::string radius;
+    std::string arrangement;
+    std::string behind{};
+  };
+  const std::string obstacle = "[[spheres]]\nposition = [0.5, 0.5, 0.5]\nradius = 0.45\n";
+  const std::string plane = "[domain]\nmin = [0.7, 0.7, 0]\nmax = [1.7, 1.7, 0]\ndimensions = 2\n";
+  const std::string far = "[domain]\nmin = [100.7, 100.7, 100.7]\nmax = [101.7, 101.7, 101.7]\n";
+  const std::string periodic = "[domain]\nboundary = 'periodic'\n";
+  const std::vector<Crowded> table = {
+      {"", 1000, "0.1", "random"},          {"", 1000, "0.1", "lattice"},      {"", 100, "0.1", "random"},
+      {"", 126, "0.1", "random"},           {"", 125, "0.0999", "random"},     {plane, 2000, "0.01", "random"},
+      {plane, 3000, "0.01", "random"},      {plane, 3000, "0.01", "lattice"},  {far, 1, "0.5", "random"},
+      {far, 1, "0.7", "lattice"},           {"", 1, "0.5", "lattice"},         {plane, 1, "0.5", "random"},
+      {obstacle, 60, "0.1", "random"},      {obstacle, 120, "0.1", "lattice"}, {obstacle, 200, "0.1", "lattice"},
+      {periodic, 200, "0.1", "random"},     {periodic, 200, "0.1", "lattice"}, {obstacle, 1, "0.3", "random"},
+      {"", 100, "[0.05, 0.1]", "lattice"},  {"", 300, "[0.05, 0.1]", "random"},
+      {"", 90, "0.1", "random", "[[fill]]\ncount = 60\nradius = 0.1\narrangement = 'lattice'\n"},
+  };
+  for (const Crowded& crowded : table) {
+    const auto scene = [&](const std::string& count, const std::string& radius, const std::string& arrangement) {
+      return crowded.before + "[[fill]]\ncount = " + count + "\nradius = " + radius + "\narrangement = '" + arrangement +
+             "'\n" + crowded.behind;
+    };
+    const std::string count = std::to_string(crowded.count);
+    const std::string error = error_of(scene(count, crowded.radius, crowded.arrangement));
+    INFO(scene(count, crowded.radius, crowded.arrangement) << error);
+    REQUIRE(error != "");
+    if (error.find("arrangement = \"lattice\"") != std::string::npos) {
+      CHECK(error_of(scene(count, crowded.radius, "lattice")) == "");
+    }
+    if (error.find("no more fit on the lattice") != std::string::npos) {
+      CHECK(error_of(scene(number_behind(error, "allowed at most "), crowded.radius, "lattice")) == "");
+    }
+    if (error.find("half the region") != std::string::npos) {
+      CHECK(error_of(scene(count, number_behind(error, "allowed at most "), crowded.arrangement)) == "");
+    }
+    if (error.find("fewer") != std::string::npos) CHECK(error_of(scene("1", "0.001", crowded.arrangement)) == "");
+  }
+}
+
+TEST_CASE("a lattice is offered where it has room, and only there") {
+  using Catch::Contains;
+  const std::string offer = "arrangement = \"lattice\"";
+  CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.0999\n"), Contains(offer));  // 125 sites
+  CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.1\n"), !Contains(offer));  // 64
+  CHECK_THAT(error_of("[[fill]]\ncount = 1000\nradius = 0.1\n"), !Contains(offer) && Contains("a larger region"));
+}

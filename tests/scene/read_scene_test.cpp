@@ -162,7 +162,7 @@ TEST_CASE("overlaps across the edge of a periodic domain are found") {
 TEST_CASE("a centre on the upper edge of a periodic domain is the same point on the lower") {
   const Scene scene = parse_scene(
       "[domain]\nboundary = 'periodic'\n[[spheres]]\nposition = [1, 0.99999999999, 0.5]\nradius = 0.1", "a.toml");
-  CHECK(scene.bodies.position[0] == Vec3d(0, 0, 0.5));
+  CHECK(scene.bodies.position[0] == Vec3d(0, 0.99999999999, 0.5));  // which double precision tells from 1
 }
 
 TEST_CASE("a count from the command line replaces that of the fill, and scales several") {
@@ -205,4 +205,110 @@ TEST_CASE("spheres come from a CSV file beside the scene, and errors name its li
   write_file(folder / "balls.csv", "x,y,z,radius\n0.5,0.5,0.5,0.1\n0.5,1.5,0.6,0.1\n");
   CHECK_THROWS_WITH(read_scene(folder / "s.toml"), Catch::Contains("balls.csv:3: y: found sphere 1 reaching from 1.4"));
   std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("integers may be written as floats") {
+  const Scene scene = parse_scene(
+      "[domain]\ndimensions = 2.0\n[[fill]]\ncount = 10.0\nradius = 0.01\n[defaults]\nseed = 1e3\nthreads = 1e2\n",
+      "a.toml");
+  CHECK(scene.domain.dimensions == 2);
+  CHECK(scene.bodies.size() == 10);
+  CHECK(scene.seed == 1000);
+  for (const DefaultOption& option : scene.defaults) CHECK(option.value == (option.key == "seed" ? "1000" : "100"));
+}
+
+namespace {
+
+std::vector<std::string> notes_of(const std::string& text) { return parse_scene(text, "a.toml").notes; }
+
+std::string periodic(const std::string& min, const std::string& max) {
+  return "[domain]\nboundary = 'periodic'\nmin = " + min + "\nmax = " + max + "\n";
+}
+
+std::string sphere_at(const std::string& position, const std::string& radius) {
+  return "[[spheres]]\nposition = " + position + "\nradius = " + radius + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("what a scene lacks is told") {
+  const std::string ball = sphere_at("[0.5, 0.5, 0.5]", "0.1");
+  const std::string domain = "[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n";
+  const std::string no_domain = "a.toml: found no [domain]: it is a cube of 1 m with walls, from 0 to 1 along each axis";
+  const std::string no_spheres = "a.toml: found no spheres, neither [[spheres]] nor [[fill]]";
+  using Notes = std::vector<std::string>;
+  CHECK(notes_of("") == Notes{no_domain, no_spheres});
+  CHECK(notes_of(ball) == Notes{no_domain});
+  CHECK(notes_of(domain) == Notes{no_spheres});
+  CHECK(notes_of(domain + ball).empty());
+  CHECK(notes_of("[domain]\nboundary = 'walls'\n" + ball).empty());  // README names the defaults of min and max
+}
+
+TEST_CASE("spheres outside of a periodic domain are at their images inside, and told in one line") {
+  const std::string domain = periodic("[0, 0, 0]", "[10, 10, 10]");
+  const Scene scene = parse_scene(domain + sphere_at("[-1e-9, 5, 5]", "0.5") + sphere_at("[25, -1, 10]", "0.5") +
+                                      sphere_at("[2, 2, 2]", "0.5") + sphere_at("[1, 1, 1e6]", "0.5"),
+                                  "a.toml");
+  CHECK(scene.bodies.position[0] == Vec3d(9.999999999, 5, 5));
+  CHECK(scene.bodies.position[1] == Vec3d(5, 9, 0));
+  CHECK(scene.bodies.position[2] == Vec3d(2, 2, 2));
+  CHECK(scene.bodies.position[3] == Vec3d(1, 1, 0));
+  CHECK(scene.notes == std::vector<std::string>{
+                           "a.toml: 3 of 4 spheres were outside of the periodic domain, and are at their images inside"});
+  // The upper edge is the lower one: nobody was outside.
+  CHECK(notes_of(domain + sphere_at("[10, 10, 5]", "0.5")).empty());
+  // So little below the edge that its image is rounded to the other edge.
+  const Scene hair = parse_scene(domain + sphere_at("[-1e-20, 5, 5]", "0.5"), "a.toml");
+  CHECK(hair.bodies.position[0].x >= 0);
+  CHECK(hair.bodies.position[0].x < 10);
+}
+
+TEST_CASE("spheres that overlap across the edge, once wrapped, are refused") {
+  CHECK_THROWS_AS(parse_scene(periodic("[0, 0, 0]", "[10, 10, 10]") + sphere_at("[0.2, 5, 5]", "0.5") +
+                                  sphere_at("[-0.2, 5, 5]", "0.5"),
+                              "a.toml"),
+                  UserError);
+}
+
+TEST_CASE("what single precision wrote of a periodic domain keeps its bits") {
+  // The float next to 0.7 is below it.
+  const double low = static_cast<double>(0.7f);
+  REQUIRE(low < 0.7);
+  const Scene scene =
+      parse_scene(periodic("[0.7, 0.7, 0.7]", "[1.7, 1.7, 1.7]") + sphere_at("[0.699999988079071, 0.8, 0.8]", "0.05"),
+                  "a.toml");
+  CHECK(scene.bodies.position[0].x == low);
+  CHECK(scene.notes.empty());
+  // Double precision keeps what single precision would round to the edge.
+  const Scene fine =
+      parse_scene(periodic("[0, 0, 0]", "[1, 1, 1]") + sphere_at("[0.999999999, 0.5, 0.5]", "0.05"), "a.toml");
+  CHECK(fine.bodies.position[0].x == 0.999999999);
+}
+
+TEST_CASE("an edge of exactly four radii is allowed, whatever rounding makes of it") {
+  CHECK_NOTHROW(parse_scene(periodic("[0.1, 0.1, 0.1]", "[0.3, 0.3, 0.3]") + sphere_at("[0.2, 0.2, 0.2]", "0.05"),
+                            "a.toml"));
+  CHECK_NOTHROW(parse_scene(periodic("[100.1, 0, 0]", "[100.3, 1, 1]") + sphere_at("[100.2, 0.2, 0.2]", "0.05"),
+                            "a.toml"));
+  CHECK_THROWS_AS(parse_scene(periodic("[0.1, 0.1, 0.1]", "[0.3, 0.3, 0.29999]") +
+                                  sphere_at("[0.2, 0.2, 0.2]", "0.05"),
+                              "a.toml"),
+                  UserError);
+}
+
+TEST_CASE("initial_overlap = 1 allows every overlap, also of concentric spheres and of small ones in large ones") {
+  const std::string domain = "[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[physics]\ninitial_overlap = ";
+  const std::string spheres = sphere_at("[0.5, 0.5, 0.5]", "0.4") + sphere_at("[0.5, 0.5, 0.5]", "0.4") +
+                              sphere_at("[0.6, 0.5, 0.5]", "0.01") + sphere_at("[0, 0.5, 0.5]", "0.1");
+  CHECK(parse_scene(domain + "1\n" + spheres, "a.toml").bodies.size() == 4);
+  CHECK_THROWS_AS(parse_scene(domain + "0.99\n" + spheres, "a.toml"), UserError);
+}
+
+TEST_CASE("spheres that touch as far as single precision can say do not overlap") {
+  // Far from the origin, touching spheres and walls are off by 8e-6 m, once they are rounded.
+  const std::string domain = "[domain]\nmin = [100.7, 0, 0]\nmax = [101.7, 1, 1]\n";
+  const std::string touching =
+      sphere_at("[100.70999908447266, 0.5, 0.5]", "0.01") + sphere_at("[100.72999572753906, 0.5, 0.5]", "0.01");
+  CHECK_NOTHROW(parse_scene(domain + touching, "a.toml"));
+  CHECK_THROWS_AS(parse_scene(domain + touching + sphere_at("[100.7496, 0.5, 0.5]", "0.01"), "a.toml"), UserError);
 }

@@ -90,6 +90,78 @@ TEST_CASE("a header alone is a file without spheres") {
   CHECK(parse_spheres_csv("x,y,z,radius\n", "a.csv").size() == 0);
 }
 
+namespace {
+
+/// Two spheres: one at the origin, one 0.9 along x and −2 along z; radii 0.5.
+struct Dialect {
+  std::string text;
+  std::string note{};  ///< behind the file's name
+};
+
+void check_dialects(const std::vector<Dialect>& table) {
+  for (const Dialect& dialect : table) {
+    CAPTURE(dialect.text);
+    SphereSource source;
+    Bodies bodies;
+    CHECK_NOTHROW(bodies = parse_spheres_csv(dialect.text, "a.csv", 1000.0, &source));
+    REQUIRE(bodies.size() == 2);
+    CHECK(bodies.position[0] == Vec3d(0, 0, 0));
+    CHECK(bodies.position[1] == Vec3d(0.9, 0, -2));
+    CHECK(bodies.radius == std::vector<double>{0.5, 0.5});
+    CHECK(source.note == (dialect.note.empty() ? "" : "a.csv:" + dialect.note));
+    REQUIRE(source.line.size() == 2);
+    CHECK(parse_resting_spheres(dialect.text, "a.csv").note == source.note);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("files of R, numpy, pandas and of spreadsheets are read") {
+  const std::string ignored = " what these columns hold is ignored: ";
+  check_dialects({
+      // R: write.csv, with and without the names of rows; write.csv2; write.table
+      {"\"x\",\"y\",\"z\",\"radius\"\n0,0,0,0.5\n0.9,0,-2,0.5\n"},
+      {"\"\",\"x\",\"y\",\"z\",\"radius\"\n\"1\",0,0,0,0.5\n\"2\",0.9,0,-2,0.5\n", "1:" + ignored + "column 1 without a name"},
+      {"\"\";\"x\";\"y\";\"z\";\"radius\"\n\"1\";0;0;0;0,5\n\"2\";0,9;0;-2;0,5\n", "1:" + ignored + "column 1 without a name"},
+      {"\"x\" \"y\" \"z\" \"radius\"\n\"1\" 0 0 0 0.5\n\"2\" 0.9 0 -2 0.5\n", "1:" + ignored + "column 1 without a name"},
+      // numpy: savetxt
+      {"# x,y,z,radius\n0.000000000000000000e+00,0.000000000000000000e+00,0.000000000000000000e+00,5.0e-01\n"
+       "9.000000000000000222e-01,0.000000000000000000e+00,-2.000000000000000000e+00,5.000000000000000000e-01\n"},
+      {"# x y z radius\n0.0e+00 0.0e+00 0.0e+00 5.0e-01\n9.000000000000000222e-01 0 -2.0e+00 5.0e-01\n"},
+      // pandas: to_csv
+      {",x,y,z,radius\n0,0,0,0,0.5\n1,0.9,0,-2,0.5\n", "1:" + ignored + "column 1 without a name"},
+      {"id,x,y,z,radius,name\n0,0,0,0,0.5,\"a, \"\"b\"\"\"\n1,0.9,0,-2,0.5,#7\n", "1:" + ignored + "\"id\", \"name\""},
+      // spreadsheets
+      {"\xEF\xBB\xBFx;y;z;radius\r\n0;0;0;0,5\r\n0,9;0;-2;0,5\r\n;;;\r\n"},
+      {"sep=;\nx;y;z;radius\n0;0;0;0.5\n0.9;0;-2;0.5\n"},
+      {"x\ty\tz\tradius\n0\t0\t0\t0.5\n0.9\t0\t-2\t0.5\n"},
+      {"x\ty\tz\tradius\t\n0\t0\t0\t0,5\t\n0,9\t0\t-2\t0,5\t\n"},
+      {"\"x\",\"y\",\"z\",\"radius\"\n0,0,0,\"0,5\"\n\"0,9\",0,-2,\"0,5\"\n"},
+      {"x,y,z,radius\r0,0,0,0.5\r0.9,0,-2,0.5\r"},
+  });
+}
+
+TEST_CASE("files written by hand are read: blank lines, comments, blanks, trailing separators, names in any case") {
+  check_dialects({
+      {"\n\nx,y,z,radius\n\n0,0,0,0.5\n  \n0.9,0,-2,0.5\n\n\n"},
+      {"# two spheres\n#\nx,y,z,radius\n# the first\n0,0,0,0.5 # at the origin, of course\n0.9,0,-2,0.5"},
+      {"# x, y, z, radius\nx,y,z,radius\n0,0,0,0.5\n0.9,0,-2,0.5\n"},
+      {" X, Y, Z, Radius \n 0 , 0 ,0, 0.5 \n\t.9, 0,-2 ,+0.5\t\n"},
+      {"x,y,z,radius,\n0,0,0,0.5,\n0.9,0,-2,0.5,\n"},
+      {"x,y,z,radius\n0,0,0,0.5,\n0.9,0,-2,0.5\n"},
+      {"x  y   z  radius\n  0 0 0 0.5\n0.9   0\t-2 0.5  \n"},
+      {"x,y,z,r\n0,0,0,0.5\n0.9,0,-2,0.5\n"},
+      {"D,x,y,z\n1,0,0,0\n1,0.9,0,-2\n"},
+      {"x,y,z,Diameter\n1e-400,-1e-400,0,1\n0.9,0,-2,1\n"},
+  });
+}
+
+TEST_CASE("errors name lines of the file, blank ones and comments counted") {
+  SphereSource source;
+  parse_spheres_csv("# a\n\nx,y,z,r\n# b\n1,2,3,4\n\n5,6,7,8\n", "a.csv", 1000.0, &source);
+  CHECK(source.line == std::vector<int>{5, 7});
+}
+
 TEST_CASE("a wrong CSV file is refused with file, line, column, what was found and what is allowed") {
   const std::string columns = ", allowed columns x, y, z, radius and optionally vx, vy, vz, mass";
   const std::string any = "a number, -1e+15 to 1e+15";
@@ -99,17 +171,39 @@ TEST_CASE("a wrong CSV file is refused with file, line, column, what was found a
   const std::vector<std::pair<std::string, std::string>> table = {
       {"", "1: header: found an empty file" + columns},
       {"\xEF\xBB\xBF", "1: header: found an empty file" + columns},
-      {"\n", "1: header: found no column \"x\"" + columns},
+      {"\n", "1: header: found an empty file" + columns},
+      {"# by me\n", "1: header: found comments alone" + columns},
       {"x,y,z\n1,2,3", "1: header: found no column \"radius\"" + columns},
       {"x,y,radius\n1,2,3", "1: header: found no column \"z\"" + columns},
-      {"x,y,z,r\n1,2,3,4", "1: header: found \"r\"" + columns},
-      {"x,y,z,radius,\n1,2,3,4,", "1: header: found \"\"" + columns},
+      {"x;y;z\n1;2;3", "1: header: found no column \"radius\"" + columns},
+      {"x,y,z,rad\n1,2,3,4", "1: header: found no column \"radius\"" + columns},
+      {"x,y,z,radius,d\n1,2,3,4,8", "1: header: found \"radius\" and \"d\", allowed one of radius, r, diameter, d"},
+      {"x,y,z,r,Radius\n1,2,3,4,4", "1: header: found \"r\" and \"Radius\", allowed one of radius, r, diameter, d"},
+      {"X,y,z,r,x\n", "1: header: found \"x\" twice" + columns},
       {"x,y,z,radius,x\n", "1: header: found \"x\" twice" + columns},
-      {"1,2,3,4\n", "1: header: found \"1\"" + columns},
-      {"x;y;z;radius\n", "1: header: found \"x;y;z;radius\"" + columns},
+      {"1,2,3,4\n", "1: header: found \"1,2,3,4\", no column \"x\"" + columns},
+      {"\xFF\xFEx\0,\0"s, "1: header: found text in UTF-16, allowed text in UTF-8"},
       {header + "1,2,3\n", "2: row: found 3 fields, allowed 4, as in the header"},
-      {header + "1,2,3,4,5\n", "2: row: found 5 fields, allowed 4, as in the header"},
-      {header + "1,2,3,4\n\n1,2,3,4\n", "3: row: found an empty line, allowed 4, as in the header"},
+      {header + "1,2,3,4,5\n",
+       "2: row: found 5 fields, allowed 4, as in the header, separated by commas: numbers with decimal commas need "
+       "semicolons or tabs between them"},
+      {header + "0,5,0,0,1\n",
+       "2: row: found 5 fields, allowed 4, as in the header, separated by commas: numbers with decimal commas need "
+       "semicolons or tabs between them"},
+      {header + "1;2;3;4\n", "2: row: found 1 field, allowed 4, as in the header, separated by commas"},
+      {header + "1;2;3;4,5\n", "2: row: found 2 fields, allowed 4, as in the header, separated by commas"},
+      {"x;y;z;radius\n1,2,3,4\n", "2: row: found 1 field, allowed 4, as in the header, separated by semicolons"},
+      {header + "\n1,2\n", "3: row: found 2 fields, allowed 4, as in the header"},
+      {header + "1,\"2,3,4\n", "2: y: found a quote that is not closed, allowed quotes around whole fields"},
+      {header + "1,\"2\"5,3,4\n", "2: y: found text behind a closing quote, allowed quotes around whole fields"},
+      {header + "1,2,3,\"1,234\"\n", "2: radius: found \"1,234\", allowed a number without separators between thousands"},
+      {"x;y;z;radius\n1.234,5;2;3;4\n", "2: x: found \"1.234,5\", allowed " + any},
+      {"x;y;z;radius\n1.5;2;3;4\n1,234;2;3;4\n",
+       "3: x: found \"1,234\", allowed a number with a decimal point, as above"},
+      {"x;y;z;radius\n1,5;2;3;4\n1.234;2;3;4\n",
+       "3: x: found \"1.234\", allowed a number with a decimal comma, as above"},
+      {header + "1,2,3,1e-400\n", "2: radius: found \"1e-400\", allowed " + length},
+      {"x,y,z,diameter\n1,2,3,0\n", "2: diameter: found \"0\", allowed a number, 2e-12 to 2e+15"},
       {header + "1,2,3,4\n1,two,3,4\n", "3: y: found \"two\", allowed " + any},
       {header + "1,2,,4\n", "2: z: found \"\", allowed " + any},
       {header + "1,2,0x3,4\n", "2: z: found \"0x3\", allowed " + any},
@@ -127,7 +221,7 @@ TEST_CASE("a wrong CSV file is refused with file, line, column, what was found a
       {header + "\x01\xFF\0,2,3,4\n"s, "2: x: found \"\\x01\\xFF\\x00\", allowed " + any},
       {"\x7F"
        "ELF\x02\x01"s,
-       "1: header: found \"\\x7FELF\\x02\\x01\"" + columns},
+       "1: header: found \"\\x7FELF\\x02\\x01\", no column \"x\"" + columns},
   };
   for (const auto& [text, message] : table) {
     CAPTURE(text);

@@ -72,7 +72,7 @@ struct Grid {
     const Real x = scaled(p, axis);
     if (is_hashed && !is_periodic) {
       const Real far = farthest[axis];
-      const Real limited = x < -far ? -far : (x > far ? far : x);
+      const Real limited = x > -far ? (x < far ? x : far) : -far;  // NaN too
       const int truncated = int(limited);
       return truncated - int(limited < Real(truncated));
     }

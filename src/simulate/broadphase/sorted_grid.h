@@ -222,12 +222,13 @@ struct SortedGridCandidates {
         low[axis] = grid.coordinate_of(p[axis] - reach, axis);
         high[axis] = grid.coordinate_of(p[axis] + reach, axis);
       } else {
-        low[axis] = int(std::floor((p[axis] - reach - grid.origin[axis]) * grid.inverse_edge[axis]));
-        high[axis] = int(std::floor((p[axis] + reach - grid.origin[axis]) * grid.inverse_edge[axis]));
-        if (high[axis] - low[axis] >= grid.cells[axis]) {
-          low[axis] = 0;
-          high[axis] = grid.cells[axis] - 1;
-        }
+        // Compared before they become integers: nothing is outside the grid then, not even from NaN or far away.
+        const Real cells = Real(grid.cells[axis]);
+        const Real first = std::floor((p[axis] - reach - grid.origin[axis]) * grid.inverse_edge[axis]);
+        const Real last = std::floor((p[axis] + reach - grid.origin[axis]) * grid.inverse_edge[axis]);
+        const bool is_part = first >= -cells && last < 2 * cells && last - first < cells;
+        low[axis] = is_part ? int(first) : 0;
+        high[axis] = is_part ? int(last) : grid.cells[axis] - 1;
       }
     }
   }

@@ -329,7 +329,7 @@ void EventDriven<V>::cross_face(int i) {
 template <class V>
 void EventDriven<V>::check(int i, const V& velocity) const {
   const V& position = flights_[size_t(i)].position;
-  if (rules_.box.holds(position) && dot(velocity, velocity) < 1e30) return;  // false for NaN
+  if (rules_.box.holds(rules_.box.wrap(position)) && dot(velocity, velocity) < 1e30) return;  // false for NaN
   const Vec3d p = widen(position), v = widen(velocity);
   std::ostringstream what;
   what << "it left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z << "), its velocity (" << v.x

@@ -41,6 +41,7 @@ struct IsNearBorder {
   Scalar<V> skin;  ///< of a radius
 
   HOST_DEVICE bool operator()(int i) const {
+    if (box.is_periodic()) return !box.holds(bodies.position[i]);  // no border to leave by
     const V reach(skin * bodies.radius[i]);
     return !(box.holds(bodies.position[i] - reach) & box.holds(bodies.position[i] + reach));
   }
