@@ -82,6 +82,7 @@ class LookArguments {
   /// Throws UserError naming the option. What was not given is as in `base`.
   View view(const View& base = {}) const;
 
+  bool asks_for_overlays() const { return options_.at("--overlay")->count() > 0; }
   bool scales_panel() const { return options_.at("--ui-scale")->count() > 0; }
 
  private:

@@ -42,6 +42,17 @@ TEST_CASE("overlays, pause, step and theme answer to clicks") {
   CHECK(desk.demo.view.theme == "dark");
 }
 
+TEST_CASE("the panel says which overlays the broad phase gives nothing to draw") {
+  Desk desk;
+  desk.click("overlay intervals");
+  CHECK(desk.has("lack of intervals"));
+  CHECK_FALSE(desk.has("lack of grid"));
+  desk.click("broadphase sort-and-sweep");
+  CHECK_FALSE(desk.has("lack of intervals"));
+  CHECK(desk.has("lack of grid"));
+  CHECK_FALSE(desk.has("lack of lists"));  // not asked for
+}
+
 TEST_CASE("a list offers what goes with the response, and nothing else") {
   Desk desk;
   desk.click("integrator");

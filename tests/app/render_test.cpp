@@ -128,3 +128,30 @@ TEST_CASE("every built-in scene is rendered") {
     CHECK(film({"--frames", "1"}, scene).size() == 1);
   }
 }
+
+TEST_CASE("an overlay that the broad phase gives nothing to draw is told, whichever it is") {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> lacking{
+      {"brute-force", {"grid", "lists", "intervals"}},
+      {"sort-and-sweep", {"grid", "lists"}},
+      {"linked-cell", {"intervals"}},
+      {"sorted-grid", {"intervals"}}};
+  for (const char* scene : {"lecture-grid", "two-spheres"}) {
+    for (const auto& [method, names] : lacking) {
+      INFO(scene << ", " << method);
+      const Scratch scratch;
+      const auto run = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"render",       scene,  "--size", "64x36", "--frames", "2", "--out", scratch / "film",
+                                           "--broadphase", method, "--json"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = run_program(arguments);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.json()["rendered"] == 2);
+        return outcome.err;
+      };
+      const std::string told = run({"--overlay", "grid,pairs,velocity,swept,labels,lists,intervals"});
+      CHECK(std::count(told.begin(), told.end(), '\n') == std::ptrdiff_t(names.size()));
+      for (const std::string& name : names) CHECK_THAT(told, Catch::Contains("note: --overlay " + name + ": this broad phase "));
+      CHECK(run({}).empty());
+    }
+  }
+}

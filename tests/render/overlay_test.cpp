@@ -188,12 +188,37 @@ TEST_CASE("a block ends with the list: a sphere that no cell lists has none") {
   CHECK_FALSE(block_around(inspection.grids[0], inspection.bodies, 0));
 }
 
-TEST_CASE("overlays without their data draw nothing") {
-  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane);
-  const Image plain = draw(view_of(inspection, kPlane, 1), 90, 90);
-  for (const char* name : {"intervals", "lists", "velocity", "swept", "grid"}) {
-    CHECK(draw(view_of(inspection, kPlane, 1, {name}), 90, 90).pixels == plain.pixels);
+TEST_CASE("overlays without their data draw a note in the upper left corner, and nothing else") {
+  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.01f}}, kPlane);
+  const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
+  for (const char* name : {"intervals", "lists", "velocity", "swept", "grid", "labels"}) {
+    INFO(name);
+    const Image image = draw(view_of(inspection, kPlane, 1, {name}), kSize, kSize);
+    int noted = 0, elsewhere = 0;
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        (y < 22 ? noted : elsewhere) += difference(image.pixel(x, y), plain.pixel(x, y)) > 8;
+      }
+    }
+    CHECK(noted > 100);
+    CHECK(elsewhere == 0);
   }
+}
+
+TEST_CASE("the table of overlays says what a broad phase does not give them") {
+  Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane);
+  const auto lacks = [&] {
+    std::vector<std::string> names;
+    for (const OverlayEntry& entry : overlay_table()) {
+      if (!entry.lack(inspection).empty()) names.emplace_back(entry.name);
+    }
+    return names;
+  };
+  CHECK(lacks() == std::vector<std::string>{"grid", "lists", "intervals"});
+  add_endpoints(inspection, 0);
+  CHECK(lacks() == std::vector<std::string>{"grid", "lists"});
+  inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
+  CHECK(lacks() == std::vector<std::string>{"intervals"});
 }
 
 TEST_CASE("notes and strips stack: none lies over another") {

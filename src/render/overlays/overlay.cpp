@@ -21,17 +21,25 @@ std::unique_ptr<Overlay> make() {
   return std::make_unique<Kind>();
 }
 
+std::string lacks_cells(const Inspection& inspection) {
+  return inspection.grids.empty() ? "this broad phase has no cells to show; linked-cell and sorted-grid have" : "";
+}
+
+std::string lacks_intervals(const Inspection& inspection) {
+  return inspection.axis < 0 ? "this broad phase sorts no intervals; sort-and-sweep does" : "";
+}
+
 }  // namespace
 
 const std::vector<OverlayEntry>& overlay_table() {
   static const std::vector<OverlayEntry> table = {
-      {"grid", "Grid cells", make<GridOverlay>, {}, nullptr},
+      {"grid", "Grid cells", make<GridOverlay>, {}, nullptr, lacks_cells},
       {"pairs", "Pairs", make<PairsOverlay>, {.candidates = true, .missed = true}, nullptr},
       {"velocity", "Velocities", make<VelocityOverlay>, {}, nullptr},
       {"swept", "Swept ways", make<SweptOverlay>, {}, nullptr},
       {"labels", "Numbers", make<LabelsOverlay>, {}, nullptr},
-      {"lists", "Lists", make<ListsOverlay>, {}, lists_room},
-      {"intervals", "Intervals", make<IntervalsOverlay>, {.endpoints = true}, intervals_room},
+      {"lists", "Lists", make<ListsOverlay>, {}, lists_room, lacks_cells},
+      {"intervals", "Intervals", make<IntervalsOverlay>, {.endpoints = true}, intervals_room, lacks_intervals},
   };
   return table;
 }
