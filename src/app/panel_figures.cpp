@@ -98,14 +98,14 @@ void Panel::draw_picked(Demo& demo) {
   }
 }
 
-/// The cell whose list holds it.
+/// The cell whose list or range holds it.
 void Panel::draw_places(const Inspection& inspection, int32_t body) {
   if (const auto listed = listed_in(inspection, body)) {
     const IVec3& c = listed->cell;
     std::string cell = std::to_string(listed->index) + " at (" + std::to_string(c.x) + ", " + std::to_string(c.y);
     if (inspection.bodies.dimensions == 3) cell.append(", ").append(std::to_string(c.z));
     row("cell", cell.append(")"));
-    row("its list", numbers(listed->bodies, " > "));
+    row(listed->is_sorted ? "its range" : "its list", numbers(listed->bodies, listed->is_sorted ? ", " : " > "));
     row("place in it", std::to_string(listed->place + 1) + " of " + std::to_string(listed->bodies.size()));
   }
 }

@@ -93,6 +93,9 @@ TEST_CASE("of the picked sphere the panel tells what its method keeps of it") {
     CHECK(desk.has(row));
   }
   CHECK_FALSE(desk.has("row interval"));
+  desk.click("broadphase sorted-grid");
+  CHECK(desk.has("row its range"));
+  CHECK_FALSE(desk.has("row its list"));
   desk.click("broadphase sort-and-sweep");
   CHECK(desk.has("row interval"));
   CHECK(desk.has("row in the sorted list"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ballpit render: whole pictures of the right states, the same bytes run after run.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -153,5 +154,32 @@ TEST_CASE("an overlay that the broad phase gives nothing to draw is told, whiche
       for (const std::string& name : names) CHECK_THAT(told, Catch::Contains("note: --overlay " + name + ": this broad phase "));
       CHECK(run({}).empty());
     }
+  }
+}
+
+TEST_CASE("a scene is rendered the same where its lengths are far from a metre") {
+  const auto rendered = [](const std::string& exponent) {
+    const Scratch scratch;
+    const auto length = [&](const char* digits) { return digits + ("e" + exponent); };
+    const auto vector = [&](const char* digits) {
+      return "[" + length(digits) + ", " + length(digits) + ", " + length(digits) + "]\n";
+    };
+    write_text(scratch / "s.toml", "[domain]\nmin = [0, 0, 0]\nmax = " + vector("1.0") + "[[spheres]]\nposition = " +
+                                       vector("0.5") + "radius = " + length("0.3") + "\nmass = 1\n");
+    const Outcome outcome = run_program(
+        {"render", scratch / "s.toml", "--frames", "1", "--size", "240x135", "--out", scratch / "film"});
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return read_png(scratch / "film/" + frame(0));
+  };
+  const Image expected = rendered("0");
+  for (const char* exponent : {"-10", "-5", "5", "10"}) {
+    INFO(exponent);
+    const Image actual = rendered(exponent);
+    int largest = 0;
+    for (size_t k = 0; k < expected.pixels.size(); ++k) {
+      largest = std::max(largest, std::abs(int{actual.pixels[k]} - int{expected.pixels[k]}));
+    }
+    CHECK(largest <= 1);
   }
 }

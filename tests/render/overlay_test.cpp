@@ -109,6 +109,30 @@ TEST_CASE("cells are counted by the length of their list; the last class takes l
   CHECK(count_lengths(inspection.grids[0], 2) == std::vector<int>{23, 1, 1});
 }
 
+TEST_CASE("of sorted bodies the ranges are counted, of a hashed table the places") {
+  Inspection inspection = inspect({{{0.5f, 0.5f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}, {{4.6f, 1.5f, 0}, 0.1f}}, kPlane, 1);
+  GridInspection& grid = inspection.grids[0];
+  grid.arrays = CellArrays{true, false, {0, 0, 2, 2, 3}, {1, 2, 0}};
+  CHECK(count_lengths(grid, 4) == std::vector<int>{2, 1, 1, 0, 0});
+  grid.arrays = CellArrays{false, true, {-1, 2, -1, -1, -1, -1, -1, -1}, {-1, 0, 1}};  // all share a place
+  CHECK(count_lengths(grid, 4) == std::vector<int>{7, 0, 0, 1, 0});
+}
+
+TEST_CASE("a grid of too many cells to show is told, and its arrays are drawn all the same") {
+  Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
+  GridInspection& grid = inspection.grids[0];
+  grid.head.clear();
+  grid.next.clear();
+  grid.arrays = CellArrays{false, true, {-1, 0, -1, -1}, {-1}};
+  for (const OverlayEntry& entry : overlay_table()) {
+    if (entry.name == "grid") CHECK(entry.lack(inspection) == "this broad phase has too many cells to show");
+    if (entry.name == "lists") CHECK(entry.lack(inspection) == "");
+  }
+  const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
+  CHECK(count_different(draw(view_of(inspection, kPlane, 1, {"grid", "labels", "lists"}), kSize, kSize), plain) > 500);
+  CHECK_FALSE(block_around(grid, inspection.bodies, 0));
+}
+
 TEST_CASE("the fastest sphere's arrow is a twelfth of the picture long and ends there") {
   Inspection inspection = three();
   inspection.contacts.clear();

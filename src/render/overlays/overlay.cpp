@@ -21,9 +21,16 @@ std::unique_ptr<Overlay> make() {
   return std::make_unique<Kind>();
 }
 
+constexpr const char* kNoCells = "this broad phase has no cells to show; linked-cell and sorted-grid have";
+
 std::string lacks_cells(const Inspection& inspection) {
-  return inspection.grids.empty() ? "this broad phase has no cells to show; linked-cell and sorted-grid have" : "";
+  const std::vector<GridInspection>& grids = inspection.grids;
+  if (grids.empty()) return kNoCells;
+  const bool shows_none = std::all_of(grids.begin(), grids.end(), [](const auto& grid) { return grid.head.empty(); });
+  return shows_none ? "this broad phase has too many cells to show" : "";
 }
+
+std::string lacks_lists(const Inspection& inspection) { return inspection.grids.empty() ? kNoCells : ""; }
 
 std::string lacks_intervals(const Inspection& inspection) {
   return inspection.axis < 0 ? "this broad phase sorts no intervals; sort-and-sweep does" : "";
@@ -38,7 +45,7 @@ const std::vector<OverlayEntry>& overlay_table() {
       {"velocity", "Velocities", make<VelocityOverlay>, {}, nullptr},
       {"swept", "Swept ways", make<SweptOverlay>, {}, nullptr},
       {"labels", "Numbers", make<LabelsOverlay>, {}, nullptr},
-      {"lists", "Lists", make<ListsOverlay>, {}, lists_room, lacks_cells},
+      {"lists", "Lists", make<ListsOverlay>, {}, lists_room, lacks_lists},
       {"intervals", "Intervals", make<IntervalsOverlay>, {.endpoints = true}, intervals_room, lacks_intervals},
   };
   return table;
