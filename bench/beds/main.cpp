@@ -14,6 +14,7 @@
 #include <optional>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "compare.h"
 #include "core/error.h"

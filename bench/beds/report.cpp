@@ -5,6 +5,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 namespace ballpit {
 
 using Json = nlohmann::ordered_json;

@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 #include <malloc.h>
 
 #include "compare.h"

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <thread>
 
+#include <nlohmann/json.hpp>
+
 namespace ballpit {
 
 using Json = nlohmann::ordered_json;

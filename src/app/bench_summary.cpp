@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "lab/gas.h"
 #include "lab/machine.h"
 #include "lab/spread.h"

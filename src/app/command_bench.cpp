@@ -4,6 +4,8 @@
 #include <array>
 #include <iostream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/bench_summary.h"
 #include "app/commands.h"
 #include "core/interrupt.h"
@@ -67,11 +69,11 @@ std::vector<Backend> choose_backends(const std::vector<std::string>& names) {
 
 class BenchCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
+  void add_options(CommandOptions& command) override {
     const auto add = [&](const char* name, std::string& text, const std::string& help, const char* type) {
       return command.add_option(name, text, help)->type_name(type);
     };
-    add("--counts", counts_, "numbers of spheres", "N,…")->capture_default_str();
+    add("--counts", counts_, "numbers of spheres", "N,…")->shows_default();
     methods_option_ =
         add("--methods", methods_, "some of " + join(names_of(Family::broadphase)) + "; default: all", "NAME,…");
     threads_option_ =
@@ -79,12 +81,11 @@ class BenchCommand final : public Command {
     backends_option_ =
         add("--backends", backends_,
             "some of " + join(names_of(Family::backend)) + "; default: all that can serve here", "NAME,…");
-    add("--repeat", repeat_, "blocks of steps to measure of each", "N")->capture_default_str();
+    add("--repeat", repeat_, "blocks of steps to measure of each", "N")->shows_default();
     add("--limit", limit_, "longest time for each; what would need longer is skipped", "SECONDS")
-        ->capture_default_str();
-    command.add_flag("--stages", stages_, "show each stage that takes a hundredth of a step, or more")
-        ->disable_flag_override();
-    command.add_flag("--json", json_, "print one JSON object")->disable_flag_override();
+        ->shows_default();
+    command.add_flag("--stages", stages_, "show each stage that takes a hundredth of a step, or more");
+    command.add_flag("--json", json_, "print one JSON object");
     settings_.add_to(command, "Simulation", kStepSettings);
   }
 
@@ -110,8 +111,8 @@ class BenchCommand final : public Command {
     apply_given(plan.settings, settings_.given());
     check_given(plan.settings, settings_.given());
     std::vector<std::string> methods = names_of(Family::broadphase), backends;
-    if (methods_option_->count() > 0) methods = parse_names("--methods", methods_, Family::broadphase);
-    if (backends_option_->count() > 0) backends = parse_names("--backends", backends_, Family::backend);
+    if (methods_option_->is_given()) methods = parse_names("--methods", methods_, Family::broadphase);
+    if (backends_option_->is_given()) backends = parse_names("--backends", backends_, Family::backend);
     const std::vector<int> threads = choose_threads();
     for (const Backend& backend : choose_backends(backends)) {
       for (const int t : backend.name == "cpu" ? threads : std::vector<int>{0}) {
@@ -123,7 +124,7 @@ class BenchCommand final : public Command {
 
   std::vector<int> choose_threads() const {
     std::vector<int> threads{1, thread_count(0)};
-    if (threads_option_->count() > 0) {
+    if (threads_option_->is_given()) {
       threads.clear();
       for (const int64_t t : parse_integers("--threads", threads_, 0, 256)) {
         threads.push_back(thread_count(static_cast<int>(t)));
@@ -148,9 +149,9 @@ class BenchCommand final : public Command {
   std::string methods_, threads_, backends_;
   std::string repeat_ = "5";
   std::string limit_ = "5";
-  CLI::Option* methods_option_ = nullptr;
-  CLI::Option* threads_option_ = nullptr;
-  CLI::Option* backends_option_ = nullptr;
+  CommandOption* methods_option_ = nullptr;
+  CommandOption* threads_option_ = nullptr;
+  CommandOption* backends_option_ = nullptr;
   bool stages_ = false;
   bool json_ = false;
 };

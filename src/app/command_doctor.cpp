@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/summary.h"
 #include "core/error.h"
@@ -77,8 +78,8 @@ void print_text(const Json& found) {
 
 class DoctorCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
-    command.add_flag("--json", json_, "print one JSON object")->disable_flag_override();
+  void add_options(CommandOptions& command) override {
+    command.add_flag("--json", json_, "print one JSON object");
   }
 
   void run() override {

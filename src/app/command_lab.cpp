@@ -82,14 +82,13 @@ class LabProgress {
 
 class LabCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
+  void add_options(CommandOptions& command) override {
     command.add_option("EXPERIMENT", name_, "all, or one of " + join(names()))->type_name("NAME")->required();
     command.add_option("--out", out_, "folder for tables, charts, the report, and what was measured")
         ->type_name("DIR")
         ->required();
-    command.add_flag("--quick", is_quick_, "fewer and smaller cases, each experiment in less than 90 seconds")
-        ->disable_flag_override();
-    command.add_option("--seed", seed_, "start of the random numbers")->type_name("N")->capture_default_str();
+    command.add_flag("--quick", is_quick_, "fewer and smaller cases, each experiment in less than 90 seconds");
+    command.add_option("--seed", seed_, "start of the random numbers")->type_name("N")->shows_default();
   }
 
   void run() override {

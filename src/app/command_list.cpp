@@ -5,9 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/summary.h"
+#if BALLPIT_HAS_LABORATORY
 #include "lab/experiment.h"
+#endif
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
@@ -80,6 +83,7 @@ Json list_observables() {
 
 Json list_experiments() {
   Json list = Json::array();
+#if BALLPIT_HAS_LABORATORY
   for (const Experiment& experiment : experiments()) {
     list.push_back({{"name", experiment.name},
                     {"title", experiment.title},
@@ -87,6 +91,7 @@ Json list_experiments() {
                     {"quick_seconds", experiment.quick_seconds},
                     {"full_seconds", experiment.full_seconds}});
   }
+#endif
   return list;
 }
 
@@ -127,14 +132,14 @@ void print_text(const Json& list) {
   for (const Json& observable : list["observables"]) {
     print_line(observable["name"], label_with_unit(observable) + ": " + observable["estimator"].get<std::string>());
   }
-  std::puts("Experiments of lab");
+  if (!list["experiments"].empty()) std::puts("Experiments of lab");
   for (const Json& experiment : list["experiments"]) print_line(experiment["name"], experiment["question"]);
 }
 
 class ListCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
-    command.add_flag("--json", json_, "print one JSON object")->disable_flag_override();
+  void add_options(CommandOptions& command) override {
+    command.add_flag("--json", json_, "print one JSON object");
   }
 
   void run() override {

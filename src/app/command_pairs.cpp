@@ -9,6 +9,8 @@
 #include <limits>
 #include <new>
 
+#include <nlohmann/json.hpp>
+
 #include "app/backends.h"
 #include "app/commands.h"
 #include "core/interrupt.h"
@@ -55,23 +57,22 @@ SphereArrays arrays_of(const RestingSpheres& spheres) {
 
 class PairsCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
+  void add_options(CommandOptions& command) override {
     command.add_option("FILE", file_, "spheres as CSV: a header that names x, y, z, radius")
         ->type_name("CSV")
         ->required();
     out_option_ = command.add_option("--out", out_, "write the pairs there, as CSV")->type_name("FILE");
     command.add_option("--repeat", repeat_, "searches to make, each from the bare arrays; times are their median")
         ->type_name("N")
-        ->capture_default_str();
-    command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer")
-        ->disable_flag_override();
-    command.add_flag("--json", json_, "print the summary as one JSON object")->disable_flag_override();
+        ->shows_default();
+    command.add_flag("--verify", verify_, "compare with an exact reference, which takes longer");
+    command.add_flag("--json", json_, "print the summary as one JSON object");
     settings_.add_to(command, "Search (default: --broadphase auto)", kSearchSettings);
   }
 
   void run() override {
     parse_path("FILE", file_);
-    if (out_option_->count() > 0) parse_output("--out", out_);
+    if (out_option_->is_given()) parse_output("--out", out_);
     if (std::filesystem::is_regular_file(file_)) reject_same_file("--out", out_, "FILE", file_);
     const int64_t repeat = parse_integer("--repeat", repeat_, 1, 10000);
     Settings settings;
@@ -138,7 +139,7 @@ class PairsCommand final : public Command {
   std::string file_;
   std::string out_;
   std::string repeat_ = "1";
-  CLI::Option* out_option_ = nullptr;
+  CommandOption* out_option_ = nullptr;
   bool verify_ = false;
   bool json_ = false;
 };

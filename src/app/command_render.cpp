@@ -28,29 +28,28 @@ namespace {
 
 class RenderCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
+  void add_options(CommandOptions& command) override {
     command.add_option("--out", out_, "folder for frame_00000.png, frame_00001.png, …")->type_name("DIR")->required();
-    command.add_option("--frames", frames_, "number of frames")->type_name("N")->capture_default_str();
-    command.add_option("--size", size_, "picture size in pixels")->type_name("WIDTHxHEIGHT")->capture_default_str();
-    command.add_option("--fps", fps_, "frames a simulated second")->type_name("N")->capture_default_str();
-    command.add_option("--every", every_, "write only every Kth frame")->type_name("K")->capture_default_str();
+    command.add_option("--frames", frames_, "number of frames")->type_name("N")->shows_default();
+    command.add_option("--size", size_, "picture size in pixels")->type_name("WIDTHxHEIGHT")->shows_default();
+    command.add_option("--fps", fps_, "frames a simulated second")->type_name("N")->shows_default();
+    command.add_option("--every", every_, "write only every Kth frame")->type_name("K")->shows_default();
     command.add_option("--from", from_, "simulated time of the first frame")
         ->type_name("SECONDS")
-        ->capture_default_str();
+        ->shows_default();
     look_.add_to(command);
     command.add_option("--supersample", supersample_, "draw N × N times larger and average, for stills: 1 to 4")
         ->type_name("N")
-        ->capture_default_str();
-    command.add_flag("--panel", has_panel_, "draw the panel beside the scene")->disable_flag_override();
+        ->shows_default();
+    command.add_flag("--panel", has_panel_, "draw the panel beside the scene");
     click_option_ =
         command.add_option("--click", clicks_, "items of the panel to click on before the first frame, by name")
             ->type_name("A,B,…");
     command
         .add_flag("--copy-bodies", copies_bodies_,
-                  "copy the spheres through the host, also where their processor can write into OpenGL's memory; to compare")
-        ->disable_flag_override();
-    command.add_flag("--resume", resume_, "go on after the last whole frame in the folder")->disable_flag_override();
-    command.add_flag("--json", json_, "print a summary as one JSON object")->disable_flag_override();
+                  "copy the spheres through the host, also where their processor can write into OpenGL's memory; to compare");
+    command.add_flag("--resume", resume_, "go on after the last whole frame in the folder");
+    command.add_flag("--json", json_, "print a summary as one JSON object");
     arguments_.add_to(command);
   }
 
@@ -64,7 +63,7 @@ class RenderCommand final : public Command {
     if (look_.scales_panel() && !has_panel_)
       throw UserError("--ui-scale: found without --panel, allowed together with it");
     const int supersample = static_cast<int>(parse_integer("--supersample", supersample_, 1, 4));
-    if (click_option_->count() > 0 && !has_panel_) {
+    if (click_option_->is_given() && !has_panel_) {
       throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
     }
 
@@ -89,7 +88,7 @@ class RenderCommand final : public Command {
       drawing.draw(demo, options);
       if (panel) panel->draw(demo, input);
     };
-    if (click_option_->count() > 0) click(*panel, draw);
+    if (click_option_->is_given()) click(*panel, draw);
     remove_frames(out_, first_, frames);
     catch_interrupts();
     const auto start = std::chrono::steady_clock::now();
@@ -204,7 +203,7 @@ class RenderCommand final : public Command {
   LookArguments look_;
   std::string supersample_ = "1";
   std::string clicks_;
-  CLI::Option* click_option_ = nullptr;
+  CommandOption* click_option_ = nullptr;
   bool resume_ = false, json_ = false, has_panel_ = false, copies_bodies_ = false;
   int first_ = 0;
   double seconds_ = 0;

@@ -173,14 +173,13 @@ class Show {
 
 class ShowCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
+  void add_options(CommandOptions& command) override {
     size_option_ = command.add_option("--size", size_, "the window's size in pixels");
-    size_option_->type_name("WIDTHxHEIGHT")->capture_default_str();
+    size_option_->type_name("WIDTHxHEIGHT")->shows_default();
     look_.add_to(command);
     command
         .add_flag("--remember", remembers_,
-                  "go on with scene, options and view of the last `show --remember`, and keep them")
-        ->disable_flag_override();
+                  "go on with scene, options and view of the last `show --remember`, and keep them");
     arguments_.add_to(command);
   }
 
@@ -243,7 +242,7 @@ class ShowCommand final : public Command {
     if (!demo) demo = std::make_unique<Demo>(arguments_.scene(), arguments_.given());
     demo->view = look_.view(last ? last->view : View{});
     demo->touch();
-    if (last && size_option_->count() == 0) size_ = last->size;
+    if (last && !size_option_->is_given()) size_ = last->size;
     return demo;
   }
 
@@ -259,7 +258,7 @@ class ShowCommand final : public Command {
   SceneArguments arguments_;
   LookArguments look_;
   std::string size_ = "1600x900";
-  CLI::Option* size_option_ = nullptr;
+  CommandOption* size_option_ = nullptr;
   bool remembers_ = false;
 };
 

@@ -3,6 +3,8 @@
 #include <iostream>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "app/commands.h"
 #include "core/interrupt.h"
 #include "app/observe.h"
@@ -22,7 +24,7 @@ namespace {
 
 class SimulateCommand final : public Command {
  public:
-  void add_options(CLI::App& command) override {
+  void add_options(CommandOptions& command) override {
     time_option_ =
         command.add_option("--time", time_, "simulated time; default: the scene's duration")->type_name("SECONDS");
     out_option_ = command.add_option("--out", out_, "write the final state there, as CSV")->type_name("FILE");
@@ -34,17 +36,17 @@ class SimulateCommand final : public Command {
         command.add_option("--trajectory", trajectory_, "write frames there, as extended XYZ")->type_name("FILE");
     every_option_ = command.add_option("--every", every_, "steps from one frame of the trajectory to the next")
                         ->type_name("N")
-                        ->capture_default_str();
-    command.add_flag("--json", json_, "print the summary as one JSON object")->disable_flag_override();
+                        ->shows_default();
+    command.add_flag("--json", json_, "print the summary as one JSON object");
     arguments_.add_to(command);
   }
 
   void run() override {
     std::optional<double> time;
-    if (time_option_->count() > 0) time = parse_number("--time", time_, 0, 1e9);
+    if (time_option_->is_given()) time = parse_number("--time", time_, 0, 1e9);
     const int64_t every = parse_every();
     std::vector<Observable> observables;
-    if (observe_option_->count() > 0) observables = parse_observables(observe_);
+    if (observe_option_->is_given()) observables = parse_observables(observe_);
     check_outputs();
     Session session(arguments_.scene(), arguments_.given(), need_tally(observables));
     simulate(session, time.value_or(session.scene().needs.duration), every);
@@ -54,8 +56,8 @@ class SimulateCommand final : public Command {
 
  private:
   void check_outputs() const {
-    if (out_option_->count() > 0) parse_output("--out", out_);
-    if (trajectory_option_->count() > 0) parse_output("--trajectory", trajectory_);
+    if (out_option_->is_given()) parse_output("--out", out_);
+    if (trajectory_option_->is_given()) parse_output("--trajectory", trajectory_);
     reject_same_file("--trajectory", trajectory_, "--out", out_);
     if (!is_scene_file(arguments_.scene())) return;
     reject_same_file("--out", out_, "SCENE", arguments_.scene());
@@ -65,7 +67,7 @@ class SimulateCommand final : public Command {
   /// Returns the steps between frames.
   int64_t parse_every() const {
     const int64_t every = parse_integer("--every", every_, 1, 1'000'000'000);
-    if (every_option_->count() > 0 && trajectory_option_->count() == 0) {
+    if (every_option_->is_given() && !trajectory_option_->is_given()) {
       throw UserError("--every: found " + every_ + " without --trajectory, allowed together with it");
     }
     return every;
@@ -119,8 +121,8 @@ class SimulateCommand final : public Command {
 
   SceneArguments arguments_;
   std::string time_, out_, observe_, trajectory_, every_ = "1";
-  CLI::Option *time_option_ = nullptr, *out_option_ = nullptr, *observe_option_ = nullptr;
-  CLI::Option *trajectory_option_ = nullptr, *every_option_ = nullptr;
+  CommandOption *time_option_ = nullptr, *out_option_ = nullptr, *observe_option_ = nullptr;
+  CommandOption *trajectory_option_ = nullptr, *every_option_ = nullptr;
   bool json_ = false;
 };
 

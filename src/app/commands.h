@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 namespace ballpit {
+
+class CommandOptions;
 
 class Command {
  public:
@@ -17,7 +17,7 @@ class Command {
   Command& operator=(const Command&) = delete;
   virtual ~Command() = default;
 
-  virtual void add_options(CLI::App& command) = 0;
+  virtual void add_options(CommandOptions& command) = 0;
 
   /// Runs with the parsed options. Throws UserError or RunError.
   virtual void run() = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line: one command, one run, one exit status. 0 done, 1 failed while running, 2 the user's input
 // is wrong.
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -9,13 +10,11 @@
 #include <iostream>
 #include <new>
 
-#include <CLI/CLI.hpp>
 #include <malloc.h>
 
+#include "app/command_line.h"
 #include "app/commands.h"
-#include "app/parse_error.h"
 #include "core/error.h"
-#include "version.h"
 
 using namespace ballpit;
 
@@ -27,12 +26,21 @@ constexpr std::array kCommands{
     CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
     CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file", make_pairs_command},
     CommandEntry{"bench", "time per step by method, backend, threads and number of spheres", make_bench_command},
+#if BALLPIT_HAS_LABORATORY
     CommandEntry{"lab", "experiments: tables, charts and one report of what methods cost and get right",
                  make_lab_command},
+#endif
     CommandEntry{"list", "scenes, methods, backends, overlays, colours, themes, observables, experiments",
                  make_list_command},
     CommandEntry{"doctor", "what this machine offers", make_doctor_command},
 };
+
+/// `text` without line breaks and other control characters, which would break the line or the terminal.
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+  return text;
+}
 
 int fail(int status, const std::string& message) {
   std::cerr << "ballpit: " << on_one_line(message) << "\n";
@@ -46,30 +54,6 @@ void flush_output() {
   throw RunError(std::string("standard output: cannot write: ") + std::strerror(errno));
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("Ballpit shows how fast collision detection works, on bouncing spheres.", "ballpit");
-  app.set_version_flag("--version", std::string("ballpit ") + kVersion);
-  app.require_subcommand(1);
-  std::vector<std::unique_ptr<Command>> commands;
-  std::vector<std::string_view> names;
-  for (const CommandEntry& entry : kCommands) {
-    commands.push_back(entry.create());
-    names.push_back(entry.name);
-    Command* command = commands.back().get();
-    CLI::App* sub = app.add_subcommand(std::string(entry.name), std::string(entry.help));
-    command->add_options(*sub);
-    sub->final_callback([command] { command->run(); });
-  }
-  check_command(argc, argv, names);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    return fail(2, describe_parse_error(error, app));
-  }
-  return 0;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -79,9 +63,9 @@ int main(int argc, char** argv) {
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has left is told as a full disk is
   try {
-    const int status = run(argc, argv);
+    run_command_line(argc, argv, kCommands);
     flush_output();
-    return status;
+    return 0;
   } catch (const UserError& error) {
     return fail(2, error.what());
   } catch (const std::bad_alloc&) {

@@ -6,6 +6,8 @@
 #include <memory>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/options.h"
 #include "core/error.h"
 #include "lab/exact_pairs.h"

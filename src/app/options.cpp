@@ -39,11 +39,11 @@ std::vector<std::string> names_in(const Table& table) {
 
 }  // namespace
 
-void SettingOptions::add_to(CLI::App& command, const std::string& heading, std::span<const std::string_view> names) {
+void SettingOptions::add_to(CommandOptions& command, const std::string& heading, std::span<const std::string_view> names) {
   for (const SettingInfo& setting : setting_table()) {
     if (!names.empty() && std::find(names.begin(), names.end(), setting.name) == names.end()) continue;
     const std::string name(setting.name);
-    CLI::Option* option =
+    CommandOption* option =
         command.add_option("--" + name, values_[name], std::string(setting.help) + ": " + setting.allowed());
     option->type_name(std::string(setting.value_name))->group(heading);
     options_.emplace_back(name, option);
@@ -53,15 +53,15 @@ void SettingOptions::add_to(CLI::App& command, const std::string& heading, std::
 std::vector<GivenOption> SettingOptions::given() const {
   std::vector<GivenOption> result;
   for (const auto& [name, option] : options_) {
-    if (option->count() > 0) result.push_back({name, values_.find(name)->second});
+    if (option->is_given()) result.push_back({name, values_.find(name)->second});
   }
   return result;
 }
 
-void SceneArguments::add_to(CLI::App& command) {
+void SceneArguments::add_to(CommandOptions& command) {
   scene_ = kDefaultScene;
   option_ = command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file");
-  option_->capture_default_str();
+  option_->shows_default();
   settings_.add_to(command, "Simulation (default: what the scene asks for)");
 }
 
@@ -117,9 +117,9 @@ std::vector<std::string> parse_overlays(std::string_view option, const std::stri
   return overlays;
 }
 
-void LookArguments::add_to(CLI::App& command) {
+void LookArguments::add_to(CommandOptions& command) {
   const auto add = [&](const char* name, std::string& text, const std::string& help, const char* type) {
-    options_[name] = command.add_option(name, text, help)->type_name(type)->capture_default_str();
+    options_[name] = command.add_option(name, text, help)->type_name(type)->shows_default();
   };
   add("--overlay", overlays_, "what to draw over the spheres: none, or some of " + join(names_in(overlay_table())),
       "A,B,…");
@@ -130,7 +130,7 @@ void LookArguments::add_to(CLI::App& command) {
 
 View LookArguments::view(const View& base) const {
   View result = base;
-  const auto is_given = [&](const char* name) { return options_.at(name)->count() > 0; };
+  const auto is_given = [&](const char* name) { return options_.at(name)->is_given(); };
   if (is_given("--overlay")) result.overlays = parse_overlays("--overlay", overlays_);
   if (is_given("--color")) result.coloring = parse_choice("--color", coloring_, names_in(coloring_table()));
   if (is_given("--theme")) result.theme = parse_choice("--theme", theme_, names_in(themes()));

@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_line.h"
 #include "app/given_options.h"
 #include "app/view.h"
 #include "core/error.h"
@@ -21,29 +20,29 @@ namespace ballpit {
 class SettingOptions {
  public:
   /// Adds those of these names, or all where none is named, under a heading. The object must outlive the parsing.
-  void add_to(CLI::App& command, const std::string& heading, std::span<const std::string_view> names = {});
+  void add_to(CommandOptions& command, const std::string& heading, std::span<const std::string_view> names = {});
 
   /// Those that were given, in the order of their table.
   std::vector<GivenOption> given() const;
 
  private:
   std::map<std::string, std::string, std::less<>> values_;  // as typed; absent options are empty
-  std::vector<std::pair<std::string, CLI::Option*>> options_;
+  std::vector<std::pair<std::string, CommandOption*>> options_;
 };
 
 /// The arguments that every simulating command takes: SCENE and the shared options.
 class SceneArguments {
  public:
   /// Adds them to a command. The object must outlive the parsing.
-  void add_to(CLI::App& command);
+  void add_to(CommandOptions& command);
 
   const std::string& scene() const { return scene_; }
-  bool names_scene() const { return option_->count() > 0; }
+  bool names_scene() const { return option_->is_given(); }
   std::vector<GivenOption> given() const { return settings_.given(); }
 
  private:
   std::string scene_;
-  CLI::Option* option_ = nullptr;
+  CommandOption* option_ = nullptr;
   SettingOptions settings_;
 };
 
@@ -77,17 +76,17 @@ void reject_same_file(std::string_view option, const std::string& path, std::str
 class LookArguments {
  public:
   /// Adds them to a command. The object must outlive the parsing.
-  void add_to(CLI::App& command);
+  void add_to(CommandOptions& command);
 
   /// Throws UserError naming the option. What was not given is as in `base`.
   View view(const View& base = {}) const;
 
-  bool asks_for_overlays() const { return options_.at("--overlay")->count() > 0; }
-  bool scales_panel() const { return options_.at("--ui-scale")->count() > 0; }
+  bool asks_for_overlays() const { return options_.at("--overlay")->is_given(); }
+  bool scales_panel() const { return options_.at("--ui-scale")->is_given(); }
 
  private:
   View default_;
-  std::map<std::string, CLI::Option*> options_;
+  std::map<std::string, CommandOption*> options_;
   std::string overlays_ = join(default_.overlays, ","), coloring_ = default_.coloring, theme_ = default_.theme,
               ui_scale_ = "1";
 };

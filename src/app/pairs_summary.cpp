@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/summary.h"
 #include "lab/spread.h"
 

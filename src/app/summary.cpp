@@ -5,6 +5,8 @@
 #include <iostream>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 namespace ballpit {
 
 using Json = nlohmann::ordered_json;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "app/parse_error.h"
+#include "app/command_line.h"
 
 #include <algorithm>
 
+#include <CLI/CLI.hpp>
+
+#include "app/commands.h"
 #include "core/error.h"
+#include "version.h"
 
 namespace ballpit {
 
@@ -51,8 +55,7 @@ std::string describe_required(const std::string& message, const CLI::App& comman
   return message;
 }
 
-}  // namespace
-
+/// One line for a failure to parse the arguments of a command: option, what was found, what is allowed.
 std::string describe_parse_error(const CLI::ParseError& error, const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
@@ -63,18 +66,71 @@ std::string describe_parse_error(const CLI::ParseError& error, const CLI::App& a
   return text + "; see `ballpit " + (chosen.empty() ? "" : command.get_name() + " ") + "--help`";
 }
 
-void check_command(int argc, char** argv, const std::vector<std::string_view>& names) {
+/// CLI11 asks for "a subcommand" where it finds a word that is none; this says which word, and what there is.
+void check_command(int argc, char** argv, std::span<const CommandEntry> commands) {
   const std::string_view found = argc < 2 ? "" : argv[1];
   if (found.starts_with("-h") || found.starts_with("--help") || found.starts_with("--version")) return;
+  std::vector<std::string_view> names;
+  for (const CommandEntry& entry : commands) names.push_back(entry.name);
   if (std::find(names.begin(), names.end(), found) != names.end()) return;
   throw UserError("command: found " + (found.empty() ? "nothing" : std::string(found)) + ", allowed " + join(names) +
                   ", --help, --version");
 }
 
-std::string on_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-  return text;
+}  // namespace
+
+CommandOption* CommandOption::type_name(const std::string& name) {
+  option_->type_name(name);
+  return this;
+}
+
+CommandOption* CommandOption::group(const std::string& heading) {
+  option_->group(heading);
+  return this;
+}
+
+CommandOption* CommandOption::required() {
+  option_->required();
+  return this;
+}
+
+CommandOption* CommandOption::shows_default() {
+  option_->capture_default_str();
+  return this;
+}
+
+bool CommandOption::is_given() const { return option_->count() > 0; }
+
+CommandOption* CommandOptions::add_option(const std::string& name, std::string& value, const std::string& help) {
+  options_.push_back(std::make_unique<CommandOption>(command_->add_option(name, value, help)));
+  return options_.back().get();
+}
+
+CommandOption* CommandOptions::add_flag(const std::string& name, bool& value, const std::string& help) {
+  CLI::Option* option = command_->add_flag(name, value, help)->disable_flag_override();
+  options_.push_back(std::make_unique<CommandOption>(option));
+  return options_.back().get();
+}
+
+void run_command_line(int argc, char** argv, std::span<const CommandEntry> entries) {
+  CLI::App app("Ballpit shows how fast collision detection works, on bouncing spheres.", "ballpit");
+  app.set_version_flag("--version", std::string("ballpit ") + kVersion);
+  app.require_subcommand(1);
+  std::vector<std::unique_ptr<Command>> commands;
+  std::vector<std::unique_ptr<CommandOptions>> options;
+  for (const CommandEntry& entry : entries) {
+    Command* command = commands.emplace_back(entry.create()).get();
+    CLI::App* sub = app.add_subcommand(std::string(entry.name), std::string(entry.help));
+    command->add_options(*options.emplace_back(std::make_unique<CommandOptions>(sub)));
+    sub->final_callback([command] { command->run(); });
+  }
+  check_command(argc, argv, entries);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw UserError(describe_parse_error(error, app));
+    app.exit(error);  // prints --help or --version
+  }
 }
 
 }  // namespace ballpit
