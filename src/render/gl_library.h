@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenGL's libraries, which libepoxy, GLFW and Dear ImGui open while the program runs. libepoxy ends the program where one is
-// missing, so that this has to be known before its first call.
+// OpenGL's libraries, which libepoxy, GLFW and Dear ImGui open while the program runs. libepoxy ends the program where
+// one is missing, so that this has to be known before its first call.
 #pragma once
 
 #include <string>

@@ -141,7 +141,8 @@ TEST_CASE("an overlay that the broad phase gives nothing to draw is told, whiche
       INFO(scene << ", " << method);
       const Scratch scratch;
       const auto run = [&](const std::vector<std::string>& options) {
-        std::vector<std::string> arguments{"render",       scene,  "--size", "64x36", "--frames", "2", "--out", scratch / "film",
+        std::vector<std::string> arguments{"render",       scene,  "--size", "64x36",
+                                           "--frames",     "2",    "--out",  scratch / "film",
                                            "--broadphase", method, "--json"};
         arguments.insert(arguments.end(), options.begin(), options.end());
         const Outcome outcome = run_program(arguments);
@@ -151,7 +152,8 @@ TEST_CASE("an overlay that the broad phase gives nothing to draw is told, whiche
       };
       const std::string told = run({"--overlay", "grid,pairs,velocity,swept,labels,lists,intervals"});
       CHECK(std::count(told.begin(), told.end(), '\n') == std::ptrdiff_t(names.size()));
-      for (const std::string& name : names) CHECK_THAT(told, Catch::Contains("note: --overlay " + name + ": this broad phase "));
+      for (const std::string& name : names)
+        CHECK_THAT(told, Catch::Contains("note: --overlay " + name + ": this broad phase "));
       CHECK(run({}).empty());
     }
   }
@@ -166,8 +168,8 @@ TEST_CASE("a scene is rendered the same where its lengths are far from a metre")
     };
     write_text(scratch / "s.toml", "[domain]\nmin = [0, 0, 0]\nmax = " + vector("1.0") + "[[spheres]]\nposition = " +
                                        vector("0.5") + "radius = " + length("0.3") + "\nmass = 1\n");
-    const Outcome outcome = run_program(
-        {"render", scratch / "s.toml", "--frames", "1", "--size", "240x135", "--out", scratch / "film"});
+    const Outcome outcome =
+        run_program({"render", scratch / "s.toml", "--frames", "1", "--size", "240x135", "--out", scratch / "film"});
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     return read_png(scratch / "film/" + frame(0));

@@ -75,12 +75,14 @@ TEST_CASE("blessing replaces golden pictures that differ or are missing, and doe
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "ballpit-bless";
   std::filesystem::create_directories(folder);
   const std::string golden = (folder / "dot.png").string();
-  const Image white{16, 16, std::vector<uint8_t>(16 * 16 * 4, 255)}, gray{16, 16, std::vector<uint8_t>(16 * 16 * 4, 200)};
+  const Image white{16, 16, std::vector<uint8_t>(16 * 16 * 4, 255)},
+      gray{16, 16, std::vector<uint8_t>(16 * 16 * 4, 200)};
   const char* before = std::getenv("BALLPIT_BLESS");
   const std::string own = before ? before : "";
   ::setenv("BALLPIT_BLESS", "1", 1);
   for (const Image& picture : {white, gray}) {
-    CHECK_THAT(compare_with_golden("dot", picture, folder.string()), Catch::StartsWith("blessed: " + golden + "; look"));
+    CHECK_THAT(compare_with_golden("dot", picture, folder.string()),
+               Catch::StartsWith("blessed: " + golden + "; look"));
     CHECK(difference(read_png(golden).pixel(0, 0), picture.pixel(0, 0)) == 0);
     CHECK(compare_with_golden("dot", picture, folder.string()) == "");  // it is the golden picture
   }

@@ -110,7 +110,8 @@ TEST_CASE("cells are counted by the length of their list; the last class takes l
 }
 
 TEST_CASE("of sorted bodies the ranges are counted, of a hashed table the places") {
-  Inspection inspection = inspect({{{0.5f, 0.5f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}, {{4.6f, 1.5f, 0}, 0.1f}}, kPlane, 1);
+  Inspection inspection =
+      inspect({{{0.5f, 0.5f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}, {{4.6f, 1.5f, 0}, 0.1f}}, kPlane, 1);
   GridInspection& grid = inspection.grids[0];
   grid.arrays = CellArrays{true, false, {0, 0, 2, 2, 3}, {1, 2, 0}};
   CHECK(count_lengths(grid, 4) == std::vector<int>{2, 1, 1, 0, 0});

@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "render/overlays/overlay.h"
 #include "picture_compare.h"
+#include "render/overlays/overlay.h"
 #include "test_scenes.h"
 
 using namespace ballpit;
@@ -144,8 +144,11 @@ TEST_CASE("a selected sphere and missed contacts look the same at every length s
 }
 
 TEST_CASE("every camera shows the same at every length scale") {
-  for (const auto& [azimuth, elevation, zoom] :
-       {std::tuple{0.0f, 0.0f, 1.0f}, {2.5f, 1.5f, 1.0f}, {-1.0f, -0.7f, 4.0f}, {0.5f, 0.3f, 20.0f}, {0.5f, 0.3f, 0.25f}}) {
+  for (const auto& [azimuth, elevation, zoom] : {std::tuple{0.0f, 0.0f, 1.0f},
+                                                 {2.5f, 1.5f, 1.0f},
+                                                 {-1.0f, -0.7f, 4.0f},
+                                                 {0.5f, 0.3f, 20.0f},
+                                                 {0.5f, 0.3f, 0.25f}}) {
     Scenery scenery = spatial({"grid"});
     scenery.azimuth = azimuth;
     scenery.elevation = elevation;

@@ -140,8 +140,8 @@ void draw_histogram(const GridInspection& grid, Painter& painter) {
   const auto most = static_cast<float>(*std::max_element(counts.begin(), counts.end()));
 
   const Arrays arrays = arrays_of(grid);
-  const std::string title = std::string(arrays.is_hashed ? "places of the table" : "cells") + " by the length of their " +
-                            (arrays.is_sorted ? "range" : "list");
+  const std::string title = std::string(arrays.is_hashed ? "places of the table" : "cells") +
+                            " by the length of their " + (arrays.is_sorted ? "range" : "list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
   const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(title, TextSize::small).x);

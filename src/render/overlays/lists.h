@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a method keeps of its cells in memory. Linked lists (slides 12 to 15): per cell its first body, per body the next one.
+// What a method keeps of its cells in memory. Linked lists (slides 12 to 15): per cell its first body, per body the
+// next one.
 //
 //             0    1    2    3    4
 //     head  │ −1 │  2 │ −1 │ −1 │ −1 │      cell 1 holds bodies 2 and 0
@@ -17,8 +18,8 @@
 //     bodies  │  4 │  0 │  7 │
 //              └───────┘
 //
-// A hashed grid has places of a table instead of cells. With more entries or bodies than fit a row: how many entries have a list
-// or range of which length.
+// A hashed grid has places of a table instead of cells. With more entries or bodies than fit a row: how many entries
+// have a list or range of which length.
 #pragma once
 
 #include <vector>

@@ -351,8 +351,8 @@ class SortedGrid {
   int64_t bytes() const { return slots_.bytes() + offsets_.bytes() + tag_.bytes(); }
 
  private:
-  /// Where the ranges of a size class begin among its bodies, and where they end: of all places, or of all cells without the
-  /// border's, which are empty.
+  /// Where the ranges of a size class begin among its bodies, and where they end: of all places, or of all cells without
+  /// the border's, which are empty.
   std::vector<int> begins(int k, const IVec3& cells, const std::vector<int>& offsets) const {
     const Grid<V>& grid = grids_.grid[k];
     const auto first = offsets.begin() + grids_.first_place[k], end = first + grid.size();
