@@ -9,7 +9,7 @@ layout(location = 3) in vec4 face_color;
 flat out vec4 color;
 
 void main() {
-  vec3 point = corner + (gl_VertexID & 1) * u + (gl_VertexID >> 1) * v;
+  vec3 point = in_units(corner + (gl_VertexID & 1) * u + (gl_VertexID >> 1) * v);
   color = face_color;
   gl_Position = frame.projection * frame.view * vec4(point, 1);
 }

@@ -26,7 +26,7 @@ vec4 visible_end(vec4 end, vec4 other) {
 
 const int kCorners[6] = int[](0, 1, 2, 2, 1, 3);  // of two triangles
 
-vec4 clip(float p[3]) { return frame.projection * (frame.view * vec4(p[0], p[1], p[2], 1)); }
+vec4 clip(float p[3]) { return frame.projection * (frame.view * vec4(in_units(vec3(p[0], p[1], p[2])), 1)); }
 
 void main() {
   Line line = lines[gl_VertexID / 6];

@@ -14,8 +14,8 @@ const float kSmallest = 1.0;  // [pixel]
 
 void main() {
   color = frame.mark_color[mark].rgb;
-  outline = max(radius / frame.pixel, kSmallest);
+  outline = max(in_units(radius) / frame.pixel, kSmallest);
   disc = (vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2 - 1) * (outline + 0.5);
-  vec3 point = position + vec3(disc * frame.pixel, 0);
+  vec3 point = in_units(position) + vec3(disc * frame.pixel, 0);
   gl_Position = frame.projection * frame.view * vec4(point, 1);
 }

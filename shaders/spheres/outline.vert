@@ -17,9 +17,9 @@ out vec2 disc;           // the outline is at length 1
 const float kSmallest = 1.0;  // [pixel] as in sphere.vert
 
 void main() {
-  vec3 center = (frame.view * vec4(position, 1)).xyz;
+  vec3 center = (frame.view * vec4(in_units(position), 1)).xyz;
   float distance = length(center);
-  float r = max(radius, kSmallest * frame.pixel * distance);
+  float r = max(in_units(radius), kSmallest * frame.pixel * distance);
   if (distance <= r || center.z >= 0) {
     gl_Position = vec4(0, 0, 2, 1);
     return;

@@ -13,5 +13,5 @@ void main() {
   float d2 = h * h + dot(place, place);
   float occlusion = h * r * r / (d2 * sqrt(d2));
   float fade = clamp(1 - length(place) / (2.6 * r), 0.0, 1.0) * clamp(4 - h / r, 0.0, 1.0);
-  fragment = vec4(0, 0, 0, frame.floor_level.y * occlusion * min(1.0, 2 * fade));
+  fragment = vec4(0, 0, 0, frame.shadow.x * occlusion * min(1.0, 2 * fade));
 }

@@ -7,20 +7,20 @@ layout(location = 0) in vec3 position;  // [m]
 layout(location = 1) in float radius;   // [m]
 layout(location = 2) in uint mark;
 
-flat out vec3 center;     // view space [m]
-flat out float curvature; // 1/radius [1/m]
-flat out float power;     // of the eye with respect to the sphere: distance² − radius² [m²]
+flat out vec3 center;     // view space
+flat out float curvature; // 1/radius
+flat out float power;     // of the eye with respect to the sphere: distance² − radius²
 flat out float covered;   // squared length of disc up to which pixels are covered wholly
 flat out vec3 color;
-out vec3 ray;             // from the eye to the tangent plane [m]
+out vec3 ray;             // from the eye to the tangent plane
 out vec2 disc;            // on that plane; the outline is at length 1
 
 const float kSmallest = 1.0;  // [pixel] radius below which spheres do not shrink, so that far ones do not vanish
 
 void main() {
-  center = (frame.view * vec4(position, 1)).xyz;
+  center = (frame.view * vec4(in_units(position), 1)).xyz;
   float distance = length(center);
-  float r = max(radius, kSmallest * frame.pixel * distance);
+  float r = max(in_units(radius), kSmallest * frame.pixel * distance);
   if (distance <= r || center.z >= 0) {  // the eye is inside, or the sphere behind it
     gl_Position = vec4(0, 0, 2, 1);
     return;

@@ -12,14 +12,15 @@
 #include "app/demo_renderer.h"
 #include "app/film.h"
 #include "app/film_key.h"
-#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/panel.h"
 #include "app/progress.h"
 #include "app/summary.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "render/gl_context.h"
+#include "render/overlays/overlay.h"
 
 namespace ballpit {
 
@@ -97,6 +98,7 @@ class RenderCommand final : public Command {
       advance(film, session);
       if (was_interrupted()) break;
       draw(PanelInput{});
+      if (film.next() == first_ && look_.asks_for_overlays()) tell_lacks(demo);
       if (panel && film.next() == first_) draw(PanelInput{});  // the panel knows its height from its first frame
       film.push(drawing.renderer().read_pixels());
       progress.show(film.next());
@@ -117,6 +119,13 @@ class RenderCommand final : public Command {
     const int count = next_frame_index(out_);
     check_frames(out_, count, key);
     return count;
+  }
+
+  static void tell_lacks(Demo& demo) {
+    for (const OverlayEntry& overlay : overlay_table()) {
+      const std::string lack = demo.view.shows(overlay.name) ? overlay.lack(demo.inspection()) : "";
+      if (!lack.empty()) std::cerr << "ballpit: note: --overlay " << overlay.name << ": " << lack << "\n";
+    }
   }
 
   static void advance(Film& film, Session& session) {

@@ -81,6 +81,7 @@ class LookArguments {
   /// Throws UserError naming the option. What was not given is as in `base`.
   View view(const View& base = {}) const;
 
+  bool asks_for_overlays() const { return options_.at("--overlay")->is_given(); }
   bool scales_panel() const { return options_.at("--ui-scale")->is_given(); }
 
  private:

@@ -64,7 +64,7 @@ void feed(ImGuiIO& io, const PanelInput& input, const Sheet& sheet) {
   for (const auto& [key, is_down] : input.keys) {
     if (key >= 0 && key < 512) io.KeysDown[key] = is_down;
   }
-  io.AddInputCharactersUTF8(input.typed.c_str());
+  for (const char32_t character : input.typed) io.AddInputCharacter(character);
 }
 
 }  // namespace

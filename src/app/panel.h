@@ -25,7 +25,7 @@ struct PanelInput {
   Vec2 mouse{-1e6f};  ///< [pixel] from the upper left corner
   bool is_down = false;
   float wheel = 0;
-  std::string typed{};         ///< UTF-8
+  std::u32string typed{};      ///< characters
   float elapsed = 1 / 60.0f;   ///< [s] since the frame before
   std::map<int, bool> keys{};  ///< by GLFW's code: those that changed, and whether they are down now
 };

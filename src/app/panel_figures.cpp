@@ -40,11 +40,25 @@ std::string counted_numbers(const std::vector<int32_t>& bodies) {
   return grouped(static_cast<int64_t>(bodies.size())).append(": ").append(numbers(bodies));
 }
 
-std::string printed(const char* format, float a, float b, float c) {
-  std::array<char, 96> text;
-  std::snprintf(text.data(), text.size(), format, double(a), double(b), double(c));
-  return text.data();
-}
+/// "0.250 m": to a millimetre in a domain of about a metre, to four digits where lengths are far from that.
+class Lengths {
+ public:
+  explicit Lengths(const Domain& domain) {
+    double longest = 0;
+    for (int axis = 0; axis < domain.dimensions; ++axis)
+      longest = std::max(longest, domain.max[axis] - domain.min[axis]);
+    format_ = longest >= 0.1 && longest < 1e4 ? "%.3f" : "%.4g";
+  }
+
+  std::string text(float length) const {
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), format_, double(length));
+    return text.data();
+  }
+
+ private:
+  const char* format_;
+};
 
 }  // namespace
 
@@ -63,11 +77,20 @@ void Panel::draw_picked(Demo& demo) {
   if (i >= inspection.bodies.count) return;
   if (!section("Picked sphere")) return;
   const Vec3 p = inspection.bodies.position_of(i);
-  const bool is_planar = inspection.bodies.dimensions == 2;
+  const Lengths lengths(demo.session.scene().domain);
+  std::string place = lengths.text(p.x) + ", " + lengths.text(p.y);
+  if (inspection.bodies.dimensions == 3) place += ", " + lengths.text(p.z);
   row("sphere", std::to_string(i));
-  row("place", printed(is_planar ? "%.3f, %.3f m" : "%.3f, %.3f, %.3f m", p.x, p.y, p.z));
+  row("place", place + " m");
   row("touches", counted_numbers(partners_of(inspection.contacts, i)));
   draw_places(inspection, i);
+  if (const auto interval = interval_of(inspection, i)) {
+    const std::string axis(1, "xyz"[std::clamp(inspection.axis, 0, 2)]);
+    row("interval", axis + ": " + lengths.text(interval->begin) + " to " + lengths.text(interval->end) + " m");
+    row("in the sorted list", "entries " + grouped(static_cast<int64_t>(interval->begin_place)) + " and " +
+                                  grouped(static_cast<int64_t>(interval->end_place)) + " of " +
+                                  grouped(static_cast<int64_t>(inspection.endpoints.size())));
+  }
   if (!demo.has_candidates()) {
     row("candidates", "too many pairs to look through");
   } else {
@@ -75,22 +98,15 @@ void Panel::draw_picked(Demo& demo) {
   }
 }
 
-/// Where the method keeps it: in a cell's list, or between its begin and its end.
+/// The cell whose list or range holds it.
 void Panel::draw_places(const Inspection& inspection, int32_t body) {
   if (const auto listed = listed_in(inspection, body)) {
     const IVec3& c = listed->cell;
     std::string cell = std::to_string(listed->index) + " at (" + std::to_string(c.x) + ", " + std::to_string(c.y);
     if (inspection.bodies.dimensions == 3) cell.append(", ").append(std::to_string(c.z));
     row("cell", cell.append(")"));
-    row("its list", numbers(listed->bodies, " > "));
+    row(listed->is_sorted ? "its range" : "its list", numbers(listed->bodies, listed->is_sorted ? ", " : " > "));
     row("place in it", std::to_string(listed->place + 1) + " of " + std::to_string(listed->bodies.size()));
-  }
-  if (const auto interval = interval_of(inspection, body)) {
-    const std::string axis(1, "xyz"[std::clamp(inspection.axis, 0, 2)]);
-    row("interval", axis + printed(": %.3f to %.3f m", interval->begin, interval->end, 0));
-    row("in the sorted list", "entries " + grouped(static_cast<int64_t>(interval->begin_place)) + " and " +
-                                  grouped(static_cast<int64_t>(interval->end_place)) + " of " +
-                                  grouped(static_cast<int64_t>(inspection.endpoints.size())));
   }
 }
 

@@ -118,6 +118,12 @@ void Panel::draw_view(Demo& demo) {
       demo.touch();
     }
     note("overlay " + std::string(overlay.name));
+    const std::string lack = view.shows(overlay.name) ? overlay.lack(demo.inspection()) : "";
+    if (lack.empty()) continue;
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", lack.c_str());
+    ImGui::PopTextWrapPos();
+    note("lack of " + std::string(overlay.name));
   }
   choose(demo, "color", "colour", coloring_table(), view.coloring);
   choose(demo, "theme", "theme", themes(), view.theme);

@@ -30,9 +30,11 @@ IVec3 cell_of(const GridInspection& grid, const Vec3& place) {
 std::optional<ListedIn> listed_in(const Inspection& inspection, int32_t body) {
   for (const GridInspection& grid : inspection.grids) {
     const IVec3 cell = cell_of(grid, inspection.bodies.position_of(body));
+    if (grid.head.empty()) continue;
     const int index = (cell.z * grid.cells.y + cell.y) * grid.cells.x + cell.x;
     if (index < 0 || static_cast<size_t>(index) >= grid.head.size()) continue;
-    ListedIn found{cell, index, list_from(grid, grid.head[static_cast<size_t>(index)]), 0};
+    ListedIn found{cell, index, grid.is_sorted(), list_from(grid, grid.head[static_cast<size_t>(index)]), 0};
+    if (found.is_sorted) std::reverse(found.bodies.begin(), found.bodies.end());
     const auto at = std::find(found.bodies.begin(), found.bodies.end(), body);
     if (at == found.bodies.end()) continue;
     found.place = static_cast<size_t>(at - found.bodies.begin());

@@ -14,7 +14,8 @@ namespace ballpit {
 struct ListedIn {
   IVec3 cell{0};
   int index = 0;                ///< of the cell: head[index]
-  std::vector<int32_t> bodies;  ///< from head on
+  bool is_sorted = false;       ///< a range of bodies sorted by cell; else a linked list
+  std::vector<int32_t> bodies;  ///< of the list, from head on, or of the range
   size_t place = 0;             ///< of the sphere among them
 };
 

@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 
 #include "core/error.h"
+#include "render/gl_library.h"
 
 namespace ballpit {
 
@@ -19,18 +20,11 @@ std::string glfw_reason() {
   return reason ? reason : "unknown";
 }
 
-void append_utf8(std::string& text, unsigned code) {
-  const auto put = [&](unsigned byte) { text += static_cast<char>(byte); };
-  if (code < 0x80) {
-    put(code);
-  } else if (code < 0x800) {
-    put(0xC0 | code >> 6);
-    put(0x80 | (code & 0x3F));
-  } else {
-    put(0xE0 | (code >> 12 & 0x0F));
-    put(0x80 | (code >> 6 & 0x3F));
-    put(0x80 | (code & 0x3F));
-  }
+/// What to do where there is no window.
+std::string other_way() {
+  const std::string trouble = trouble_with(kEglLibrary);
+  return trouble.empty() ? "ballpit render draws without a display"
+                         : "ballpit render would draw without a display, but " + trouble;
 }
 
 /// A window much larger than its display was not meant, and would take memory that there may not be.
@@ -49,7 +43,9 @@ void check_size(int width, int height) {
 }  // namespace
 
 Window::Window(int width, int height, const std::string& title) {
-  if (!glfwInit()) throw RunError("no window: " + glfw_reason() + "; ballpit render draws without a display");
+  const std::string trouble = trouble_with(kGlLibrary);
+  if (!trouble.empty()) throw RunError("no window: " + trouble);
+  if (!glfwInit()) throw RunError("no window: " + glfw_reason() + "; " + other_way());
   check_size(width, height);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
@@ -61,7 +57,7 @@ Window::Window(int width, int height, const std::string& title) {
   if (!window_) {
     const std::string reason = glfw_reason();
     glfwTerminate();
-    throw RunError("no window with OpenGL 4.5: " + reason + "; ballpit render draws without one");
+    throw RunError("no window with OpenGL 4.5: " + reason + "; " + other_way());
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
@@ -101,7 +97,7 @@ void Window::listen() {
     events.any = true;
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
-    append_utf8(of(w).events_.typed, code);
+    of(w).events_.typed += static_cast<char32_t>(code);
     of(w).events_.any = true;
   });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).events_.any = true; });

@@ -23,7 +23,7 @@ struct WindowEvents {
   float wheel = 0;
   std::vector<int> pressed;  ///< keys that went down, by GLFW's code
   std::map<int, bool> keys;  ///< keys that changed, and whether they are down now
-  std::string typed;         ///< UTF-8
+  std::u32string typed;      ///< characters
   bool any = false;          ///< anything at all, a new size or an uncovered window included
 };
 

@@ -84,6 +84,13 @@ float Camera::pixel_size(float distance, int height) const {
   return visible / static_cast<float>(height);
 }
 
+Camera in_units(Camera camera, const Vec3& origin, float length) {
+  camera.eye = (camera.eye - origin) / length;
+  camera.target = (camera.target - origin) / length;
+  for (float* distance : {&camera.near, &camera.far, &camera.orthographic_height}) *distance /= length;
+  return camera;
+}
+
 Camera leave_room_below(Camera camera, float fraction) {
   camera.fov = 2 * std::atan(std::tan(camera.fov / 2) / (1 - fraction));
   camera.orthographic_height /= 1 - fraction;

@@ -39,6 +39,9 @@ Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect);
 /// along −z.
 Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect);
 
+/// The same view where `origin` is 0 and `length` [m] is 1.
+Camera in_units(Camera camera, const Vec3& origin, float length);
+
 /// The same view, smaller, in the upper part of the picture: `fraction` of its height stays free below.
 Camera leave_room_below(Camera camera, float fraction);
 

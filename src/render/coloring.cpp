@@ -73,7 +73,7 @@ void for_each_listed(const Inspection& inspection, Visit&& visit) {
       int count = 0, place = 0;
       for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)]) ++count;
       for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)])
-        visit(static_cast<size_t>(b), place++, count);
+        visit(static_cast<size_t>(b), grid.is_sorted() ? count - 1 - place++ : place++, count);
     }
   }
 }

@@ -7,19 +7,22 @@ namespace ballpit {
 
 FrameUniforms frame_uniforms(const FrameView& view, const Theme& theme, int width, int height) {
   FrameUniforms uniforms;
-  uniforms.view = view.camera.view();
-  uniforms.projection = view.camera.projection();
+  const DomainBox& domain = view.domain;
+  const Camera camera = in_units(view.camera, domain.min, domain.longest_edge());
+  uniforms.view = camera.view();
+  uniforms.projection = camera.projection();
   // The light stands behind the viewer's left shoulder and moves along, so that no camera sees only dark
   // sides.
   const Vec3 light = normalize(Vec3(-0.5f, 0.75f, 0.75f));
   uniforms.key_light = Vec4(light, theme.key);
   uniforms.halfway = Vec4(normalize(light + Vec3(0, 0, 1)), 0);
   uniforms.sky = Vec4(Vec3(uniforms.view * Vec4(0, 1, 0, 0)), theme.ambient);
-  uniforms.floor_level = Vec4(view.domain.min.y, theme.shadow, 0, 0);
+  uniforms.units = Vec4(domain.min, 1 / domain.longest_edge());
+  uniforms.shadow = Vec4(theme.shadow, 0, 0, 0);
   uniforms.background = Vec4(theme.background, 1);
   for (int mark = 0; mark < 2 + kScaleColors; ++mark) uniforms.mark_color[mark] = Vec4(color_of(theme, mark), 1);
   uniforms.viewport = Vec2(width, height);
-  uniforms.pixel = view.camera.pixel_size(1.0f, height);
+  uniforms.pixel = camera.pixel_size(1.0f, height);
   uniforms.line_unit = static_cast<float>(height) / 1080.0f;
   return uniforms;
 }

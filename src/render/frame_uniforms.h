@@ -16,7 +16,8 @@ struct FrameUniforms {
   Vec4 key_light;
   Vec4 halfway;
   Vec4 sky;
-  Vec4 floor_level;
+  Vec4 units;
+  Vec4 shadow;
   Vec4 background;
   Vec4 mark_color[2 + kScaleColors];
   Vec2 viewport;

@@ -2,6 +2,7 @@
 // Everything that one picture shows.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct DomainBox {
   bool open_top = false;  ///< no ceiling: spheres may rise above max.y
 
   bool is_planar() const { return dimensions == 2; }
+  float longest_edge() const { return std::max({max.x - min.x, max.y - min.y, is_planar() ? 0 : max.z - min.z}); }
 };
 
 /// Refers to the inspection; the caller keeps it alive while drawing.

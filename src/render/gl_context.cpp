@@ -11,6 +11,7 @@
 #include <epoxy/gl.h>
 
 #include "core/error.h"
+#include "render/gl_library.h"
 
 namespace ballpit {
 
@@ -174,12 +175,17 @@ GlInfo current_gl_info(std::string platform) {
 }
 
 std::vector<EglDeviceInfo> list_egl_devices() {
+  if (!trouble_with(kEglLibrary).empty()) return {};
   std::vector<EglDeviceInfo> infos;
   for (EGLDeviceEXT device : egl_devices()) infos.push_back(describe(device, static_cast<int>(infos.size())));
   return infos;
 }
 
 GlContext::GlContext(int cuda_device) {
+  for (const GlLibrary& library : {kEglLibrary, kGlLibrary}) {
+    const std::string trouble = trouble_with(library);
+    if (!trouble.empty()) throw RunError("no OpenGL 4.5 context: " + trouble);
+  }
   std::vector<std::string> failures;
   for (const Candidate& candidate : candidates(cuda_device)) {
     std::string reason;
@@ -194,7 +200,7 @@ GlContext::GlContext(int cuda_device) {
   }
   if (failures.empty()) failures.push_back("EGL offers neither devices nor the surfaceless platform");
   throw RunError("no OpenGL 4.5 context without a display: " + join(failures) +
-                 "; on Debian, libegl1 and libgl1-mesa-dri give one in software");
+                 "; on Debian, libegl1, libegl-mesa0 and libgl1-mesa-dri give one in software");
 }
 
 GlContext::~GlContext() {

@@ -29,14 +29,14 @@ struct EglDeviceInfo {
   int cuda_device = -1;  ///< CUDA's ordinal of it, −1 where it has none
 };
 
-/// All EGL devices in the driver's order; empty where EGL cannot enumerate them.
+/// All EGL devices in the driver's order; empty where EGL is missing or cannot enumerate them.
 std::vector<EglDeviceInfo> list_egl_devices();
 
 /// Current in the thread that made it, until it is destroyed.
 class GlContext {
  public:
   /// Prefers the device with that CUDA ordinal if one is given, then any graphics device, then software.
-  /// Throws RunError with what failed for each device tried.
+  /// Throws RunError with the library that is missing, or with what failed for each device tried.
   explicit GlContext(int cuda_device = -1);
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;

@@ -123,9 +123,11 @@ class Renderer::Impl {
 
   void draw_overlays(const FrameView& view, Painter& painter, Layer layer) {
     for (size_t i = 0; i < overlays_.size(); ++i) {
-      const std::string_view name = overlay_table()[i].name;
-      const bool enabled = std::find(view.overlays.begin(), view.overlays.end(), name) != view.overlays.end();
-      if (enabled) overlays_[i]->draw(view, painter, layer);
+      const OverlayEntry& entry = overlay_table()[i];
+      if (std::find(view.overlays.begin(), view.overlays.end(), entry.name) == view.overlays.end()) continue;
+      const std::string lack = layer == Layer::over ? entry.lack(view.inspection) : "";
+      if (!lack.empty()) painter.note({{Swatch::none, {}, std::string(entry.label) + ": " + lack}});
+      overlays_[i]->draw(view, painter, layer);
     }
   }
 

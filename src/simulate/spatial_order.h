@@ -143,9 +143,19 @@ inline void name_by_id(Inspection& inspection, const std::vector<int>& id_at) {
   for (int32_t& body : inspection.worker) body = id(body);
   for (GridInspection& grid : inspection.grids) {
     for (int32_t& head : grid.head) head = id(head);
-    std::vector<int32_t> next(grid.next.size());
-    for (size_t place = 0; place < next.size(); ++place) next[static_cast<size_t>(id_at[place])] = id(grid.next[place]);
-    grid.next = std::move(next);
+    const auto name_lists = [&](std::vector<int32_t>& lists) {
+      std::vector<int32_t> next(lists.size());
+      for (size_t place = 0; place < next.size(); ++place) next[static_cast<size_t>(id_at[place])] = id(lists[place]);
+      lists = std::move(next);
+    };
+    name_lists(grid.next);
+    if (!grid.arrays) continue;
+    if (grid.arrays->is_sorted) {
+      for (int32_t& body : grid.arrays->bodies) body = id(body);
+    } else {
+      for (int32_t& head : grid.arrays->cells) head = id(head);
+      name_lists(grid.arrays->bodies);
+    }
   }
 }
 

@@ -31,6 +31,18 @@ std::string failure_to_write(const std::string& out) {
   return failure_of({"simulate", "two-spheres", "--time", "0", "--out", out});
 }
 
+/// A machine that lacks these libraries: they are found, but empty.
+class Lacking {
+ public:
+  explicit Lacking(const std::vector<std::string>& libraries) : path_("LD_LIBRARY_PATH", folder_.path().string()) {
+    for (const std::string& library : libraries) write_text(folder_ / library, "");
+  }
+
+ private:
+  const Scratch folder_;
+  const Variable path_;
+};
+
 }  // namespace
 
 TEST_CASE("a folder that cannot be made is named with the reason") {
@@ -148,4 +160,27 @@ TEST_CASE("a sphere that leaves the domain stops the run with its number and the
                          "--frames", "9", "--out", scratch.path().string()}),
              Contains("left the domain"));
   CHECK(fs::exists(scratch / "frame_00000.png"));
+}
+
+TEST_CASE("without OpenGL's libraries, doctor says what is missing, and render and show name the package") {
+  const Variable no_display("DISPLAY", ""), no_wayland("WAYLAND_DISPLAY", "");
+  for (const auto& [libraries, package] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"libEGL.so.1"}, "libegl1"},
+           {{"libGL.so.1"}, "libgl1"},
+           {{"libGL.so.1", "libOpenGL.so.0"}, "libgl1"},
+           {{"libGLX.so.0"}, "libgl1"},
+           {{"libGLdispatch.so.0"}, "libegl1"},
+           {{"libEGL.so.1", "libGL.so.1", "libOpenGL.so.0"}, "libegl1"}}) {
+    INFO(libraries.front());
+    const Lacking lacking(libraries);
+    const Outcome doctor = run_program({"doctor"});
+    CHECK(doctor.status == 0);
+    CHECK(doctor.err.empty());
+    CHECK_THAT(doctor.out, Contains("OpenGL        not here: ") && Contains("on Debian, the package " + package));
+    CHECK(run_program({"doctor", "--json"}).json()["gl"].contains("error"));
+    const Scratch scratch;
+    CHECK_THAT(failure_to_render(scratch / "film"), Contains("no OpenGL") && Contains("the package " + package));
+    CHECK_THAT(failure_of({"show", "two-spheres"}), Contains("no window: ") && Contains("on Debian, the package "));
+    CHECK(run_program({"simulate", "two-spheres", "--time", "0"}).status == 0);
+  }
 }

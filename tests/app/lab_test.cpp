@@ -18,18 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The environment's PATH, for as long as this lives.
-class Path {
- public:
-  explicit Path(const char* value) : old_(std::getenv("PATH")) { ::setenv("PATH", value, 1); }
-  ~Path() { ::setenv("PATH", old_.c_str(), 1); }
-  Path(const Path&) = delete;
-  Path& operator=(const Path&) = delete;
-
- private:
-  std::string old_;
-};
-
 /// The quickest of all.
 Outcome run_divergence(const std::string& out) { return run_program({"lab", "divergence", "--quick", "--out", out}); }
 
@@ -75,7 +63,7 @@ TEST_CASE("another seed is another measurement") {
 TEST_CASE("without gnuplot there are tables and a report, and the lack is said") {
   const Scratch scratch;
   {
-    const Path path("");
+    const Variable path("PATH", "");
     const Outcome outcome = run_divergence(scratch / "out");
     CHECK(outcome.status == 0);
     CHECK_THAT(outcome.err, Contains("warning: No charts: gnuplot is not on the PATH (Debian: gnuplot-nox)"));
@@ -93,7 +81,7 @@ TEST_CASE("a gnuplot that fails is an error with what it said") {
   const Scratch scratch;
   write_text(scratch / "gnuplot", "#!/bin/sh\necho out of ink >&2\nexit 1\n");
   fs::permissions(scratch / "gnuplot", fs::perms::owner_all);
-  const Path path(scratch.path().c_str());
+  const Variable path("PATH", scratch.path().string());
   const Outcome outcome = run_divergence(scratch / "out");
   CHECK(outcome.status == 1);
   CHECK_THAT(outcome.err, Contains("divergence: ") && Contains("failed on chart work: out of ink"));

@@ -42,6 +42,17 @@ TEST_CASE("overlays, pause, step and theme answer to clicks") {
   CHECK(desk.demo.view.theme == "dark");
 }
 
+TEST_CASE("the panel says which overlays the broad phase gives nothing to draw") {
+  Desk desk;
+  desk.click("overlay intervals");
+  CHECK(desk.has("lack of intervals"));
+  CHECK_FALSE(desk.has("lack of grid"));
+  desk.click("broadphase sort-and-sweep");
+  CHECK_FALSE(desk.has("lack of intervals"));
+  CHECK(desk.has("lack of grid"));
+  CHECK_FALSE(desk.has("lack of lists"));  // not asked for
+}
+
 TEST_CASE("a list offers what goes with the response, and nothing else") {
   Desk desk;
   desk.click("integrator");
@@ -82,6 +93,9 @@ TEST_CASE("of the picked sphere the panel tells what its method keeps of it") {
     CHECK(desk.has(row));
   }
   CHECK_FALSE(desk.has("row interval"));
+  desk.click("broadphase sorted-grid");
+  CHECK(desk.has("row its range"));
+  CHECK_FALSE(desk.has("row its list"));
   desk.click("broadphase sort-and-sweep");
   CHECK(desk.has("row interval"));
   CHECK(desk.has("row in the sorted list"));

@@ -2,6 +2,8 @@
 // What the panel tells of the sphere that was picked.
 #include "app/picked.h"
 
+#include <string_view>
+
 #include <catch2/catch.hpp>
 
 #include "app/session.h"
@@ -24,7 +26,9 @@ TEST_CASE("every sphere is told with its own cell and its place in that cell's l
       const auto listed = listed_in(seen, i);
       REQUIRE(listed);
       CHECK(listed->bodies.at(listed->place) == i);
-      CHECK(listed->bodies.front() == seen.grids[0].head[size_t(listed->index)]);
+      const int32_t head = seen.grids[0].head[size_t(listed->index)];
+      CHECK((listed->is_sorted ? listed->bodies.back() : listed->bodies.front()) == head);
+      CHECK(listed->is_sorted == (std::string_view(method) == "sorted-grid"));
       const Vec3 at = seen.bodies.position_of(i);  // cells of 1 m, five in a row
       CHECK(listed->index == int(at.y) * 5 + int(at.x));
       CHECK(listed->cell == IVec3(int(at.x), int(at.y), 0));

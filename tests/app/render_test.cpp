@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ballpit render: whole pictures of the right states, the same bytes run after run.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -40,6 +41,13 @@ std::vector<std::string> film(const std::vector<std::string>& options, const std
   }
   CHECK(std::distance(fs::directory_iterator(scratch / "film"), {}) == std::ptrdiff_t(frames.size()));
   return frames;
+}
+
+/// What a frame shows. Its bytes also say how the film was asked for, in their key.
+std::vector<uint8_t> pixels_of(const std::string& bytes) {
+  const Scratch scratch;
+  write_text(scratch / "frame.png", bytes);
+  return read_png(scratch / "frame.png").pixels;
 }
 
 }  // namespace
@@ -89,9 +97,9 @@ TEST_CASE("frames show the states that --every, --fps and --from ask for") {
   REQUIRE(all.size() == 9);
   for (size_t k = 0; k < 4; ++k) {
     INFO("frame " << k);
-    CHECK(is_same(every[k], all[2 * k]));
-    CHECK(is_same(slower[k], all[2 * k]));
-    CHECK(is_same(later[k], all[k + 5]));
+    CHECK(is_same(pixels_of(every[k]), pixels_of(all[2 * k])));
+    CHECK(is_same(slower[k], every[k]));
+    CHECK(is_same(pixels_of(later[k]), pixels_of(all[k + 5])));
   }
 }
 
@@ -119,5 +127,61 @@ TEST_CASE("every built-in scene is rendered") {
   for (const char* scene : {"open-box", "rain", "two-spheres"}) {
     INFO(scene);
     CHECK(film({"--frames", "1"}, scene).size() == 1);
+  }
+}
+
+TEST_CASE("an overlay that the broad phase gives nothing to draw is told, whichever it is") {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> lacking{
+      {"brute-force", {"grid", "lists", "intervals"}},
+      {"sort-and-sweep", {"grid", "lists"}},
+      {"linked-cell", {"intervals"}},
+      {"sorted-grid", {"intervals"}}};
+  for (const char* scene : {"lecture-grid", "two-spheres"}) {
+    for (const auto& [method, names] : lacking) {
+      INFO(scene << ", " << method);
+      const Scratch scratch;
+      const auto run = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"render",       scene,  "--size", "64x36",
+                                           "--frames",     "2",    "--out",  scratch / "film",
+                                           "--broadphase", method, "--json"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = run_program(arguments);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.json()["rendered"] == 2);
+        return outcome.err;
+      };
+      const std::string told = run({"--overlay", "grid,pairs,velocity,swept,labels,lists,intervals"});
+      CHECK(std::count(told.begin(), told.end(), '\n') == std::ptrdiff_t(names.size()));
+      for (const std::string& name : names)
+        CHECK_THAT(told, Catch::Contains("note: --overlay " + name + ": this broad phase "));
+      CHECK(run({}).empty());
+    }
+  }
+}
+
+TEST_CASE("a scene is rendered the same where its lengths are far from a metre") {
+  const auto rendered = [](const std::string& exponent) {
+    const Scratch scratch;
+    const auto length = [&](const char* digits) { return digits + ("e" + exponent); };
+    const auto vector = [&](const char* digits) {
+      return "[" + length(digits) + ", " + length(digits) + ", " + length(digits) + "]\n";
+    };
+    write_text(scratch / "s.toml", "[domain]\nmin = [0, 0, 0]\nmax = " + vector("1.0") + "[[spheres]]\nposition = " +
+                                       vector("0.5") + "radius = " + length("0.3") + "\nmass = 1\n");
+    const Outcome outcome =
+        run_program({"render", scratch / "s.toml", "--frames", "1", "--size", "240x135", "--out", scratch / "film"});
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    return read_png(scratch / "film/" + frame(0));
+  };
+  const Image expected = rendered("0");
+  for (const char* exponent : {"-10", "-5", "5", "10"}) {
+    INFO(exponent);
+    const Image actual = rendered(exponent);
+    int largest = 0;
+    for (size_t k = 0; k < expected.pixels.size(); ++k) {
+      largest = std::max(largest, std::abs(int{actual.pixels[k]} - int{expected.pixels[k]}));
+    }
+    CHECK(largest <= 1);
   }
 }

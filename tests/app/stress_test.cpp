@@ -84,8 +84,8 @@ class Monkey {
       const Vec2 at = within(*item);
       for (const bool is_down : {false, true, false, true, false}) move(at, is_down);
     }
-    static constexpr std::array kTexts{"1", "0",     "-1",   "1e9", "nan",
-                                       "",  "0.001", "much", "ü→",  "999999999999999999999"};
+    static constexpr std::array kTexts{U"1", U"0",     U"-1",   U"1e9", U"nan",
+                                       U"",  U"0.001", U"much", U"ü→😀", U"999999999999999999999"};
     for (size_t k = below(4); k > 0; --k) {
       desk_.frame(PanelInput{.typed = kTexts[below(kTexts.size())]});
       const int key = kEditing[below(kEditing.size())];

@@ -56,8 +56,8 @@ xdotool key s
 expect_file picture_00000.png
 xdotool key s
 expect_file picture_00001.png
-xdotool windowsize "$window" 20 10; sleep 0.3
-xdotool windowsize "$window" 800 600; sleep 0.3
+xdotool windowsize --sync "$window" 20 10
+xdotool windowsize --sync "$window" 800 600
 xdotool key space 1; expect_title "brute-force"
 kill -0 $show || fail "the program ended"
 kill -INT $show

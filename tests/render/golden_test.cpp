@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pictures of stored states against tests/golden. After a change that is meant to show:
 //     BALLPIT_BLESS=1 ctest --test-dir build/release -R golden
+// It fails with "blessed: …" for each picture that it replaces. Look at them, and run it again without BALLPIT_BLESS.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -67,6 +69,25 @@ TEST_CASE("the comparison of pictures sees a grid line that is shifted by a twen
   shifted.grids[0].origin.x += 0.05f;
   const Image expected = draw(view_of(plane, kPlane, kAspect, {"grid"}), kWidth, kHeight);
   CHECK(worst_block(draw(view_of(shifted, kPlane, kAspect, {"grid"}), kWidth, kHeight), expected) > 8);
+}
+
+TEST_CASE("blessing replaces golden pictures that differ or are missing, and does not pass") {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "ballpit-bless";
+  std::filesystem::create_directories(folder);
+  const std::string golden = (folder / "dot.png").string();
+  const Image white{16, 16, std::vector<uint8_t>(16 * 16 * 4, 255)},
+      gray{16, 16, std::vector<uint8_t>(16 * 16 * 4, 200)};
+  const char* before = std::getenv("BALLPIT_BLESS");
+  const std::string own = before ? before : "";
+  ::setenv("BALLPIT_BLESS", "1", 1);
+  for (const Image& picture : {white, gray}) {
+    CHECK_THAT(compare_with_golden("dot", picture, folder.string()),
+               Catch::StartsWith("blessed: " + golden + "; look"));
+    CHECK(difference(read_png(golden).pixel(0, 0), picture.pixel(0, 0)) == 0);
+    CHECK(compare_with_golden("dot", picture, folder.string()) == "");  // it is the golden picture
+  }
+  before ? ::setenv("BALLPIT_BLESS", own.c_str(), 1) : ::unsetenv("BALLPIT_BLESS");
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("pictures that differ are written side by side: actual, expected, and where they differ in red") {

@@ -74,12 +74,6 @@ TEST_CASE("a spatial grid draws around occupied cells only, and spheres hide wha
   CHECK(difference(image.pixel(center.x, center.y), plain.pixel(center.x, center.y)) == 0);
 }
 
-TEST_CASE("without a grid to show, the overlay draws nothing") {
-  const DomainBox box;
-  const Inspection inspection = inspect({{{0.5f, 0.5f, 0.5f}, 0.1f}}, box);
-  CHECK(draw(view_of(inspection, box, 1, {"grid"}), 90, 90).pixels == draw(view_of(inspection, box, 1), 90, 90).pixels);
-}
-
 TEST_CASE("cells that reach beyond the domain are drawn up to its wall") {
   // Cells of 2 in a square of 5: three along each axis, the last to 6.
   const Inspection inspection = inspect({{{4.5f, 4.5f, 0}, 0.1f}}, kPlane, 2);

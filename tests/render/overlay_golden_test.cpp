@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Golden pictures of the overlays, planar and spatial, on both grounds. See golden_test.cpp.
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 #include "core/random.h"
@@ -91,6 +93,27 @@ TEST_CASE("golden: head and next of a planar grid, on both grounds") {
   const Inspection plane = stored("plane", kPlane, 1);
   CHECK(compare("lists_plane", plane, kPlane, {"grid", "labels", "lists"}, "projector") == "");
   CHECK(compare("lists_plane_dark", plane, kPlane, {"grid", "labels", "lists"}, "dark", 9) == "");
+}
+
+TEST_CASE("golden: offsets and sorted bodies of a planar grid, and a hashed table, on both grounds") {
+  Inspection plane = stored("plane", kPlane, 1);
+  GridInspection& grid = plane.grids[0];
+  CellArrays sorted{true, false, {0}, {}};
+  for (const int32_t head : grid.head) {
+    for (int32_t body = head; body >= 0; body = grid.next[static_cast<size_t>(body)]) sorted.bodies.push_back(body);
+    sorted.cells.push_back(static_cast<int32_t>(sorted.bodies.size()));
+  }
+  grid.arrays = sorted;
+  CHECK(compare("ranges_plane", plane, kPlane, {"grid", "labels", "lists"}, "projector") == "");
+  CHECK(compare("ranges_plane_dark", plane, kPlane, {"grid", "labels", "lists"}, "dark", 9) == "");
+  CellArrays hashed{false, true, std::vector<int32_t>(16, -1), {}};
+  for (int32_t body = 0; body < 8; ++body) {
+    int32_t& head = hashed.cells[static_cast<size_t>(body * 7 % 5)];
+    hashed.bodies.push_back(std::exchange(head, body));
+  }
+  Inspection eight = few("plane", kPlane, 1, 8);
+  eight.grids[0].arrays = hashed;
+  CHECK(compare("places_plane", eight, kPlane, {"lists"}, "projector") == "");
 }
 
 TEST_CASE("golden: how long the lists of a cloud are") {

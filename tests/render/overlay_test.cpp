@@ -109,6 +109,31 @@ TEST_CASE("cells are counted by the length of their list; the last class takes l
   CHECK(count_lengths(inspection.grids[0], 2) == std::vector<int>{23, 1, 1});
 }
 
+TEST_CASE("of sorted bodies the ranges are counted, of a hashed table the places") {
+  Inspection inspection =
+      inspect({{{0.5f, 0.5f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}, {{4.6f, 1.5f, 0}, 0.1f}}, kPlane, 1);
+  GridInspection& grid = inspection.grids[0];
+  grid.arrays = CellArrays{true, false, {0, 0, 2, 2, 3}, {1, 2, 0}};
+  CHECK(count_lengths(grid, 4) == std::vector<int>{2, 1, 1, 0, 0});
+  grid.arrays = CellArrays{false, true, {-1, 2, -1, -1, -1, -1, -1, -1}, {-1, 0, 1}};  // all share a place
+  CHECK(count_lengths(grid, 4) == std::vector<int>{7, 0, 0, 1, 0});
+}
+
+TEST_CASE("a grid of too many cells to show is told, and its arrays are drawn all the same") {
+  Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
+  GridInspection& grid = inspection.grids[0];
+  grid.head.clear();
+  grid.next.clear();
+  grid.arrays = CellArrays{false, true, {-1, 0, -1, -1}, {-1}};
+  for (const OverlayEntry& entry : overlay_table()) {
+    if (entry.name == "grid") CHECK(entry.lack(inspection) == "this broad phase has too many cells to show");
+    if (entry.name == "lists") CHECK(entry.lack(inspection) == "");
+  }
+  const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
+  CHECK(count_different(draw(view_of(inspection, kPlane, 1, {"grid", "labels", "lists"}), kSize, kSize), plain) > 500);
+  CHECK_FALSE(block_around(grid, inspection.bodies, 0));
+}
+
 TEST_CASE("the fastest sphere's arrow is a twelfth of the picture long and ends there") {
   Inspection inspection = three();
   inspection.contacts.clear();
@@ -188,12 +213,37 @@ TEST_CASE("a block ends with the list: a sphere that no cell lists has none") {
   CHECK_FALSE(block_around(inspection.grids[0], inspection.bodies, 0));
 }
 
-TEST_CASE("overlays without their data draw nothing") {
-  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane);
-  const Image plain = draw(view_of(inspection, kPlane, 1), 90, 90);
-  for (const char* name : {"intervals", "lists", "velocity", "swept", "grid"}) {
-    CHECK(draw(view_of(inspection, kPlane, 1, {name}), 90, 90).pixels == plain.pixels);
+TEST_CASE("overlays without their data draw a note in the upper left corner, and nothing else") {
+  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.01f}}, kPlane);
+  const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
+  for (const char* name : {"intervals", "lists", "velocity", "swept", "grid", "labels"}) {
+    INFO(name);
+    const Image image = draw(view_of(inspection, kPlane, 1, {name}), kSize, kSize);
+    int noted = 0, elsewhere = 0;
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        (y < 22 ? noted : elsewhere) += difference(image.pixel(x, y), plain.pixel(x, y)) > 8;
+      }
+    }
+    CHECK(noted > 100);
+    CHECK(elsewhere == 0);
   }
+}
+
+TEST_CASE("the table of overlays says what a broad phase does not give them") {
+  Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane);
+  const auto lacks = [&] {
+    std::vector<std::string> names;
+    for (const OverlayEntry& entry : overlay_table()) {
+      if (!entry.lack(inspection).empty()) names.emplace_back(entry.name);
+    }
+    return names;
+  };
+  CHECK(lacks() == std::vector<std::string>{"grid", "lists", "intervals"});
+  add_endpoints(inspection, 0);
+  CHECK(lacks() == std::vector<std::string>{"grid", "lists"});
+  inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
+  CHECK(lacks() == std::vector<std::string>{"intervals"});
 }
 
 TEST_CASE("notes and strips stack: none lies over another") {

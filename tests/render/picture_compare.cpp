@@ -93,13 +93,12 @@ Image read_png(const std::string& path) {
   return image;
 }
 
-std::string compare_with_golden(const std::string& name, const Image& actual) {
-  const std::string golden = BALLPIT_GOLDEN_FOLDER "/" + name + ".png";
-  if (std::getenv("BALLPIT_BLESS")) {
-    write_png(golden, actual);
-    return "";
-  }
-  return compare_pictures(name, actual, read_png(golden));
+std::string compare_with_golden(const std::string& name, const Image& actual, const std::string& folder) {
+  const std::string golden = folder + "/" + name + ".png";
+  if (!std::getenv("BALLPIT_BLESS")) return compare_pictures(name, actual, read_png(golden));
+  if (std::filesystem::exists(golden) && compare_pictures(name, actual, read_png(golden)).empty()) return "";
+  write_png(golden, actual);
+  return "blessed: " + golden + "; look at it, then test without BALLPIT_BLESS";
 }
 
 std::string compare_pictures(const std::string& name, const Image& actual, const Image& expected) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "simulate/spatial_order.h"
 
+#include <algorithm>
 #include <numeric>
+#include <string_view>
 
 #include <catch2/catch.hpp>
 
@@ -163,6 +165,36 @@ TEST_CASE("worlds that sorted their bodies show them and their contacts by id") 
   }
 }
 
+/// The arrays that a method has of its own: each body in one list or range; of cells, in that of its own.
+void check_arrays(const Inspection& seen, bool is_sorted, bool is_hashed) {
+  std::vector<int> times(static_cast<size_t>(seen.bodies.count), 0);
+  for (const GridInspection& grid : seen.grids) {
+    REQUIRE(grid.arrays.has_value() == (is_sorted || is_hashed));  // else they are head and next
+    if (!grid.arrays) return;
+    const CellArrays& arrays = *grid.arrays;
+    CHECK(arrays.is_sorted == is_sorted);
+    if (!is_sorted) CHECK(arrays.is_hashed);
+    const size_t entries = arrays.cells.size() - is_sorted;
+    if (!arrays.is_hashed) REQUIRE(entries == grid.head.size());
+    for (size_t entry = 0; entry < entries; ++entry) {
+      std::vector<int> bodies;
+      if (is_sorted) {
+        for (int slot = arrays.cells[entry]; slot < arrays.cells[entry + 1]; ++slot)
+          bodies.push_back(arrays.bodies.at(static_cast<size_t>(slot)));
+      } else {
+        for (int i = arrays.cells[entry]; i >= 0; i = arrays.bodies.at(static_cast<size_t>(i))) bodies.push_back(i);
+      }
+      for (const int body : bodies) ++times.at(static_cast<size_t>(body));
+      if (arrays.is_hashed) continue;
+      std::vector<int> listed;
+      for (int i = grid.head[entry]; i >= 0; i = grid.next[static_cast<size_t>(i)]) listed.push_back(i);
+      std::reverse(listed.begin(), listed.end());
+      REQUIRE(bodies == listed);
+    }
+  }
+  CHECK(std::count(times.begin(), times.end(), 1) == seen.bodies.count);
+}
+
 TEST_CASE(
     "each body is in the list of the cell that its centre lies in, and in no other, also in worlds that sorted them") {
   for (const int count : {500, kCount}) {
@@ -198,6 +230,7 @@ TEST_CASE(
             }
           }
           CHECK(std::count(times.begin(), times.end(), 1) == count);
+          check_arrays(seen, std::string_view(method) == "sorted-grid", std::string_view(table) == "hashed");
         }
       }
     }

@@ -210,6 +210,7 @@ void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
   if ((layer == Layer::under) != view.domain.is_planar()) return;
   const float width = kEdgeWidth * painter.line_unit;
   for (const GridInspection& grid : view.inspection.grids) {
+    if (grid.head.empty()) continue;
     const std::vector<int> counts = count_per_cell(grid);
     if (view.domain.is_planar()) {
       painter.faces.draw(occupied_squares(grid, view.domain, counts, painter.theme));

@@ -18,7 +18,7 @@
 
 namespace ballpit {
 
-/// The number of bodies in every cell, found as the simulation finds them: from head along next.
+/// The number of bodies in every cell, found from head along next.
 std::vector<int> count_per_cell(const GridInspection& grid);
 
 class GridOverlay : public Overlay {

@@ -72,8 +72,8 @@ bool shows_lines(const FrameView& view) {
 }
 
 /// From near to far: what a nearer sphere or its number covers stays without a number. Where lines meet in the centre,
-/// a number stands on a plate of its sphere's colour.
-void draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
+/// a number stands on a plate of its sphere's colour. Returns how many there are.
+size_t draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
   const std::vector<Mark> marks = contact_marks(view.inspection.bodies.count, view.inspection.contacts);
   const bool has_plates = shows_lines(view);
   std::vector<Area> taken;
@@ -95,6 +95,7 @@ void draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Paint
     }
     painter.sheet.text(sphere.at, kCentre, to_rgba(painter.theme.on_body), text, *size);
   }
+  return taken.size();
 }
 
 /// In the cell's lower left corner, as on the slide; if a sphere lies there, in the first corner that is free, if any.
@@ -140,7 +141,9 @@ void LabelsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
   if (view.domain.is_planar() && grids.size() == 1 && grids[0].head.size() <= kMostCells && !grids[0].head.empty()) {
     draw_cell_numbers(grids[0], view.domain, spheres, projection, painter);
   }
-  draw_numbers(view, spheres, painter);
+  if (draw_numbers(view, spheres, painter) == 0 && view.inspection.bodies.count > 0) {
+    painter.note({{Swatch::none, {}, "no numbers: the spheres are too small in the picture"}});
+  }
 }
 
 }  // namespace ballpit

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "render/overlays/grid.h"
 #include "render/painter.h"
 
 namespace ballpit {
@@ -23,6 +22,31 @@ struct Boxes {
   Vec2 over_number(size_t k) const { return {middle(k), top - number}; }
   Vec2 under(size_t k) const { return {middle(k), top + height}; }
 };
+
+/// The arrays as the method has them: of lists (head, next), or of bodies sorted by cell (offsets, bodies).
+struct Arrays {
+  bool is_sorted, is_hashed;
+  const std::vector<int32_t>&cells, &bodies;
+
+  size_t entries() const { return cells.size() - (is_sorted && !cells.empty()); }
+  const char* name_of_cells() const { return is_sorted ? "offsets" : "head"; }
+  const char* name_of_bodies() const { return is_sorted ? "bodies" : "next"; }
+
+  /// Those of one cell or place, in the order of memory.
+  template <class Visit>
+  void for_each_body(size_t entry, Visit&& visit) const {
+    if (is_sorted) {
+      for (int32_t slot = cells[entry]; slot < cells[entry + 1]; ++slot) visit(bodies[static_cast<size_t>(slot)]);
+    } else {
+      for (int32_t body = cells[entry]; body >= 0; body = bodies[static_cast<size_t>(body)]) visit(body);
+    }
+  }
+};
+
+Arrays arrays_of(const GridInspection& grid) {
+  if (!grid.arrays) return {false, false, grid.head, grid.next};
+  return {grid.arrays->is_sorted, grid.arrays->is_hashed, grid.arrays->cells, grid.arrays->bodies};
+}
 
 void draw_array(const char* name, const std::vector<int32_t>& values, const Boxes& boxes, const Vec3& color,
                 Painter& painter) {
@@ -52,46 +76,55 @@ void draw_link(const Boxes& next, size_t from, size_t to, Rgba color, Painter& p
 }
 
 /// Along the list of one cell: head → body → next body → …
-void draw_list(const GridInspection& grid, size_t cell, const Boxes& head, const Boxes& next, Rgba color,
-               Painter& painter) {
-  if (grid.head[cell] < 0) return;
-  auto body = static_cast<size_t>(grid.head[cell]);
+void draw_list(const Arrays& arrays, size_t cell, const Boxes& head, const Boxes& next, Rgba color, Painter& painter) {
+  if (arrays.cells[cell] < 0) return;
+  auto body = static_cast<size_t>(arrays.cells[cell]);
   painter.sheet.arrow(head.under(cell), next.over_number(body), color, 3 * painter.sheet.unit());
-  while (grid.next[body] >= 0) {
-    const auto following = static_cast<size_t>(grid.next[body]);
+  while (arrays.bodies[body] >= 0) {
+    const auto following = static_cast<size_t>(arrays.bodies[body]);
     draw_link(next, body, following, color, painter);
     body = following;
   }
 }
 
-bool holds(const GridInspection& grid, size_t cell, int64_t wanted) {
-  for (int32_t body = grid.head[cell]; body >= 0; body = grid.next[static_cast<size_t>(body)]) {
-    if (body == wanted) return true;
-  }
-  return false;
+/// The range of one cell: from its offset to the first slot, and a brace below all of its slots.
+void draw_range(const Arrays& arrays, size_t cell, const Boxes& offsets, const Boxes& bodies, Rgba color,
+                Painter& painter) {
+  const auto first = static_cast<size_t>(arrays.cells[cell]), end = static_cast<size_t>(arrays.cells[cell + 1]);
+  if (first == end) return;
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit(), inset = 0.15f * bodies.width;
+  sheet.arrow(offsets.under(cell), bodies.over_number(first), color, 3 * u);
+  const Vec2 left = bodies.under(first) + Vec2(inset - bodies.width / 2, 6 * u),
+             right = bodies.under(end - 1) + Vec2(bodies.width / 2 - inset, 6 * u), down(0, 12 * u);
+  sheet.line(left, left + down, color, 3 * u);
+  sheet.line(left + down, right + down, color, 3 * u);
+  sheet.line(right + down, right, color, 3 * u);
 }
 
-bool fits(const GridInspection& grid) { return grid.head.size() <= kMostBoxes && grid.next.size() <= kMostBoxes; }
+bool fits(const Arrays& arrays) { return arrays.entries() <= kMostBoxes && arrays.bodies.size() <= kMostBoxes; }
 
 /// False where boxes would be too narrow for their numbers.
-bool draw_arrays(const GridInspection& grid, int64_t selected, Painter& painter) {
+bool draw_arrays(const Arrays& arrays, int64_t selected, Painter& painter) {
   Sheet& sheet = painter.sheet;
-  const float u = sheet.unit(), left = kMargin * u + sheet.size_of("head ").x + 8 * u;
-  const auto count = static_cast<float>(std::max(grid.head.size(), grid.next.size()));
+  const std::string widest = std::string(arrays.name_of_cells()) + " ";
+  const float u = sheet.unit(), left = kMargin * u + sheet.size_of(widest).x + 8 * u;
+  const auto count = static_cast<float>(std::max(arrays.cells.size(), arrays.bodies.size()));
   const float width = std::min(kWidest * u, (static_cast<float>(sheet.width()) - left - kMargin * u) / count);
   const Vec2 text = sheet.size_of("–1", TextSize::small);
-  if (!fits(grid) || width < text.x + 4 * u) return false;
+  if (!fits(arrays) || width < text.x + 4 * u) return false;
 
   const float number = text.y + 2 * u, height = std::max(kBoxHeight * u, text.y + 6 * u);
   const Strip strip = painter.take_strip(2 * (number + height) + (kGap + kArcs + kMargin) * u);
-  const Boxes head{left, width, strip.top + kMargin * u / 2 + number, height, number};
-  const Boxes next{left, width, head.top + height + kGap * u + number, height, number};
-  draw_array("head", grid.head, head, painter.theme.grid, painter);
-  draw_array("next", grid.next, next, painter.theme.body, painter);
-  for (size_t cell = 0; cell < grid.head.size(); ++cell) {
-    const bool is_selected = selected >= 0 && holds(grid, cell, selected);
-    draw_list(grid, cell, head, next,
-              is_selected ? to_rgba(painter.theme.selected) : painter.ink(selected < 0 ? 0.75f : 0.4f), painter);
+  const Boxes cells{left, width, strip.top + kMargin * u / 2 + number, height, number};
+  const Boxes bodies{left, width, cells.top + height + kGap * u + number, height, number};
+  draw_array(arrays.name_of_cells(), arrays.cells, cells, painter.theme.grid, painter);
+  draw_array(arrays.name_of_bodies(), arrays.bodies, bodies, painter.theme.body, painter);
+  for (size_t entry = 0; entry < arrays.entries(); ++entry) {
+    bool is_selected = false;
+    arrays.for_each_body(entry, [&](int32_t body) { is_selected |= body == selected; });
+    const Rgba color = is_selected ? to_rgba(painter.theme.selected) : painter.ink(selected < 0 ? 0.75f : 0.4f);
+    (arrays.is_sorted ? draw_range : draw_list)(arrays, entry, cells, bodies, color, painter);
   }
   return true;
 }
@@ -106,7 +139,9 @@ void draw_histogram(const GridInspection& grid, Painter& painter) {
   while (counts.size() > 1 && counts.back() == 0) counts.pop_back();
   const auto most = static_cast<float>(*std::max_element(counts.begin(), counts.end()));
 
-  const std::string title = "cells by the length of their list";
+  const Arrays arrays = arrays_of(grid);
+  const std::string title = std::string(arrays.is_hashed ? "places of the table" : "cells") +
+                            " by the length of their " + (arrays.is_sorted ? "range" : "list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
   const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(title, TextSize::small).x);
@@ -132,18 +167,25 @@ void draw_histogram(const GridInspection& grid, Painter& painter) {
 
 std::vector<int> count_lengths(const GridInspection& grid, size_t most) {
   std::vector<int> result(most + 1, 0);
-  for (const int count : count_per_cell(grid)) ++result[std::min(static_cast<size_t>(count), most)];
+  const Arrays arrays = arrays_of(grid);
+  for (size_t entry = 0; entry < arrays.entries(); ++entry) {
+    size_t count = 0;
+    arrays.for_each_body(entry, [&](int32_t) { ++count; });
+    ++result[std::min(count, most)];
+  }
   return result;
 }
 
 float lists_room(const Inspection& inspection) {
-  return !inspection.grids.empty() && fits(inspection.grids[0]) ? 0.29f : 0.0f;
+  return !inspection.grids.empty() && fits(arrays_of(inspection.grids[0])) ? 0.29f : 0.0f;
 }
 
 void ListsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
-  if (layer != Layer::over || view.inspection.grids.empty() || view.inspection.grids[0].head.empty()) return;
+  if (layer != Layer::over || view.inspection.grids.empty()) return;
   const GridInspection& grid = view.inspection.grids[0];
-  if (!draw_arrays(grid, view.selected, painter)) draw_histogram(grid, painter);
+  const Arrays arrays = arrays_of(grid);
+  if (arrays.entries() == 0) return;
+  if (!draw_arrays(arrays, view.selected, painter)) draw_histogram(grid, painter);
 }
 
 }  // namespace ballpit

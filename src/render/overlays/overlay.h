@@ -24,7 +24,7 @@ class Overlay {
   Overlay& operator=(const Overlay&) = delete;
   virtual ~Overlay() = default;
 
-  /// Called twice a frame, once for each layer. Draws nothing where the inspection lacks what it shows.
+  /// Called twice a frame, once for each layer. Draws nothing but a note where the inspection lacks what it shows.
   virtual void draw(const FrameView& view, Painter& painter, Layer layer) = 0;
 };
 
@@ -34,6 +34,9 @@ struct OverlayEntry {
   std::unique_ptr<Overlay> (*create)();              ///< needs a current GL context
   Wanted wanted = {};                                ///< of the inspection, to be drawn
   float (*room_below)(const Inspection&) = nullptr;  ///< of the picture's height, that it fills at the lower edge
+  std::string (*lacking)(const Inspection&) = nullptr;  ///< why the method gives it nothing to draw; "" where it does
+
+  std::string lack(const Inspection& inspection) const { return lacking ? lacking(inspection) : ""; }
 };
 
 const std::vector<OverlayEntry>& overlay_table();

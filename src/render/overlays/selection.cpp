@@ -69,6 +69,7 @@ std::optional<Block> block_around(const GridInspection& grid, const BodySnapshot
     const int inside = std::isfinite(place[axis]) ? static_cast<int>(std::floor(place[axis])) : 0;
     cell[axis] = std::clamp(inside, 0, grid.cells[axis] - 1);
   }
+  if (grid.head.empty()) return std::nullopt;
   const auto index = static_cast<size_t>((cell.z * grid.cells.y + cell.y) * grid.cells.x + cell.x);
   if (index >= grid.head.size()) return std::nullopt;
   int32_t listed = grid.head[index];

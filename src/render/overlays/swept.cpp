@@ -64,8 +64,12 @@ float longest_way(const FrameView& view) {
 }
 
 void SweptOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
+  if (layer != Layer::over) return;
   const float longest = longest_way(view);
-  if (layer != Layer::over || !(longest > 0) || !std::isfinite(longest)) return;
+  if (!(longest > 0) || !std::isfinite(longest)) {
+    painter.note({{Swatch::none, {}, "no swept ways: all spheres are at rest"}});
+    return;
+  }
   const BodySnapshot& bodies = view.inspection.bodies;
   const Projection projection(view.camera, painter.sheet);
   Ways ways;

@@ -47,8 +47,12 @@ float arrow_time(const FrameView& view) {
 }
 
 void VelocityOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
+  if (layer != Layer::over) return;
   const float time = arrow_time(view);
-  if (layer != Layer::over || time == 0) return;
+  if (time == 0) {
+    painter.note({{Swatch::none, {}, "no arrows: all spheres are at rest"}});
+    return;
+  }
   const BodySnapshot& bodies = view.inspection.bodies;
   const Projection projection(view.camera, painter.sheet);
   const float scale = line_scale(view, projection, painter.sheet.unit());

@@ -152,11 +152,10 @@ Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>&
 }
 
 template <class V>
-std::optional<GridInspection> list_cells(const Grid<V>& grid, const std::vector<V>& position,
-                                         const std::vector<int>& bodies) {
+GridInspection list_cells(const Grid<V>& grid, const std::vector<V>& position, const std::vector<int>& bodies) {
   GridInspection result = describe_grid(grid);
   const IVec3& cells = result.cells;
-  if (double(cells.x) * cells.y * cells.z > kLargestPicture) return std::nullopt;
+  if (double(cells.x) * cells.y * cells.z > kLargestPicture) return result;
   IVec3 border(0);
   for (int axis = 0; axis < kDimensions<V>; ++axis) border[axis] = grid.border;
   result.head.assign(static_cast<size_t>(cells.x) * cells.y * cells.z, -1);
@@ -175,7 +174,7 @@ std::optional<GridInspection> list_cells(const Grid<V>& grid, const std::vector<
   template double cell_count(const Box<V>&, const V&);                                             \
   template double occupied_volume(const Box<V>&, Span<const Vec3>);                                \
   template Grid<V> make_grid(const BroadPhaseParameters<V>&, const SizeClass<V>&, const V&, bool); \
-  template std::optional<GridInspection> list_cells(const Grid<V>&, const std::vector<V>&, const std::vector<int>&);
+  template GridInspection list_cells(const Grid<V>&, const std::vector<V>&, const std::vector<int>&);
 BALLPIT_INSTANTIATE(Vec2)
 BALLPIT_INSTANTIATE(Vec3)
 BALLPIT_INSTANTIATE(Vec2d)

@@ -150,11 +150,10 @@ template <class V>
 Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, const V& edge,
                   bool is_hashed);
 
-/// The lists of a grid's cells as the slides draw them, built on the host; nothing where there are too many cells to
+/// The grid with lists of its cells for the audience, built on the host; without them where there are too many cells to
 /// look at.
 template <class V>
-std::optional<GridInspection> list_cells(const Grid<V>& grid, const std::vector<V>& position,
-                                         const std::vector<int>& bodies);
+GridInspection list_cells(const Grid<V>& grid, const std::vector<V>& position, const std::vector<int>& bodies);
 
 /// Surrounds a grid with a border of cells that stay empty.
 template <class V>

@@ -131,8 +131,9 @@ class LinkedCell {
     if (grid_.is_hashed) {
       std::vector<int> bodies(static_cast<size_t>(next_.size()));
       std::iota(bodies.begin(), bodies.end(), 0);
-      const std::optional<GridInspection> listed = list_cells(grid_, exec.download(position_), bodies);
-      return listed ? std::vector<GridInspection>{*listed} : std::vector<GridInspection>{};
+      GridInspection result = list_cells(grid_, exec.download(position_), bodies);
+      result.arrays = CellArrays{false, true, exec.download(head_.span()), exec.download(next_.span())};
+      return {result};
     }
     GridInspection result = describe_grid(grid_);
     result.head = exec.download(head_.span());

@@ -341,8 +341,10 @@ class SortedGrid {
     for (int k = 0; k < grids_.count; ++k) {
       const int first = offsets[static_cast<size_t>(grids_.first_place[k])];
       const int last = offsets[static_cast<size_t>(grids_.first_place[k] + grids_.grid[k].size())];
-      const auto listed = list_cells(grids_.grid[k], position, {body.begin() + first, body.begin() + last});
-      if (listed) result.push_back(*listed);
+      const std::vector<int> bodies(body.begin() + first, body.begin() + last);
+      result.push_back(list_cells(grids_.grid[k], position, bodies));
+      result.back().arrays =
+          CellArrays{true, grids_.grid[k].is_hashed, begins(k, result.back().cells, offsets), bodies};
     }
     return result;
   }
@@ -350,6 +352,28 @@ class SortedGrid {
   int64_t bytes() const { return slots_.bytes() + offsets_.bytes() + tag_.bytes(); }
 
  private:
+  /// Where the ranges of a size class begin among its bodies, and where they end: of all places, or of all cells without
+  /// the border's, which are empty.
+  std::vector<int> begins(int k, const IVec3& cells, const std::vector<int>& offsets) const {
+    const Grid<V>& grid = grids_.grid[k];
+    const auto first = offsets.begin() + grids_.first_place[k], end = first + grid.size();
+    std::vector<int> result;
+    if (grid.is_hashed) {
+      result.assign(first, end);
+    } else {
+      IVec3 border(0), cell(0);
+      for (int axis = 0; axis < kDimensions<V>; ++axis) border[axis] = grid.border;
+      for (cell.z = 0; cell.z < cells.z; ++cell.z) {
+        for (cell.y = 0; cell.y < cells.y; ++cell.y) {
+          for (cell.x = 0; cell.x < cells.x; ++cell.x) result.push_back(first[grid.index(cell + border)]);
+        }
+      }
+    }
+    result.push_back(*end);
+    for (int& begin : result) begin -= *first;
+    return result;
+  }
+
   // Spheres in what is read of a row, three cells: about those that a vector holds.
   static constexpr double kPerRow = 10;
   // Spheres a diameter cubed (squared) where they lie in a heap.
