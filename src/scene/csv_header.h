@@ -7,7 +7,7 @@
 //
 // Separators are commas, semicolons, tabs or blanks: the first of them that makes the header name x, y, z and a radius.
 // Names are read in any case; columns with other names are left out. Why there is no library for it:
-// docs/decisions/0027-reading-csv.md.
+// docs/decisions/0025-reading-csv.md.
 #pragma once
 
 #include <charconv>
