@@ -148,8 +148,8 @@ TEST_CASE("every broad phase and the exact reference find the pairs across the e
     expected.clear();
     for (const std::string& method : broad_phases()) {
       INFO(method << " with " << period);
-      const nlohmann::json summary = pairs({scratch / "cloud.csv", "--verify", "--period", period, "--broadphase", method,
-                                            "--out", scratch / "pairs.csv"});
+      const nlohmann::json summary = pairs({scratch / "cloud.csv", "--verify", "--period", period, "--broadphase",
+                                            method, "--out", scratch / "pairs.csv"});
       CHECK(summary["missed"] == 0);
       CHECK(summary["wrong"] == 0);
       CHECK(summary["duplicate"] == 0);
@@ -180,8 +180,10 @@ TEST_CASE("touching spheres of a periodic crystal have as many contacts in pairs
   write_text(scratch / "fcc.csv", text);
   const std::string period = number_text(3 * edge);
   write_text(scratch / "fcc.toml", "spheres = 'fcc.csv'\n[domain]\nboundary = 'periodic'\nmin = [0, 0, 0]\nmax = [" +
-                                       period + ", " + period + ", " + period + "]\n[physics]\ninitial_overlap = 0.01\n");
-  const Outcome simulated = run_program({"simulate", scratch / "fcc.toml", "--time", "0", "--json", "--out", scratch / "state.csv"});
+                                       period + ", " + period + ", " + period +
+                                       "]\n[physics]\ninitial_overlap = 0.01\n");
+  const Outcome simulated =
+      run_program({"simulate", scratch / "fcc.toml", "--time", "0", "--json", "--out", scratch / "state.csv"});
   INFO(simulated.err);
   CHECK(simulated.json()["contacts"] == 648);
   CHECK(pairs({scratch / "fcc.toml", "--verify"})["contacts"] == 648);
@@ -238,7 +240,8 @@ TEST_CASE("a period that cannot be is refused with what is allowed") {
 TEST_CASE("columns that are not read are named in one warning") {
   const Scratch scratch;
   write_text(scratch / "a.csv", ",x,y,z,radius,tag\n0,0,0,0,0.5,a\n1,0.9,0,0,0.5,b\n");
-  write_text(scratch / "a.toml", "spheres = 'a.csv'\n[domain]\nmin = [-1, -1, -1]\nmax = [2, 2, 2]\n[physics]\ninitial_overlap = 1\n");
+  write_text(scratch / "a.toml",
+             "spheres = 'a.csv'\n[domain]\nmin = [-1, -1, -1]\nmax = [2, 2, 2]\n[physics]\ninitial_overlap = 1\n");
   const std::string warning = "ballpit: warning: " + scratch / "a.csv" +
                               ":1: what these columns hold is ignored: column 1 without a name, \"tag\"\n";
   const Outcome searched = run_program({"pairs", scratch / "a.csv", "--json"});
@@ -356,7 +359,8 @@ TEST_CASE("wrong files of spheres are refused with file, line, column, what was 
       {header + "1,1e16,3,1\n", ":2: y: found \"1e16\", allowed a number, -1e+15 to 1e+15"},
       {header + "1,2,3,0\n", ":2: radius: found \"0\", allowed a number, 1e-12 to 1e+15"},
       {header + "1,2,3,-1\n", ":2: radius: found \"-1\", allowed a number, 1e-12 to 1e+15"},
-      {std::string("\x7F\x45LF\x02\x00\n\xFF", 8), ":1: header: found \"\\x7FELF\\x02\\x00\", no column \"x\"" + columns},
+      {std::string("\x7F\x45LF\x02\x00\n\xFF", 8),
+       ":1: header: found \"\\x7FELF\\x02\\x00\", no column \"x\"" + columns},
       {std::string(3'000'000, 'x'), ":1: line: found more than 1048576 bytes"},
   };
   for (const auto& [text, message] : table) {

@@ -47,8 +47,8 @@ std::string array_of(double value) {
 }
 
 std::string domain_of(const Case& c) {
-  return "[domain]\nmin = " + array_of(c.low) + "\nmax = " + array_of(c.low + c.size) +
-         "\nboundary = '" + c.boundary + "'\n[physics]\nstiffness = 4e4\ninitial_overlap = 1\n";
+  return "[domain]\nmin = " + array_of(c.low) + "\nmax = " + array_of(c.low + c.size) + "\nboundary = '" + c.boundary +
+         "'\n[physics]\nstiffness = 4e4\ninitial_overlap = 1\n";
 }
 
 std::vector<GivenOption> options_of(const Case& c, const std::string& precision) {
@@ -68,7 +68,8 @@ TEST_CASE("a state that was saved is read, and goes on by the same bits") {
     const std::string mass = c.response == "penalty" ? "mass = 1\n" : "";  // else of each sphere its own
     const std::string fill = "[[fill]]\ncount = 60\n" + mass + "radius = [" + number_text(0.02 * c.size) + ", " +
                              number_text(0.06 * c.size) + "]\nspeed = " + number_text(2 * c.size) + "\n";
-    INFO(seed << ": from " << c.low << ", " << c.size << " long, " << c.boundary << ", " << c.precision << ", " << c.response);
+    INFO(seed << ": from " << c.low << ", " << c.size << " long, " << c.boundary << ", " << c.precision << ", "
+              << c.response);
     write_text(scratch / "a.toml", domain_of(c) + fill);
     write_text(scratch / "b.toml", "spheres = 'state.csv'\n" + domain_of(c));
     Session whole(scratch / "a.toml", options_of(c, c.precision));
@@ -89,8 +90,8 @@ TEST_CASE("a state of one precision is read by the other") {
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     const Case c = random_case(seed);
     INFO(seed << ": from " << c.low << ", " << c.size << " long, " << c.boundary << ", " << c.precision);
-    write_text(scratch / "a.toml", domain_of(c) + "[[fill]]\ncount = 60\nmass = 1\nradius = " + number_text(0.04 * c.size) +
-                                       "\nspeed = " + number_text(2 * c.size) + "\n");
+    write_text(scratch / "a.toml", domain_of(c) + "[[fill]]\ncount = 60\nmass = 1\nradius = " +
+                                       number_text(0.04 * c.size) + "\nspeed = " + number_text(2 * c.size) + "\n");
     write_text(scratch / "b.toml", "spheres = 'state.csv'\n" + domain_of(c));
     Session first(scratch / "a.toml", options_of(c, c.precision));
     step(first, 30);
@@ -109,9 +110,8 @@ TEST_CASE("spheres at the very edge of a periodic domain are read as they were w
       const std::string middle = number_text(low + 0.5 * c.size), end = number_text(low + c.size);
       const std::string just_below = number_text(std::nextafter(low + c.size, low));
       std::string spheres;
-      for (const std::string& p :
-           {number_text(low) + ", " + middle + ", " + middle, middle + ", " + end + ", " + middle,
-            middle + ", " + middle + ", " + just_below}) {
+      for (const std::string& p : {number_text(low) + ", " + middle + ", " + middle,
+                                   middle + ", " + end + ", " + middle, middle + ", " + middle + ", " + just_below}) {
         spheres += "[[spheres]]\nposition = [" + p + "]\nradius = " + radius + "\n";
       }
       INFO(low << " in " << precision);

@@ -239,19 +239,32 @@ TEST_CASE("who follows the hints of a fill that does not fit has a scene") {
   const std::string far = "[domain]\nmin = [100.7, 100.7, 100.7]\nmax = [101.7, 101.7, 101.7]\n";
   const std::string periodic = "[domain]\nboundary = 'periodic'\n";
   const std::vector<Crowded> table = {
-      {"", 1000, "0.1", "random"},          {"", 1000, "0.1", "lattice"},      {"", 100, "0.1", "random"},
-      {"", 126, "0.1", "random"},           {"", 125, "0.0999", "random"},     {plane, 2000, "0.01", "random"},
-      {plane, 3000, "0.01", "random"},      {plane, 3000, "0.01", "lattice"},  {far, 1, "0.5", "random"},
-      {far, 1, "0.7", "lattice"},           {"", 1, "0.5", "lattice"},         {plane, 1, "0.5", "random"},
-      {obstacle, 60, "0.1", "random"},      {obstacle, 120, "0.1", "lattice"}, {obstacle, 200, "0.1", "lattice"},
-      {periodic, 200, "0.1", "random"},     {periodic, 200, "0.1", "lattice"}, {obstacle, 1, "0.3", "random"},
-      {"", 100, "[0.05, 0.1]", "lattice"},  {"", 300, "[0.05, 0.1]", "random"},
+      {"", 1000, "0.1", "random"},
+      {"", 1000, "0.1", "lattice"},
+      {"", 100, "0.1", "random"},
+      {"", 126, "0.1", "random"},
+      {"", 125, "0.0999", "random"},
+      {plane, 2000, "0.01", "random"},
+      {plane, 3000, "0.01", "random"},
+      {plane, 3000, "0.01", "lattice"},
+      {far, 1, "0.5", "random"},
+      {far, 1, "0.7", "lattice"},
+      {"", 1, "0.5", "lattice"},
+      {plane, 1, "0.5", "random"},
+      {obstacle, 60, "0.1", "random"},
+      {obstacle, 120, "0.1", "lattice"},
+      {obstacle, 200, "0.1", "lattice"},
+      {periodic, 200, "0.1", "random"},
+      {periodic, 200, "0.1", "lattice"},
+      {obstacle, 1, "0.3", "random"},
+      {"", 100, "[0.05, 0.1]", "lattice"},
+      {"", 300, "[0.05, 0.1]", "random"},
       {"", 90, "0.1", "random", "[[fill]]\ncount = 60\nradius = 0.1\narrangement = 'lattice'\n"},
   };
   for (const Crowded& crowded : table) {
     const auto scene = [&](const std::string& count, const std::string& radius, const std::string& arrangement) {
-      return crowded.before + "[[fill]]\ncount = " + count + "\nradius = " + radius + "\narrangement = '" + arrangement +
-             "'\n" + crowded.behind;
+      return crowded.before + "[[fill]]\ncount = " + count + "\nradius = " + radius + "\narrangement = '" +
+             arrangement + "'\n" + crowded.behind;
     };
     const std::string count = std::to_string(crowded.count);
     const std::string error = error_of(scene(count, crowded.radius, crowded.arrangement));
@@ -274,6 +287,6 @@ TEST_CASE("a lattice is offered where it has room, and only there") {
   using Catch::Contains;
   const std::string offer = "arrangement = \"lattice\"";
   CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.0999\n"), Contains(offer));  // 125 sites
-  CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.1\n"), !Contains(offer));  // 64
+  CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.1\n"), !Contains(offer));    // 64
   CHECK_THAT(error_of("[[fill]]\ncount = 1000\nradius = 0.1\n"), !Contains(offer) && Contains("a larger region"));
 }

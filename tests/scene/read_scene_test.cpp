@@ -234,7 +234,8 @@ std::string sphere_at(const std::string& position, const std::string& radius) {
 TEST_CASE("what a scene lacks is told") {
   const std::string ball = sphere_at("[0.5, 0.5, 0.5]", "0.1");
   const std::string domain = "[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n";
-  const std::string no_domain = "a.toml: found no [domain]: it is a cube of 1 m with walls, from 0 to 1 along each axis";
+  const std::string no_domain =
+      "a.toml: found no [domain]: it is a cube of 1 m with walls, from 0 to 1 along each axis";
   const std::string no_spheres = "a.toml: found no spheres, neither [[spheres]] nor [[fill]]";
   using Notes = std::vector<std::string>;
   CHECK(notes_of("") == Notes{no_domain, no_spheres});
@@ -253,8 +254,9 @@ TEST_CASE("spheres outside of a periodic domain are at their images inside, and 
   CHECK(scene.bodies.position[1] == Vec3d(5, 9, 0));
   CHECK(scene.bodies.position[2] == Vec3d(2, 2, 2));
   CHECK(scene.bodies.position[3] == Vec3d(1, 1, 0));
-  CHECK(scene.notes == std::vector<std::string>{
-                           "a.toml: 3 of 4 spheres were outside of the periodic domain, and are at their images inside"});
+  CHECK(scene.notes ==
+        std::vector<std::string>{
+            "a.toml: 3 of 4 spheres were outside of the periodic domain, and are at their images inside"});
   // The upper edge is the lower one: nobody was outside.
   CHECK(notes_of(domain + sphere_at("[10, 10, 5]", "0.5")).empty());
   // So little below the edge that its image is rounded to the other edge.
@@ -274,9 +276,8 @@ TEST_CASE("what single precision wrote of a periodic domain keeps its bits") {
   // The float next to 0.7 is below it.
   const double low = static_cast<double>(0.7f);
   REQUIRE(low < 0.7);
-  const Scene scene =
-      parse_scene(periodic("[0.7, 0.7, 0.7]", "[1.7, 1.7, 1.7]") + sphere_at("[0.699999988079071, 0.8, 0.8]", "0.05"),
-                  "a.toml");
+  const Scene scene = parse_scene(
+      periodic("[0.7, 0.7, 0.7]", "[1.7, 1.7, 1.7]") + sphere_at("[0.699999988079071, 0.8, 0.8]", "0.05"), "a.toml");
   CHECK(scene.bodies.position[0].x == low);
   CHECK(scene.notes.empty());
   // Double precision keeps what single precision would round to the edge.
@@ -286,14 +287,13 @@ TEST_CASE("what single precision wrote of a periodic domain keeps its bits") {
 }
 
 TEST_CASE("an edge of exactly four radii is allowed, whatever rounding makes of it") {
-  CHECK_NOTHROW(parse_scene(periodic("[0.1, 0.1, 0.1]", "[0.3, 0.3, 0.3]") + sphere_at("[0.2, 0.2, 0.2]", "0.05"),
-                            "a.toml"));
-  CHECK_NOTHROW(parse_scene(periodic("[100.1, 0, 0]", "[100.3, 1, 1]") + sphere_at("[100.2, 0.2, 0.2]", "0.05"),
-                            "a.toml"));
-  CHECK_THROWS_AS(parse_scene(periodic("[0.1, 0.1, 0.1]", "[0.3, 0.3, 0.29999]") +
-                                  sphere_at("[0.2, 0.2, 0.2]", "0.05"),
-                              "a.toml"),
-                  UserError);
+  CHECK_NOTHROW(
+      parse_scene(periodic("[0.1, 0.1, 0.1]", "[0.3, 0.3, 0.3]") + sphere_at("[0.2, 0.2, 0.2]", "0.05"), "a.toml"));
+  CHECK_NOTHROW(
+      parse_scene(periodic("[100.1, 0, 0]", "[100.3, 1, 1]") + sphere_at("[100.2, 0.2, 0.2]", "0.05"), "a.toml"));
+  CHECK_THROWS_AS(
+      parse_scene(periodic("[0.1, 0.1, 0.1]", "[0.3, 0.3, 0.29999]") + sphere_at("[0.2, 0.2, 0.2]", "0.05"), "a.toml"),
+      UserError);
 }
 
 TEST_CASE("initial_overlap = 1 allows every overlap, also of concentric spheres and of small ones in large ones") {

@@ -121,9 +121,12 @@ TEST_CASE("files of R, numpy, pandas and of spreadsheets are read") {
   check_dialects({
       // R: write.csv, with and without the names of rows; write.csv2; write.table
       {"\"x\",\"y\",\"z\",\"radius\"\n0,0,0,0.5\n0.9,0,-2,0.5\n"},
-      {"\"\",\"x\",\"y\",\"z\",\"radius\"\n\"1\",0,0,0,0.5\n\"2\",0.9,0,-2,0.5\n", "1:" + ignored + "column 1 without a name"},
-      {"\"\";\"x\";\"y\";\"z\";\"radius\"\n\"1\";0;0;0;0,5\n\"2\";0,9;0;-2;0,5\n", "1:" + ignored + "column 1 without a name"},
-      {"\"x\" \"y\" \"z\" \"radius\"\n\"1\" 0 0 0 0.5\n\"2\" 0.9 0 -2 0.5\n", "1:" + ignored + "column 1 without a name"},
+      {"\"\",\"x\",\"y\",\"z\",\"radius\"\n\"1\",0,0,0,0.5\n\"2\",0.9,0,-2,0.5\n",
+       "1:" + ignored + "column 1 without a name"},
+      {"\"\";\"x\";\"y\";\"z\";\"radius\"\n\"1\";0;0;0;0,5\n\"2\";0,9;0;-2;0,5\n",
+       "1:" + ignored + "column 1 without a name"},
+      {"\"x\" \"y\" \"z\" \"radius\"\n\"1\" 0 0 0 0.5\n\"2\" 0.9 0 -2 0.5\n",
+       "1:" + ignored + "column 1 without a name"},
       // numpy: savetxt
       {"# x,y,z,radius\n0.000000000000000000e+00,0.000000000000000000e+00,0.000000000000000000e+00,5.0e-01\n"
        "9.000000000000000222e-01,0.000000000000000000e+00,-2.000000000000000000e+00,5.000000000000000000e-01\n"},
@@ -196,7 +199,8 @@ TEST_CASE("a wrong CSV file is refused with file, line, column, what was found a
       {header + "\n1,2\n", "3: row: found 2 fields, allowed 4, as in the header"},
       {header + "1,\"2,3,4\n", "2: y: found a quote that is not closed, allowed quotes around whole fields"},
       {header + "1,\"2\"5,3,4\n", "2: y: found text behind a closing quote, allowed quotes around whole fields"},
-      {header + "1,2,3,\"1,234\"\n", "2: radius: found \"1,234\", allowed a number without separators between thousands"},
+      {header + "1,2,3,\"1,234\"\n",
+       "2: radius: found \"1,234\", allowed a number without separators between thousands"},
       {"x;y;z;radius\n1.234,5;2;3;4\n", "2: x: found \"1.234,5\", allowed " + any},
       {"x;y;z;radius\n1.5;2;3;4\n1,234;2;3;4\n",
        "3: x: found \"1,234\", allowed a number with a decimal point, as above"},

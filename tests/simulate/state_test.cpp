@@ -46,11 +46,20 @@ void check_wrap() {
   Random random(3);
   for (const Box<V>& box : periodic_boxes<V>()) {
     const Real low = box.min[0], high = box.max[0], size = high - low;
-    std::vector<Real> places{low, high, std::nextafter(low, -kInfinity), std::nextafter(low, kInfinity),
-                             std::nextafter(high, -kInfinity), std::nextafter(high, kInfinity), Real(0), Real(1e30),
-                             Real(-1e30), std::numeric_limits<Real>::max(), std::numeric_limits<Real>::denorm_min()};
+    std::vector<Real> places{low,
+                             high,
+                             std::nextafter(low, -kInfinity),
+                             std::nextafter(low, kInfinity),
+                             std::nextafter(high, -kInfinity),
+                             std::nextafter(high, kInfinity),
+                             Real(0),
+                             Real(1e30),
+                             Real(-1e30),
+                             std::numeric_limits<Real>::max(),
+                             std::numeric_limits<Real>::denorm_min()};
     for (int k = 0; k < 200; ++k) places.push_back(low + size * Real(random.uniform(-3, 3)));
-    for (int k = 0; k < 60; ++k) places.push_back(size * std::pow(Real(10), Real(random.uniform(0, 30))) * (k % 2 == 0 ? 1 : -1));
+    for (int k = 0; k < 60; ++k)
+      places.push_back(size * std::pow(Real(10), Real(random.uniform(0, 30))) * (k % 2 == 0 ? 1 : -1));
     for (const Real x : places) {
       if (!std::isfinite(x)) continue;
       CAPTURE(low, high, x);
@@ -104,9 +113,8 @@ void walk(const Box<Vec3>& box, const std::vector<Vec3>& position, CellTable tab
   int64_t wrong = 0;
   if constexpr (requires { candidates.threads(); }) {
     for (int slot = 0; slot < candidates.threads(); ++slot) {
-      candidates.for_each_range(slot, [&](const SlotRange& range) {
-        wrong += range.size() > 0 && (range.first < 0 || range.last > count);
-      });
+      candidates.for_each_range(
+          slot, [&](const SlotRange& range) { wrong += range.size() > 0 && (range.first < 0 || range.last > count); });
     }
   } else {
     for (int i = 0; i < count; ++i) {
