@@ -123,8 +123,9 @@ struct MirrorVelocity {
   }
 
  private:
-  static constexpr Real kSlow = Real(1e-3);   // of the kick: what approaches no faster only rests
-  static constexpr Real kSlop = Real(0.001);  // of the radius: overlap that is left to what rests, which stays a contact
+  static constexpr Real kSlow = Real(1e-3);  // of the kick: what approaches no faster only rests
+  static constexpr Real kSlop =
+      Real(0.001);  // of the radius: overlap that is left to what rests, which stays a contact
   static constexpr int kMostRounds = 12;
 
   template <class Visit>
