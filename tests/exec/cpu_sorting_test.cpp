@@ -45,7 +45,7 @@ void check_sorting(int64_t n, uint64_t limit, int threads, int bits) {
 
 }  // namespace
 
-TEST_CASE("pairs are sorted by key, and stay in order where keys are equal") {
+TEST_CASE("pairs are sorted by key, and stay in order where keys are equal", "[slow]") {
   const int threads = GENERATE(1, 2, 8);
   // Around the block borders of the counting sort: 2¹⁵ indices a block, as many blocks as threads at most.
   for (const int64_t n : {0,     1,     2,     3,     511,   512,   513,   2047,   2048,   2049,
@@ -105,7 +105,7 @@ void check_binning(int64_t n, int bins, int used, int threads) {
 
 }  // namespace
 
-TEST_CASE("bin puts indices into bins, in their order, and notes where each bin begins") {
+TEST_CASE("bin puts indices into bins, in their order, and notes where each bin begins", "[slow]") {
   const int threads = GENERATE(1, 2, 8);
   for (const int64_t n : {0, 1, 511, 513, 32768, 65535, 65536, 65537, 300000}) {
     check_binning(n, 1, 1, threads);  // one bin

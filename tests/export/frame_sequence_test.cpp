@@ -86,7 +86,7 @@ TEST_CASE("a sequence resumes after the last whole frame") {
   CHECK(next_frame_index(folder.path) == 5);
 }
 
-TEST_CASE("memory stays bounded: pushing waits while the encoder cannot keep up") {
+TEST_CASE("memory stays bounded: pushing waits while the encoder cannot keep up", "[slow]") {
   const Folder folder("bounded");
   // Opening a pipe for writing waits until somebody reads: an encoder that is stuck.
   const fs::path pipe = folder.path / "frame_00000.png";

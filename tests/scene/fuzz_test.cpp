@@ -51,7 +51,7 @@ bool behaves(const Read& read) {
 
 }  // namespace
 
-TEST_CASE("a damaged scene is read or refused, never a crash") {
+TEST_CASE("a damaged scene is read or refused, never a crash", "[slow]") {
   SceneOverrides few;
   few.count = 60;  // so that thousands of scenes take seconds
   for (const EmbeddedFile& file : scene_files()) {

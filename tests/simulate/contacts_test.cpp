@@ -80,7 +80,7 @@ TEST_CASE("cells of one to four diameters find every contact") {
   }
 }
 
-TEST_CASE("contacts do not depend on the number of threads") {
+TEST_CASE("contacts do not depend on the number of threads", "[slow]") {
   const Cloud cloud = GENERATE(Cloud{.count = 6000, .smallest = 0.05, .largest = 0.05},
                                Cloud{.count = 6000, .smallest = 0.01, .largest = 0.1},
                                Cloud{.count = 6000, .dimensions = 2, .smallest = 0.02, .largest = 0.02},

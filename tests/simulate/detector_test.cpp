@@ -79,7 +79,7 @@ int64_t candidates_by_hand(const Scene& scene, const Way& way) {
 
 }  // namespace
 
-TEST_CASE("with a skin the contacts are those without in every step, and few steps search") {
+TEST_CASE("with a skin the contacts are those without in every step, and few steps search", "[slow]") {
   const Cloud cloud = GENERATE(
       Cloud{.count = 700, .smallest = 0.07, .largest = 0.07},
       Cloud{.count = 700, .smallest = 0.02, .largest = 0.2, .is_log_uniform = true},

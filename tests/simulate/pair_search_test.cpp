@@ -99,7 +99,7 @@ TEST_CASE("searches of different numbers of spheres follow each other") {
   }
 }
 
-TEST_CASE("many spheres in lists are searched in spatial order, and named as they came") {
+TEST_CASE("many spheres in lists are searched in spatial order, and named as they came", "[slow]") {
   constexpr int kCount = 20000;
   for (const FamilyInfo& family : families()) {
     INFO(family.name);
@@ -136,7 +136,7 @@ TEST_CASE("many spheres on a line, touching or far apart, are found") {
   }
 }
 
-TEST_CASE("with a skin, drifting spheres are found in every step, and few steps search") {
+TEST_CASE("with a skin, drifting spheres are found in every step, and few steps search", "[slow]") {
   for (const FamilyInfo& family : families()) {
     const Spheres start = make_family(family.name, 800, 1);
     for (const std::string& method : kMethods) {

@@ -163,7 +163,7 @@ Scene pairs_apart(int side, int stride, const Kind& kind) {
 
 TEST_CASE(
     "the state has the same bits after 500 steps for any number of threads, every broad phase, with a skin or "
-    "without") {
+    "without", "[slow]") {
   check_hashes(heap(GENERATE(2, 3)), kSteps);
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("the state of a periodic gas of unequal spheres has the same bits what
 }
 
 TEST_CASE(
-    "the state of so many spheres that they are sorted in memory has the same bits whatever finds their contacts") {
+    "the state of so many spheres that they are sorted in memory has the same bits whatever finds their contacts", "[slow]") {
   // Past a second sorting, in step 64; two in a thousand of the heap move fast enough to end a skin.
   Scene scene = make_cloud({.count = 4500, .smallest = 0.03, .largest = 0.045}, 5);
   scene.physics.gravity = {0, -9.81, 0};
@@ -181,7 +181,7 @@ TEST_CASE(
   check_hashes(scene, kSteps > 100 ? 70 : 3);
 }
 
-TEST_CASE("by every response, in both precisions, the state has the same bits whatever finds its contacts") {
+TEST_CASE("by every response, in both precisions, the state has the same bits whatever finds its contacts", "[slow]") {
   constexpr int kThreads[] = {1, 2, 8};
   int turn = 0;
   for (const Kind& kind : kinds()) {
@@ -218,7 +218,7 @@ TEST_CASE("near contacts of the position-based response are found within a skin 
   }
 }
 
-TEST_CASE("by every response, spheres that are sorted in memory move by the bits of few that are not") {
+TEST_CASE("by every response, spheres that are sorted in memory move by the bits of few that are not", "[slow]") {
   for (const Kind& kind : kinds()) {
     const Settings settings = kind.settings({.broadphase = "sorted-grid", .threads = 2});
     const int steps = kSteps > 100 ? 100 : 3;

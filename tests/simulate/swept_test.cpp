@@ -65,7 +65,7 @@ Scene dropped_on_heavy(double e) {
 
 }  // namespace
 
-TEST_CASE("a swept elastic ball has its energy after 1 000 bounces, as one that is not swept") {
+TEST_CASE("a swept elastic ball has its energy after 1 000 bounces, as one that is not swept", "[slow]") {
   const double dt = GENERATE(1.0 / 100, 1.0 / 240, 1.0 / 1000);
   const std::string response = GENERATE("impulse", "kinematic");
   const double seconds = 1000 * 2 * std::sqrt(2 * 0.2 / 9.81);
@@ -111,7 +111,7 @@ TEST_CASE("a swept elastic ball keeps its energy on a heavy one that lies on the
   }
 }
 
-TEST_CASE("swept balls that bounce on each other in the air keep their energy") {
+TEST_CASE("swept balls that bounce on each other in the air keep their energy", "[slow]") {
   Scene scene = dropped(1);
   scene.domain.max.y = 3;
   add_sphere(scene, {0, 0.75, 0}, {0, -1, 0}, 0.05, 0.25);

@@ -45,7 +45,7 @@ constexpr double kReference = 3.26941 - 1.021 / 256;
 
 }  // namespace
 
-TEST_CASE("a fixed step lowers the pressure of a gas as if its spheres were smaller by √π/2·v·dt") {
+TEST_CASE("a fixed step lowers the pressure of a gas as if its spheres were smaller by √π/2·v·dt", "[slow]") {
   // A hit is seen when the spheres overlap already, dt/2 late in the mean, at a mean speed of approach of √π·√kT. So spheres
   // seem smaller by <u>·dt/2 = 0.886 dt, and dZ/dt = −3η·Z'(η)·√π/2 = −11.56 for a small step. At these steps the same formula
   // gives Z(ρ·(1 − 0.886 dt)³) − Z(ρ): −0.1123 and −0.2181.

@@ -120,7 +120,7 @@ void check_scene(const Scene& scene) { scene.domain.dimensions == 2 ? check_all<
 
 }  // namespace
 
-TEST_CASE("each pair is a candidate at most once, and each contact is one, by threads and by blocks") {
+TEST_CASE("each pair is a candidate at most once, and each contact is one, by threads and by blocks", "[slow]") {
   for (const Input& input : inputs()) {
     for (uint64_t seed = 31; seed <= 32; ++seed) {
       INFO(input.name << ", seed " << seed);

@@ -87,7 +87,7 @@ TEST_CASE("event-driven: the same scene gives the same bits twice") {
   CHECK(world_at(scene, 5.0)->report().state_hash != world_at(make_lattice_gas(3, 0.7, 12), 5.0)->report().state_hash);
 }
 
-TEST_CASE("event-driven: every collision comes as brute force finds it") {
+TEST_CASE("event-driven: every collision comes as brute force finds it", "[slow]") {
   const int dimensions = GENERATE(3, 2);
   const Boundary boundary = GENERATE(Boundary::walls, Boundary::open_top, Boundary::periodic);
   const uint64_t seed = GENERATE(1, 2, 3, 4);

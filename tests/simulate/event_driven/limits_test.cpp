@@ -142,7 +142,7 @@ TEST_CASE("event-driven: spheres that stay together (e = 0) neither creep into e
   }
 }
 
-TEST_CASE("event-driven: a million events leave no overlap and no trace in energy and momentum") {
+TEST_CASE("event-driven: a million events leave no overlap and no trace in energy and momentum", "[slow]") {
   const Scene scene = make_lattice_gas(4, 0.9, 3);
   const auto world = make_cpu_world(scene, event_driven(250));
   world->step();

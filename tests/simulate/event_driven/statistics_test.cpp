@@ -38,7 +38,7 @@ double reference_rate(double z, double count) {
 
 }  // namespace
 
-TEST_CASE("event-driven: pressure and collision rate of hard spheres are those of the literature") {
+TEST_CASE("event-driven: pressure and collision rate of hard spheres are those of the literature", "[slow]") {
   // The virial theorem: 3PV = Σ m·v² + W/t, where W is the sum of Δp·d over the time t. In N spheres with total momentum
   // zero, Σ m·v² = 3(N − 1)·kT; the centre of mass at rest is counted as one more ideal particle, and so
   // Z_N = PV/(N·kT) = 1 + W/(3·N·kT·t). It differs from Z by size_effect/N, which follows from the fluid's

@@ -59,7 +59,7 @@ TEST_CASE("kernels and vectors find the same pairs with the same number of tests
   }
 }
 
-TEST_CASE("kernels and vectors find the same pairs where blocks are searched at once") {
+TEST_CASE("kernels and vectors find the same pairs where blocks are searched at once", "[slow]") {
   const int threads = GENERATE(1, 2, 8);
   for (const Boundary boundary : {Boundary::walls, Boundary::periodic}) {
     compare_all(make_cloud({.count = 5000, .smallest = 0.05, .largest = 0.05, .boundary = boundary}, 1), threads);

@@ -98,7 +98,7 @@ TEST_CASE("a Hertz hit has the overlap and duration of its closed form, and the 
   }
 }
 
-TEST_CASE("the restitution of a Hertz hit does not depend on its speed") {
+TEST_CASE("the restitution of a Hertz hit does not depend on its speed", "[slow]") {
   Scene scene = head_on(0.05, 1e-5);
   scene.physics.law = "hertz";
   scene.physics.stiffness = 1e6;
@@ -106,7 +106,7 @@ TEST_CASE("the restitution of a Hertz hit does not depend on its speed") {
   CHECK(run_hits(scene, 0.05, "overlap", 1e-6).restitution == Approx(0.6).epsilon(1e-4));
 }
 
-TEST_CASE("a wall answers as a sphere of infinite mass: m* = m") {
+TEST_CASE("a wall answers as a sphere of infinite mass: m* = m", "[slow]") {
   const double e = GENERATE(1.0, 0.5), k = 1e4, v = 0.5;
   const double duration = M_PI / std::sqrt(k / 2.0), dt = duration / 4000;
   double mean = 0;

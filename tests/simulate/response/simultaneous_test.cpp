@@ -47,7 +47,7 @@ const std::vector<Ball> kBetween{{{-2, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, Vec3d(0)},
 
 }  // namespace
 
-TEST_CASE("a ball that runs into an edge or a corner keeps e of its speed along each axis, by every response") {
+TEST_CASE("a ball that runs into an edge or a corner keeps e of its speed along each axis, by every response", "[slow]") {
   for (const Settings& settings :
        {method("impulse", 1e-3), method("impulse", 1e-3, false, "jacobi", 1), method("impulse", 1e-2, true),
         method("impulse", 1e-3, false, "gauss-seidel"), method("impulse", 1e-2, true, "gauss-seidel"),
@@ -84,7 +84,7 @@ TEST_CASE("a ball in a corner that rests on others keeps no more speed than e") 
   }
 }
 
-TEST_CASE("a break is symmetric, whatever the order of the balls, where all impacts are answered at once") {
+TEST_CASE("a break is symmetric, whatever the order of the balls, where all impacts are answered at once", "[slow]") {
   struct Row {
     Settings settings;
     double cue, along, across;      // e = 1
@@ -131,7 +131,7 @@ TEST_CASE("one after another, a break depends on the order of the two balls alon
   CHECK(length(exact[2] - Vec3d(0.375, std::sqrt(3) / 8, 0)) < 1e-9);
 }
 
-TEST_CASE("a ball that two strike at once stays at rest, and they return alike") {
+TEST_CASE("a ball that two strike at once stays at rest, and they return alike", "[slow]") {
   struct Row {
     Settings settings;
     double elastic, lossy;  ///< speed of the two at e = 1 and e = 0.8
