@@ -59,8 +59,7 @@ std::vector<Backend> choose_backends(const std::vector<std::string>& names) {
     const bool is_named = std::find(names.begin(), names.end(), backend.name) != names.end();
     const bool can_serve = backend.unavailable_reason.empty();
     if (is_named && !can_serve) {
-      throw UserError("--backends: found " + backend.name + ", which cannot serve here: " + backend.unavailable_reason +
-                      "; allowed cpu");
+      throw UserError("--backends", backend.name + ", which cannot serve here: " + backend.unavailable_reason, "cpu");
     }
     if (is_named || (names.empty() && can_serve)) backends.push_back(backend);
   }
@@ -141,7 +140,8 @@ class BenchCommand final : public Command {
     const auto tell = [&](int64_t done) { progress.show(done); };
     std::vector<StepTiming> timings = time_steps(plan, tell, was_interrupted);
     if (!was_interrupted()) return timings;
-    throw RunError("interrupted after " + std::to_string(timings.size()) + " of " + std::to_string(total) + " entries");
+    throw RunError("bench",
+                   "interrupted after " + std::to_string(timings.size()) + " of " + std::to_string(total) + " entries");
   }
 
   SettingOptions settings_;

@@ -12,6 +12,7 @@
 #include "app/demo_renderer.h"
 #include "app/film.h"
 #include "app/film_key.h"
+#include "app/notes.h"
 #include "app/options.h"
 #include "app/panel.h"
 #include "app/progress.h"
@@ -61,10 +62,10 @@ class RenderCommand final : public Command {
     const double from = parse_number("--from", from_, 0, 1e9);
     const View look = look_.view();
     if (look_.scales_panel() && !has_panel_)
-      throw UserError("--ui-scale: found without --panel, allowed together with it");
+      throw UserError("--ui-scale", "without --panel", "together with it");
     const int supersample = static_cast<int>(parse_integer("--supersample", supersample_, 1, 4));
     if (click_option_->is_given() && !has_panel_) {
-      throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
+      throw UserError("--click", clicks_ + " without --panel", "together with it");
     }
 
     parse_path("--out", out_);
@@ -106,8 +107,9 @@ class RenderCommand final : public Command {
     film.finish();
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (was_interrupted() && film.next() < frames) {
-      throw RunError("interrupted after " + std::to_string(film.next()) + " of " + std::to_string(frames) +
-                     " frames; --resume goes on from there");
+      throw RunError(session.scene().name,
+                     "interrupted after " + std::to_string(film.next()) + " of " + std::to_string(frames) + " frames",
+                     "--resume goes on from there");
     }
     tell(session, context, drawing.path(), frames);
   }
@@ -124,7 +126,7 @@ class RenderCommand final : public Command {
   static void tell_lacks(Demo& demo) {
     for (const OverlayEntry& overlay : overlay_table()) {
       const std::string lack = demo.view.shows(overlay.name) ? overlay.lack(demo.inspection()) : "";
-      if (!lack.empty()) std::cerr << "ballpit: note: --overlay " << overlay.name << ": " << lack << "\n";
+      if (!lack.empty()) note("--overlay " + std::string(overlay.name), lack);
     }
   }
 
@@ -134,7 +136,7 @@ class RenderCommand final : public Command {
     } catch (const Interrupted&) {
       // within a long step
     } catch (const RunError& error) {
-      throw RunError(error.what() + rescue(session, session.scene().name + "-last-good.csv"));
+      throw error.with(rescue(session, session.scene().name + "-last-good.csv"));
     }
   }
 
@@ -148,8 +150,7 @@ class RenderCommand final : public Command {
       if (item == panel.items().end()) {
         std::vector<std::string> names;
         for (const auto& known : panel.items()) names.push_back(known.first);
-        throw UserError("--click: found " + (name.empty() ? "nothing" : name) +
-                        ", allowed what the panel shows then: " + join(names));
+        throw UserError("--click", name, "what the panel shows then: " + join(names));
       }
       panel.reveal(name);
       draw(PanelInput{});
@@ -192,10 +193,7 @@ class RenderCommand final : public Command {
   /// Frames of an earlier, longer run are not this run's to remove; but they would be taken for its own.
   void warn_of_other_frames(int frames) const {
     const int found = next_frame_index(out_);
-    if (found > frames) {
-      std::cerr << "ballpit: note: " << frame_name(frames) << " to " << frame_name(found - 1) << " in " << out_
-                << " are from an earlier run\n";
-    }
+    if (found > frames) note(out_, frame_name(frames) + " to " + frame_name(found - 1) + " are from an earlier run");
   }
 
   SceneArguments arguments_;

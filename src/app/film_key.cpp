@@ -122,8 +122,8 @@ void check_frames(const std::string& folder, int count, const std::string& key) 
     for (size_t k = 0; k < compared; ++k) {
       const std::string line = line_named(name_in(allowed[k]), found);
       if (line == allowed[k]) continue;
-      throw UserError("--resume: found " + name + " in " + folder + " with " + line + ", allowed frames with " +
-                      allowed[k] + "; another --out, or no --resume, begins anew");
+      throw UserError("--resume", name + " in " + folder + " with " + line, "frames with " + allowed[k],
+                      "another --out, or no --resume, begins anew");
     }
   }
 }

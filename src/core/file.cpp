@@ -26,11 +26,15 @@ constexpr int kMaxLinks = 40;   // as Linux follows
 constexpr int kMaxParts = 100;  // runs that write to one output at once
 
 [[noreturn]] void fail_writing(const fs::path& path, int reason = errno) {
-  throw RunError(path.string() + ": cannot write: " + std::strerror(reason));
+  throw RunError(path.string(), std::string("cannot write: ") + std::strerror(reason));
 }
 
 [[noreturn]] void fail_making(const fs::path& folder, const std::string& reason) {
-  throw RunError(folder.string() + ": cannot make the folder: " + reason);
+  throw RunError(folder.string(), "cannot make the folder: " + reason);
+}
+
+[[noreturn]] void fail_reading(const fs::path& path, int reason = errno) {
+  throw UserError(path.string(), std::string("no readable file (") + std::strerror(reason) + ")", "a readable file");
 }
 
 /// What an output leads to.
@@ -260,12 +264,12 @@ void shorten_file(const fs::path& path, int64_t bytes) {
 }
 
 std::string read_file(const fs::path& path) {
-  if (fs::is_directory(path)) throw UserError(path.string() + ": is a folder, a file is needed");
+  if (fs::is_directory(path)) throw UserError(path.string(), "a folder", "a file");
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw UserError(path.string() + ": cannot read: " + std::strerror(errno));
+  if (!in) fail_reading(path);
   std::ostringstream content;
   content << in.rdbuf();
-  if (in.bad()) throw UserError(path.string() + ": cannot read: " + std::strerror(errno));
+  if (in.bad()) fail_reading(path);
   return std::move(content).str();
 }
 

@@ -76,10 +76,10 @@ uint32_t big_endian(const std::string& bytes, size_t at) {
 
 std::string deflated(const std::vector<uint8_t>& rows) {
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(kLevel));
-  if (!compressor) throw RunError("cannot encode a PNG: out of memory");
+  if (!compressor) throw RunError("PNG", "cannot encode: out of memory");
   std::string bytes(libdeflate_zlib_compress_bound(compressor.get(), rows.size()), '\0');
   const size_t size = libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), bytes.data(), bytes.size());
-  if (size == 0) throw RunError("cannot encode a PNG: libdeflate_zlib_compress found no room");
+  if (size == 0) throw RunError("PNG", "cannot encode: libdeflate_zlib_compress found no room");
   bytes.resize(size);
   return bytes;
 }
@@ -98,7 +98,7 @@ std::string encode_png_fast(const Image& image, const std::string& key) {
 std::optional<PngHead> read_png_head(const std::filesystem::path& path) {
   constexpr size_t kHeader = 33;  // signature, and the chunk with the size
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw UserError(path.string() + ": cannot read: " + std::strerror(errno));
+  if (!in) throw UserError(path.string(), std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
   std::string bytes(65536, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<size_t>(in.gcount()));

@@ -12,7 +12,7 @@ namespace {
 constexpr size_t kBufferSize = 1 << 20;
 
 [[noreturn]] void fail_reading(const std::string& file) {
-  throw UserError(file + ": cannot read: " + std::strerror(errno));
+  throw UserError(file, std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ LineReader::LineReader(std::string_view text, std::string_view file_name)
 LineReader::LineReader(const std::filesystem::path& path) : place_{path.string(), 0} {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown)) {
-    throw UserError(place_.file + ": is a folder, a file is needed");
+    throw UserError(place_.file, "a folder", "a file");
   }
   file_.reset(std::fopen(path.c_str(), "rb"));
   if (!file_) fail_reading(place_.file);
