@@ -8,11 +8,11 @@
 
 #include "app/bench_summary.h"
 #include "app/commands.h"
-#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "app/summary.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "lab/machine.h"
 #include "lab/step_timing.h"
 #include "simulate/methods.h"
@@ -81,8 +81,7 @@ class BenchCommand final : public Command {
         add("--backends", backends_,
             "some of " + join(names_of(Family::backend)) + "; default: all that can serve here", "NAME,…");
     add("--repeat", repeat_, "blocks of steps to measure of each", "N")->shows_default();
-    add("--limit", limit_, "longest time for each; what would need longer is skipped", "SECONDS")
-        ->shows_default();
+    add("--limit", limit_, "longest time for each; what would need longer is skipped", "SECONDS")->shows_default();
     command.add_flag("--stages", stages_, "show each stage that takes a hundredth of a step, or more");
     command.add_flag("--json", json_, "print one JSON object");
     settings_.add_to(command, "Simulation", kStepSettings);

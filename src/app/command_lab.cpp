@@ -8,12 +8,12 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "core/interrupt.h"
 #include "app/notes.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "core/numbers.h"
 #include "lab/experiment.h"
 #include "lab/gnuplot.h"

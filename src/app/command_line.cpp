@@ -19,7 +19,9 @@ std::string allowed_by(const CLI::Option& option) {
 }
 
 /// "see `ballpit simulate --help`".
-std::string see_help(const CLI::App& command) { return "see `ballpit " + (command.get_parent() ? command.get_name() + " " : "") + "--help`"; }
+std::string see_help(const CLI::App& command) {
+  return "see `ballpit " + (command.get_parent() ? command.get_name() + " " : "") + "--help`";
+}
 
 UserError extra_words(const CLI::App& command) {
   const std::vector<std::string> extras = command.remaining(true);
@@ -40,7 +42,8 @@ UserError extra_words(const CLI::App& command) {
 
 /// A failure that is none of those above and below.
 UserError other_failure(const std::string& message, const CLI::App& command) {
-  return UserError(command.get_name(), "what cannot be parsed (" + message + ")", "a command and its options", see_help(command));
+  return UserError(command.get_name(), "what cannot be parsed (" + message + ")", "a command and its options",
+                   see_help(command));
 }
 
 /// An option that has too few or too many values: CLI11's message starts with its name, a flag's without
@@ -51,7 +54,8 @@ UserError value_mismatch(const std::string& message, const CLI::App& command) {
   const CLI::Option* option = command.get_option_no_throw(name);
   if (option == nullptr) return other_failure(message, command);
   if (option->get_items_expected_max() == 0) return UserError(name, "a value", "none", see_help(command));
-  if (option->count() > 1) return UserError(name, std::to_string(option->count()) + " values", "one", see_help(command));
+  if (option->count() > 1)
+    return UserError(name, std::to_string(option->count()) + " values", "one", see_help(command));
   return UserError(name, "nothing", allowed_by(*option), see_help(command));
 }
 

@@ -35,9 +35,7 @@ class RenderCommand final : public Command {
     command.add_option("--size", size_, "picture size in pixels")->type_name("WIDTHxHEIGHT")->shows_default();
     command.add_option("--fps", fps_, "frames a simulated second")->type_name("N")->shows_default();
     command.add_option("--every", every_, "write only every Kth frame")->type_name("K")->shows_default();
-    command.add_option("--from", from_, "simulated time of the first frame")
-        ->type_name("SECONDS")
-        ->shows_default();
+    command.add_option("--from", from_, "simulated time of the first frame")->type_name("SECONDS")->shows_default();
     look_.add_to(command);
     command.add_option("--supersample", supersample_, "draw N × N times larger and average, for stills: 1 to 4")
         ->type_name("N")
@@ -46,9 +44,9 @@ class RenderCommand final : public Command {
     click_option_ =
         command.add_option("--click", clicks_, "items of the panel to click on before the first frame, by name")
             ->type_name("A,B,…");
-    command
-        .add_flag("--copy-bodies", copies_bodies_,
-                  "copy the spheres through the host, also where their processor can write into OpenGL's memory; to compare");
+    command.add_flag(
+        "--copy-bodies", copies_bodies_,
+        "copy the spheres through the host, also where their processor can write into OpenGL's memory; to compare");
     command.add_flag("--resume", resume_, "go on after the last whole frame in the folder");
     command.add_flag("--json", json_, "print a summary as one JSON object");
     arguments_.add_to(command);
@@ -61,8 +59,7 @@ class RenderCommand final : public Command {
         double(parse_integer("--every", every_, 1, 1000000)) / parse_number("--fps", fps_, 1e-3, 1e6);
     const double from = parse_number("--from", from_, 0, 1e9);
     const View look = look_.view();
-    if (look_.scales_panel() && !has_panel_)
-      throw UserError("--ui-scale", "without --panel", "together with it");
+    if (look_.scales_panel() && !has_panel_) throw UserError("--ui-scale", "without --panel", "together with it");
     const int supersample = static_cast<int>(parse_integer("--supersample", supersample_, 1, 4));
     if (click_option_->is_given() && !has_panel_) {
       throw UserError("--click", clicks_ + " without --panel", "together with it");

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "core/interrupt.h"
 #include "app/observe.h"
 #include "app/options.h"
 #include "app/progress.h"
@@ -14,6 +13,7 @@
 #include "app/summary.h"
 #include "app/trajectory.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/numbers.h"
 #include "scene/catalog.h"
 #include "scene/spheres_csv.h"

@@ -42,8 +42,8 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
-int fail(int status, const std::string& message) {
-  std::cerr << "ballpit: " << on_one_line(message) << "\n";
+int fail(int status, const std::exception& error) {
+  std::cerr << "ballpit: " << on_one_line(error.what()) << "\n";
   return status;
 }
 
@@ -68,13 +68,13 @@ int main(int argc, char** argv) {
     flush_output();
     return 0;
   } catch (const UserError& error) {
-    return fail(2, error.what());
+    return fail(2, error);
   } catch (const RunError& error) {
-    return fail(1, error.what());
+    return fail(1, error);
   } catch (const std::bad_alloc&) {
-    const RunError failure(command, "out of memory", "fewer spheres (--count) or a smaller picture (--size) need less");
-    return fail(1, failure.what());
+    return fail(1, RunError(command, "out of memory",
+                            "fewer spheres (--count) or a smaller picture (--size) need less"));
   } catch (const std::exception& error) {
-    return fail(1, RunError(command, error.what()).what());
+    return fail(1, RunError(command, error.what()));
   }
 }

@@ -9,7 +9,9 @@ namespace ballpit {
 
 namespace {
 
-void print(const char* kind, std::string_view text) { std::cerr << "ballpit: " << kind << ": " << visible(text) << "\n"; }
+void print(const char* kind, std::string_view text) {
+  std::cerr << "ballpit: " << kind << ": " << visible(text) << "\n";
+}
 
 }  // namespace
 

@@ -46,7 +46,8 @@ std::vector<std::string> names_in(const Table& table) {
 
 }  // namespace
 
-void SettingOptions::add_to(CommandOptions& command, const std::string& heading, std::span<const std::string_view> names) {
+void SettingOptions::add_to(CommandOptions& command, const std::string& heading,
+                            std::span<const std::string_view> names) {
   for (const SettingInfo& setting : setting_table()) {
     if (!names.empty() && std::find(names.begin(), names.end(), setting.name) == names.end()) continue;
     const std::string name(setting.name);

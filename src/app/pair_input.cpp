@@ -75,9 +75,9 @@ void lay_period(int axis, const Extent& extent, double period, Box<Vec3>& box) {
 
 void check_period(int axis, double period, float radius) {
   if (period >= 4.0 * double(radius) * (1.0 - 1e-6)) return;
-  throw UserError(
-      "--period", number_text(period) + " along " + kAxes[axis] + " with radius " + number_text(double(radius)),
-      "0 for none, or at least four radii, " + number_text(4.0 * double(radius)));
+  throw UserError("--period",
+                  number_text(period) + " along " + kAxes[axis] + " with radius " + number_text(double(radius)),
+                  "0 for none, or at least four radii, " + number_text(4.0 * double(radius)));
 }
 
 void wrap(const std::string& file, PairInput& input) {

@@ -64,7 +64,8 @@ std::filesystem::path remembered_file() {
   const std::filesystem::path config = folder("XDG_CONFIG_HOME"), home = folder("HOME");
   if (config.is_absolute()) return config / "ballpit" / "show.json";  // the standard ignores other ones
   if (!home.empty()) return home / ".config" / "ballpit" / "show.json";
-  throw UserError("--remember", "neither XDG_CONFIG_HOME nor HOME in the environment", "one of them, which says where to keep it");
+  throw UserError("--remember", "neither XDG_CONFIG_HOME nor HOME in the environment",
+                  "one of them, which says where to keep it");
 }
 
 std::optional<Remembered> read_remembered(const std::filesystem::path& file) {

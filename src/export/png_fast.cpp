@@ -98,7 +98,8 @@ std::string encode_png_fast(const Image& image, const std::string& key) {
 std::optional<PngHead> read_png_head(const std::filesystem::path& path) {
   constexpr size_t kHeader = 33;  // signature, and the chunk with the size
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw UserError(path.string(), std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
+  if (!in)
+    throw UserError(path.string(), std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
   std::string bytes(65536, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<size_t>(in.gcount()));

@@ -267,9 +267,8 @@ struct SweptDrift {
       is_free = is_free & (dot(responded[other] - own, contacts.geometry[c].normal) * Real(side) > least);
     });
     const V p = bodies.position[i];
-    box.for_each_wall_on_way(p, p + sweep.way[i], bodies.radius[i], [&](int axis, int side, Real) {
-      is_free = is_free & (-Real(side) * own[axis] > least);
-    });
+    box.for_each_wall_on_way(p, p + sweep.way[i], bodies.radius[i],
+                             [&](int axis, int side, Real) { is_free = is_free & (-Real(side) * own[axis] > least); });
     return is_free;
   }
 
@@ -328,7 +327,8 @@ class SweptContacts {
 
   int64_t bytes() const {
     return way_.bytes() + middle_.bytes() + start_.bytes() + kick_.bytes() + kicked_.bytes() + reach_.bytes() +
-           met_.bytes() + is_hit_.bytes() + place_.bytes() + first_.bytes() + pairs_.bytes() + time_.bytes() + detector_.bytes();
+           met_.bytes() + is_hit_.bytes() + place_.bytes() + first_.bytes() + pairs_.bytes() + time_.bytes() +
+           detector_.bytes();
   }
 
  private:
@@ -340,8 +340,9 @@ class SweptContacts {
     if (!state.has_gravity()) return;
     const int64_t n = state.count();
     for (Buffer<V>* buffer : {&start_, &kick_, &kicked_}) buffer->resize(n);
-    exec.parallel_for("kick", n, KickUnlessHeld<V>{state.bodies(), state.box(), state.gravity() * dt, dt, start_.span(),
-                                                   kick_.span(), kicked_.span()});
+    exec.parallel_for("kick", n,
+                      KickUnlessHeld<V>{state.bodies(), state.box(), state.gravity() * dt, dt, start_.span(),
+                                        kick_.span(), kicked_.span()});
   }
 
   void cover_ways(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Real dt) {

@@ -180,7 +180,8 @@ TEST_CASE("without OpenGL's libraries, doctor says what is missing, and render a
     CHECK(run_program({"doctor", "--json"}).json()["gl"].contains("error"));
     const Scratch scratch;
     CHECK_THAT(failure_to_render(scratch / "film"), Contains("no OpenGL") && Contains("the package " + package));
-    CHECK_THAT(failure_of({"show", "two-spheres"}), Contains("show: no window: ") && Contains("on Debian, the package "));
+    CHECK_THAT(failure_of({"show", "two-spheres"}),
+               Contains("show: no window: ") && Contains("on Debian, the package "));
     CHECK(run_program({"simulate", "two-spheres", "--time", "0"}).status == 0);
   }
 }

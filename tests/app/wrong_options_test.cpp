@@ -290,6 +290,7 @@ TEST_CASE("a scene that does not exist is refused with those that do") {
   CHECK_THAT(error_of({"render", "nosuch", "--out", "/proc/nowhere"}), Contains("SCENE: found \"nosuch\""));
   CHECK_THAT(error_of({"simulate", ""}), Contains("SCENE: found \"\""));
   CHECK_THAT(error_of({"simulate", "nosuch.toml"}), Contains("nosuch.toml: found no readable file (No such file"));
-  CHECK_THAT(error_of({"simulate", "/nowhere/x.toml"}), Contains("/nowhere/x.toml: found no readable file (No such file"));
+  CHECK_THAT(error_of({"simulate", "/nowhere/x.toml"}),
+             Contains("/nowhere/x.toml: found no readable file (No such file"));
   CHECK_THAT(error_of({"simulate", "/tmp/"}), Contains("/tmp/: found a folder, allowed a file"));
 }

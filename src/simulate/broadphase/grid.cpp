@@ -129,7 +129,8 @@ Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>&
   if ((!is_hashed || grid.is_periodic) && !(count <= kLargestGrid)) {
     std::ostringstream found, allowed;
     found << parameters.cell_size.value_or(1.0) << ", which needs " << count << " cells";
-    allowed << "sizes that need at most " << kLargestGrid << " cells" << (grid.is_periodic ? "" : ", or --table hashed");
+    allowed << "sizes that need at most " << kLargestGrid << " cells"
+            << (grid.is_periodic ? "" : ", or --table hashed");
     throw UserError("--cell-size", found.str(), allowed.str());
   }
   for (int axis = 0; axis < kDimensions<V>; ++axis) {

@@ -129,8 +129,9 @@ void EventDriven<V>::count_event(int i) {
   } else if (++moment_events_ > kStandstill * size()) {
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       if (!is_wedged(i, axis)) continue;
-      fail(i, std::string("it fits exactly between the walls along ") + "xyz"[axis] +
-                  ", and what pushes it there makes it collide without end",
+      fail(i,
+           std::string("it fits exactly between the walls along ") + "xyz"[axis] +
+               ", and what pushes it there makes it collide without end",
            "a domain with more room ends this");
     }
     const bool is_short = rules_.contact_duration < kMoment * epoch_length_;
