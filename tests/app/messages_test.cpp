@@ -5,13 +5,11 @@
 #include <csignal>
 #include <filesystem>
 #include <regex>
+#include <sstream>
 
 #include <catch2/catch.hpp>
 
 #include "app/remembered.h"
-#include "core/error.h"
-#include "render/coloring.h"
-#include "render/theme.h"
 #include "tests/app/run_program.h"
 
 using namespace ballpit;
@@ -113,7 +111,7 @@ std::vector<Row> rows_of_commands() {
        "--period: found with the scene b.toml",
        {"pairs", "b.toml", "--period", "1,1,1"}},
       {"app/session.cpp: --dt", "--dt: found 1e-12, which makes", {"simulate", "--time", "1e9", "--dt", "1e-12"}},
-      {"app/remembered.cpp: --remember",
+      {"app/remembered.cpp: neither",
        "--remember: found neither",
        {"show", "--remember"},
        "",
@@ -158,7 +156,9 @@ std::vector<Row> rows_of_commands() {
       {"export/frame_sequence.cpp: cannot remove",
        "old/frame_00002.png: cannot remove: ",
        {"render", "two-spheres", "--size", "64x36", "--frames", "4", "--out", "old"}},
-      {"lab/experiment.cpp: EXPERIMENT", "EXPERIMENT: found nonsense, allowed all, ", {"lab", "nonsense"}},
+      {"lab/experiment.cpp: EXPERIMENT",
+       "EXPERIMENT: found nonsense, allowed all, ",
+       {"lab", "nonsense", "--out", "lab"}},
       {"lab/gnuplot.cpp: cannot start",
        "divergence: ",
        {"lab", "divergence", "--quick", "--out", "lab"},
@@ -258,7 +258,7 @@ std::vector<Row> rows_of_scenes() {
       csv("scene/line_reader.cpp: kBufferSize", "a.csv:2: line: found more than 1048576 bytes",
           "x,y,z,radius\n" + std::string(1'100'000, '1')),
       scene("scene/spheres_csv.cpp: which makes a mass", "radius: found 1e+12, which makes", "spheres = 'heavy.csv'"),
-      scene("app/given_options.cpp: option.where", "a.toml:2: [defaults] dt: found",
+      scene("app/given_options.cpp: option.where", "a.toml:2: [defaults] precision: found float",
             "[defaults]\nprecision = 'float'\nresponse = 'event-driven'"),
       scene("simulate/settings.cpp: no option of this name", "[defaults] frob: found no option",
             "[defaults]\nfrob = 1"),
@@ -281,6 +281,7 @@ const std::vector<Unreached>& unreached() {
   const std::string driver = "a fault of the graphics driver";
   const std::string itself = "a fault of the program, not of its input";
   const std::string before = "the command line refuses the value before";
+  const std::string device = "needs a graphics device";
   const std::string remembered = "show tells it as a note, see below";
   static const std::vector<Unreached> table{
       {"app/command_line.cpp: what cannot be parsed", "a kind of failure of CLI11 that no option of ours has"},
@@ -290,6 +291,9 @@ const std::vector<Unreached>& unreached() {
       {"app/remembered.cpp: something else", remembered},
       {"render/coloring.cpp: --color", remembered},
       {"render/theme.cpp: --theme", remembered},
+      {"cuda/backend_cuda.cu: --backend", device},
+      {"cuda/cuda_error.h: expression", device},
+      {"cuda/gl_interop.cu: another device", device},
       {"app/window.cpp: --size", "needs a display"},
       {"app/window.cpp: with OpenGL 4.5", "needs a display without OpenGL 4.5"},
       {"export/frame_sequence.cpp: cannot look", "the folder was looked at just before"},
@@ -329,13 +333,16 @@ std::vector<Row> all_rows() {
   return rows;
 }
 
-const std::string kSourceFolder = BALLPIT_SOURCE_DIR "/src";
-
+/// Paths of the program's sources from the project's root, those in src/ without it.
 std::vector<std::string> source_files() {
+  const fs::path root = BALLPIT_SOURCE_DIR;
   std::vector<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(kSourceFolder)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension == ".h" || extension == ".cpp") files.push_back(fs::relative(entry.path(), kSourceFolder).string());
+  for (const fs::path& folder : {root / "src", root / "cuda"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".h" && extension != ".cpp" && extension != ".cu") continue;
+      files.push_back(fs::relative(entry.path(), folder.filename() == "src" ? folder : root).string());
+    }
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -343,7 +350,8 @@ std::vector<std::string> source_files() {
 
 /// Without comments, and with single blanks.
 std::string code_of(const std::string& file) {
-  const std::string text = read_text(kSourceFolder + "/" + file);
+  const std::string folder = file.starts_with("cuda/") ? BALLPIT_SOURCE_DIR "/" : BALLPIT_SOURCE_DIR "/src/";
+  const std::string text = read_text(folder + file);
   return std::regex_replace(std::regex_replace(text, std::regex("//[^\n]*"), ""), std::regex("\\s+"), " ");
 }
 
@@ -380,8 +388,8 @@ Site site_named(const std::vector<Site>& sites, const std::string& name) {
   std::vector<Site> found;
   std::copy_if(sites.begin(), sites.end(), std::back_inserter(found), [&](const Site& s) { return is_named(s, name); });
   INFO(name << " names " << found.size() << " sites, allowed one");
-  REQUIRE(found.size() == 1);
-  return found.front();
+  CHECK(found.size() == 1);
+  return found.empty() ? Site{} : found.front();
 }
 
 /// One line, without what breaks it: WHERE: found FOUND, allowed ALLOWED.
@@ -394,6 +402,12 @@ bool has_form_of_user_error(const std::string& line) {
 /// One line: WHERE: WHAT HAPPENED.
 bool has_form_of_run_error(const std::string& line) {
   static const std::regex form("ballpit: [^[:cntrl:] :][^[:cntrl:]]*: [^[:cntrl:] ][^[:cntrl:]]*\n");
+  return std::regex_match(line, form);
+}
+
+/// "ballpit: warning: WHERE: WHAT", or a note.
+bool has_form_of_note(const std::string& line) {
+  static const std::regex form("ballpit: (warning|note): [^[:cntrl:] :][^[:cntrl:]]*: [^[:cntrl:] ][^[:cntrl:]]*\n");
   return std::regex_match(line, form);
 }
 
@@ -472,5 +486,79 @@ TEST_CASE("each place that makes an error has a row, or a reason why nothing rea
   for (const Site& site : sites) {
     INFO(site.file << ": " << site.code << " is in no row of this file");
     CHECK(std::any_of(names.begin(), names.end(), [&](const std::string& name) { return is_named(site, name); }));
+  }
+}
+
+TEST_CASE("warnings and notes have one form, on lines of their own") {
+  const Scratch scratch;
+  write_text(scratch / "bare.toml", "[[spheres]]\nposition = [0.5, 0.5, 0.5]\nradius = 0.1\n");
+  write_text(scratch / "box.toml", kBox + "boundary = 'periodic'\n" + kSphere);
+  write_text(scratch / "outside.toml",
+             kBox + "boundary = 'periodic'\n[[spheres]]\nposition = [15, 5, 5]\nradius = 1\n");
+  write_text(scratch / "columns.csv", "x,y,z,radius,name\n0,0,0,1,a\n");
+  write_text(scratch / "far.csv", "x,y,z,radius\n1e7,0,0,1\n");
+  write_text(scratch / "apart.csv", "x,y,z,radius\n0,0,0,1\n150,0,0,1\n");
+  Arguments film = kRender;
+  film[5] = "2";
+  const std::vector<std::pair<std::string, Arguments>> rows{
+      {"warning: bare.toml: found no [domain]", {"simulate", "bare.toml", "--time", "0"}},
+      {"warning: outside.toml: 1 of 1 spheres", {"simulate", "outside.toml", "--time", "0"}},
+      {"warning: --cell-size: 0.5 is below 1", {"simulate", "box.toml", "--time", "0", "--cell-size", "0.5"}},
+      {"warning: columns.csv:1: ", {"pairs", "columns.csv"}},
+      {"warning: far.csv: coordinates as large as 1e+07", {"pairs", "far.csv"}},
+      {"warning: apart.csv: 1 of 2 spheres were outside", {"pairs", "apart.csv", "--period", "100,100,100"}},
+      {"note: --overlay grid: ", render({"--overlay", "grid", "--broadphase", "brute-force"})},
+      {"", film},
+      {"note: film: frame_00001.png", kRender},
+  };
+  for (const auto& [said, arguments] : rows) {
+    Circumstances here;
+    here.folder = scratch.path().string();
+    const Outcome outcome = run_program(arguments, here);
+    INFO(said << "\n" << outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK_THAT(outcome.err, Contains(said));
+    std::istringstream lines(outcome.err);
+    for (std::string line; std::getline(lines, line);) CHECK(has_form_of_note(line + "\n"));
+  }
+}
+
+TEST_CASE("what is remembered wrongly is told in a note, with the place in its file") {
+  const Scratch scratch;
+  fs::create_directory(scratch / "ballpit");
+  const Variable config("XDG_CONFIG_HOME", scratch.path().string()), display("DISPLAY", ""),
+      wayland("WAYLAND_DISPLAY", "");
+  const std::string file = remembered_file().string();
+  Remembered good;
+  good.scene = "rain";
+  good.size = "1280x720";
+  write_remembered(file, good);
+  const std::string text = read_text(file);
+  const auto with = [&](const std::string& what, const std::string& instead) {
+    std::string changed = text;
+    return changed.replace(changed.find(what), what.size(), instead);
+  };
+  const std::string theme = "\"" + good.view.theme + "\"", coloring = "\"" + good.view.coloring + "\"";
+  for (const auto& [changed, said] : std::vector<std::pair<std::string, std::string>>{
+           {"{", ": found something else, allowed what `ballpit show --remember` writes"},
+           {with("\"version\": 1", "\"version\": 99"), ": version: found 99, allowed 1"},
+           {with("\"zoom\": 1.0", "\"zoom\": 1e9"), ": zoom: found 1000000000.0, allowed "},
+           {with(theme, "\"pink\""), ": --theme: found pink, allowed "},
+           {with(coloring, "\"mood\""), ": --color: found mood, allowed "}}) {
+    write_text(file, changed);
+    const Outcome outcome = run_program({"show", "--remember"});
+    INFO(outcome.err);
+    CHECK(outcome.status == 1);  // there is no display
+    const std::string line = outcome.err.substr(0, outcome.err.find('\n') + 1);
+    CHECK(has_form_of_note(line));
+    CHECK_THAT(line, Catch::StartsWith("ballpit: note: --remember: nothing is remembered: " + file + said));
+  }
+}
+
+TEST_CASE("only main, the notes and the progress bar write to standard error") {
+  for (const std::string& file : source_files()) {
+    if (file == "app/main.cpp" || file == "app/notes.cpp" || file == "app/progress.cpp") continue;
+    INFO(file);
+    CHECK_FALSE(std::regex_search(code_of(file), std::regex("\\b(std::cerr|std::clog|stderr)\\b")));
   }
 }
