@@ -43,10 +43,10 @@ Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<G
 
 void warn_of_small_cells(const Settings& settings) {
   if (!can_miss_contacts(settings)) return;
-  std::ostringstream text;
-  text << *settings.cell_size
-       << " is below 1: the block of cells around a sphere does not reach all that touch it, so contacts are missed";
-  warn("--cell-size", text.str());
+  std::ostringstream option;
+  option << "--cell-size " << *settings.cell_size;
+  warn(option.str(),
+       "below 1, the block of cells around a sphere does not reach all that touch it, so contacts are missed");
 }
 
 }  // namespace ballpit

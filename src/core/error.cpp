@@ -13,9 +13,9 @@ std::string joined(std::string_view first, std::string_view separator, std::stri
 }
 
 std::string user_line(std::string_view where, std::string_view found, std::string_view allowed, std::string_view hint) {
-  std::string line(where);
-  line.append(": found ").append(found.empty() ? "nothing" : found).append(", allowed ").append(allowed);
-  return joined(line, "; ", hint);
+  const bool is_blank = found.find_first_not_of(' ') == std::string_view::npos;
+  const std::string shown = found.empty() ? "nothing" : is_blank ? '"' + std::string(found) + '"' : std::string(found);
+  return joined(std::string(where) + ": found " + shown + ", allowed " + std::string(allowed), "; ", hint);
 }
 
 }  // namespace

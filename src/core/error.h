@@ -13,7 +13,7 @@ namespace ballpit {
 class UserError : public std::runtime_error {
  public:
   /// `where` names an option ("--dt"), an argument ("SCENE"), a file, or a key with its file and line. An empty `found` reads
-  /// "nothing".
+  /// "nothing"; blanks are put in quotes.
   UserError(std::string_view where, std::string_view found, std::string_view allowed, std::string_view hint = {});
 
   /// The same error in a larger place: "OUTER: WHERE: found …".

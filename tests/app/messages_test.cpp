@@ -503,7 +503,7 @@ TEST_CASE("warnings and notes have one form, on lines of their own") {
   const std::vector<std::pair<std::string, Arguments>> rows{
       {"warning: bare.toml: found no [domain]", {"simulate", "bare.toml", "--time", "0"}},
       {"warning: outside.toml: 1 of 1 spheres", {"simulate", "outside.toml", "--time", "0"}},
-      {"warning: --cell-size: 0.5 is below 1", {"simulate", "box.toml", "--time", "0", "--cell-size", "0.5"}},
+      {"warning: --cell-size 0.5: below 1, ", {"simulate", "box.toml", "--time", "0", "--cell-size", "0.5"}},
       {"warning: columns.csv:1: ", {"pairs", "columns.csv"}},
       {"warning: far.csv: coordinates as large as 1e+07", {"pairs", "far.csv"}},
       {"warning: apart.csv: 1 of 2 spheres were outside", {"pairs", "apart.csv", "--period", "100,100,100"}},

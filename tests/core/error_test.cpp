@@ -8,6 +8,7 @@ using namespace ballpit;
 TEST_CASE("the user's error says where, what was found, what is allowed, and what helps") {
   CHECK(std::string(UserError("--dt", "x", "1 to 2").what()) == "--dt: found x, allowed 1 to 2");
   CHECK(std::string(UserError("--dt", "", "1 to 2").what()) == "--dt: found nothing, allowed 1 to 2");
+  CHECK(std::string(UserError("--dt", " ", "1 to 2").what()) == "--dt: found \" \", allowed 1 to 2");
   CHECK(std::string(UserError("--dt", "x", "1 to 2", "see --help").what()) ==
         "--dt: found x, allowed 1 to 2; see --help");
   CHECK(std::string(UserError("dt", "x", "1 to 2", "see --help").inside("a.json").what()) ==
