@@ -115,10 +115,10 @@ struct Box {
 template <class V>
 struct Sweep {
   using Real = Scalar<V>;
-  Span<const V> way;        ///< [m] of each body, if it met nothing
-  Span<const V> kick;       ///< [m/s] what gravity adds to its velocity in the step; empty without gravity
-  Span<const Real> first;   ///< when it meets its first contact, as a fraction of the step; 1: it does not
-  Span<const Real> time;    ///< the same for each contact
+  Span<const V> way;       ///< [m] of each body, if it met nothing
+  Span<const V> kick;      ///< [m/s] what gravity adds to its velocity in the step; empty without gravity
+  Span<const Real> first;  ///< when it meets its first contact, as a fraction of the step; 1: it does not
+  Span<const Real> time;   ///< the same for each contact
 
   HOST_DEVICE V kick_of(int i) const { return kick.empty() ? V{} : kick[i]; }
 };

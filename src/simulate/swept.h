@@ -51,13 +51,15 @@ struct KickUnlessHeld {
   }
 
  private:
+  static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // not called on a device
+
   /// A body lies on a wall where a hop would bring it back within the step, or is less than rounding.
   HOST_DEVICE bool is_held(int i, int axis) const {
     if (box.is_periodic() || (axis == 1 && change[axis] > 0 && box.boundary == Boundary::open_top)) return false;
     const Real p = bodies.position[i][axis], v = bodies.velocity[i][axis], radius = bodies.radius[i];
     const Real wall = change[axis] < 0 ? box.min[axis] : box.max[axis];
     const Real gap = std::fabs(p - wall) - radius, pressed = std::fabs(change[axis]) * dt;
-    const Real rounded = 8 * std::numeric_limits<Real>::epsilon() * (std::fabs(wall) + radius);
+    const Real rounded = 8 * kEpsilon * (std::fabs(wall) + radius);
     const Real height = (gap > 0 ? gap : Real(0)) + v * v * dt * dt / (2 * pressed);
     return height <= (pressed / 8 > rounded ? pressed / 8 : rounded);
   }
@@ -231,12 +233,14 @@ struct SweptDrift {
   }
 
  private:
+  static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // not called on a device
+
   /// Whether body i is between the walls, but for rounding.
   HOST_DEVICE bool is_inside(int i) const {
     bool is_held = true;
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       const Real p = bodies.position[i][axis], low = low_of(i, axis), high = high_of(i, axis);
-      const Real rounded = 8 * std::numeric_limits<Real>::epsilon() * (std::fabs(box.min[axis]) + bodies.radius[i]);
+      const Real rounded = 8 * kEpsilon * (std::fabs(box.min[axis]) + bodies.radius[i]);
       is_held = is_held & (low <= high) & (p >= low - rounded) & (p <= high + rounded);
     }
     return is_held;

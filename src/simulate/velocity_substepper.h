@@ -31,7 +31,9 @@ class VelocitySubstepper final : public Substepper<V, Exec> {
     state.moved();
   }
 
-  int64_t bytes() const override { return after_.bytes() + end_.bytes() + flown_.bytes() + response_.bytes() + swept_.bytes(); }
+  int64_t bytes() const override {
+    return after_.bytes() + end_.bytes() + flown_.bytes() + response_.bytes() + swept_.bytes();
+  }
 
  private:
   void plain_substep(StepState<V, Exec>& state, TallyKeeper<V, Exec>& tally, Real dt) {
@@ -65,8 +67,8 @@ class VelocitySubstepper final : public Substepper<V, Exec> {
     end_.resize(n);
     flown_.resize(n);
     exec.parallel_for("swept drift", n,
-                      SweptDrift<V>{bodies, state.box(), contacts, sweep, after_.span(), response_.correction(),
-                                    kicked, state.gravity() * dt, dt, wall_restitution_, end_.span(), flown_.span(), notes});
+                      SweptDrift<V>{bodies, state.box(), contacts, sweep, after_.span(), response_.correction(), kicked,
+                                    state.gravity() * dt, dt, wall_restitution_, end_.span(), flown_.span(), notes});
     tally.end(exec, bodies, state.box(), contacts.pairs, contacts.geometry);
     std::swap(state.position, end_);
     std::swap(state.velocity, flown_);

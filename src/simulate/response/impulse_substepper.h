@@ -31,7 +31,7 @@ template <class V, class Exec>
 std::unique_ptr<Substepper<V, Exec>> make_impulse_substepper(const Scene& scene, const Settings& settings) {
   using Response = ImpulseResponse<V, Exec>;
   return std::make_unique<VelocitySubstepper<V, Exec, Response>>(Response(impulse_parameters(scene.physics, settings)),
-                                                             settings.is_swept, scene.physics.wall_restitution);
+                                                                 settings.is_swept, scene.physics.wall_restitution);
 }
 
 }  // namespace ballpit

@@ -123,8 +123,10 @@ struct MirrorVelocity {
   }
 
  private:
-  static constexpr Real kSlow = Real(1e-3);   // of the kick: what approaches no faster only rests
-  static constexpr Real kSlop = Real(0.001);  // of the radius: overlap that is left to what rests, which stays a contact
+  static constexpr Real kSlow = Real(1e-3);  // of the kick: what approaches no faster only rests
+  static constexpr Real kSlop =
+      Real(0.001);  // of the radius: overlap that is left to what rests, which stays a contact
+  static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // not called on a device
   static constexpr int kMostRounds = 12;
 
   template <class Visit>
@@ -145,7 +147,7 @@ struct MirrorVelocity {
   /// 1974, chapter 23).
   template <class Counts>
   HOST_DEVICE Pressed<V> pressed_by(int i, const V& v, const Counts& counts) const {
-    const Real least = 64 * std::numeric_limits<Real>::epsilon() * std::sqrt(dot(v, v));
+    const Real least = 64 * kEpsilon * std::sqrt(dot(v, v));
     Pressed<V> pressed;
     V left = v;
     for (int round = 0; round < kMostRounds; ++round) {

@@ -95,7 +95,8 @@ TEST_CASE("a dense elastic gas gains no energy by iterations, and keeps it where
   CHECK(kept("gauss-seidel", 8) == Approx(1).margin(0.01));
 }
 
-TEST_CASE("without correction a ball keeps the overlap that its last bounce entered, and walls beside it change nothing") {
+TEST_CASE(
+    "without correction a ball keeps the overlap that its last bounce entered, and walls beside it change nothing") {
   const double dt = 1.0 / 60;
   for (const double width : {3.0, 1.0}) {  // of the domain, in radii and diameters of the ball: between walls or not
     Scene scene;

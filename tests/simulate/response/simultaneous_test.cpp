@@ -87,22 +87,23 @@ TEST_CASE("a ball in a corner that rests on others keeps no more speed than e") 
 TEST_CASE("a break is symmetric, whatever the order of the balls, where all impacts are answered at once") {
   struct Row {
     Settings settings;
-    double cue, along, across;  // e = 1
+    double cue, along, across;      // e = 1
     double cue_lossy, along_lossy;  // e = 0.8
   };
   // At once, exactly: −1/5, 3/5 and 3/5·tan 30°; with e: (1 − 6(1 + e)/10), 3(1 + e)/10.
-  for (const Row& row : {Row{method("impulse", 1e-3), -0.1763, 0.5881, 0.3396, -0.0586, 0.5293},
-                         Row{method("impulse", 1e-2, true), -0.1763, 0.5881, 0.3396, -0.0586, 0.5293},
-                         Row{method("impulse", 1e-3, false, "jacobi", 64), -0.2, 0.6, 0.3464, -0.08, 0.54},
-                         Row{method("impulse", 1e-3, false, "gauss-seidel"), -0.2, 0.6, 0.3464, -0.08, 0.54},
-                         Row{method("impulse", 1e-2, true, "gauss-seidel"), -0.2, 0.6, 0.3464, -0.08, 0.54},
-                         Row{method("kinematic", 1e-3), -1, 0, 0, -0.8, 0},
-                         Row{method("kinematic", 1e-2, true), -1, 0, 0, -0.8, 0},
-                         Row{method("penalty", 1e-5), -0.1994, 0.5997, 0.3471, -0.0671, 0.5336}}) {
+  for (const Row& row :
+       {Row{method("impulse", 1e-3), -0.1763, 0.5881, 0.3396, -0.0586, 0.5293},
+        Row{method("impulse", 1e-2, true), -0.1763, 0.5881, 0.3396, -0.0586, 0.5293},
+        Row{method("impulse", 1e-3, false, "jacobi", 64), -0.2, 0.6, 0.3464, -0.08, 0.54},
+        Row{method("impulse", 1e-3, false, "gauss-seidel"), -0.2, 0.6, 0.3464, -0.08, 0.54},
+        Row{method("impulse", 1e-2, true, "gauss-seidel"), -0.2, 0.6, 0.3464, -0.08, 0.54},
+        Row{method("kinematic", 1e-3), -1, 0, 0, -0.8, 0}, Row{method("kinematic", 1e-2, true), -1, 0, 0, -0.8, 0},
+        Row{method("penalty", 1e-5), -0.1994, 0.5997, 0.3471, -0.0671, 0.5336}}) {
     INFO(row.settings.response << ", swept " << row.settings.is_swept << ", " << row.settings.solver);
     // A normal that is met 1 mm late is turned by about as much; the last digits are those of the order.
     for (const std::vector<size_t>& order : kOrders) {
-      const std::vector<Vec3d> v = after(kBreak, order, 1, row.settings), lossy = after(kBreak, order, 0.8, row.settings);
+      const std::vector<Vec3d> v = after(kBreak, order, 1, row.settings),
+                               lossy = after(kBreak, order, 0.8, row.settings);
       CHECK(v[0].x == Approx(row.cue).margin(1e-3));
       CHECK(std::fabs(v[0].y) < 1e-4);
       CHECK(length(v[1] - Vec3d(row.along, -row.across, 0)) < 1e-3);
@@ -116,7 +117,8 @@ TEST_CASE("a break is symmetric, whatever the order of the balls, where all impa
 
 TEST_CASE("one after another, a break depends on the order of the two balls alone, and mirrors with it") {
   for (const Settings& settings : {method("event-driven", 1e-2), method("position-based", 1e-3)}) {
-    const std::vector<Vec3d> first = after(kBreak, {0, 1, 2}, 1, settings), second = after(kBreak, {0, 2, 1}, 1, settings);
+    const std::vector<Vec3d> first = after(kBreak, {0, 1, 2}, 1, settings),
+                             second = after(kBreak, {0, 2, 1}, 1, settings);
     INFO(settings.response);
     CHECK(std::fabs(first[0].y) > 0.05);
     for (const auto& [a, b] : {std::pair{0, 0}, {1, 2}, {2, 1}}) {
@@ -135,13 +137,13 @@ TEST_CASE("a ball that two strike at once stays at rest, and they return alike")
     double elastic, lossy;  ///< speed of the two at e = 1 and e = 0.8
     double unlike;          ///< how far the outcome may depend on the order
   };
-  for (const Row& row : {Row{method("impulse", 1e-3), 0.6049, 0.4444, 1e-9},
-                         Row{method("impulse", 1e-2, true), 0.6049, 0.4444, 1e-9},
-                         Row{method("impulse", 1e-3, false, "jacobi", 64), 1, 0.8, 1e-9},
-                         Row{method("impulse", 1e-3, false, "gauss-seidel"), 0.988, 0.789, 0.008},
-                         Row{method("impulse", 1e-3, false, "gauss-seidel", 32), 1, 0.8, 1e-6},
-                         Row{method("kinematic", 1e-3), 1, 0.8, 1e-9}, Row{method("kinematic", 1e-2, true), 1, 0.8, 1e-9},
-                         Row{method("penalty", 1e-5), 1, 0.8541, 1e-9}, Row{method("event-driven", 1e-2), 1, 0.95, 0.1}}) {
+  for (const Row& row :
+       {Row{method("impulse", 1e-3), 0.6049, 0.4444, 1e-9}, Row{method("impulse", 1e-2, true), 0.6049, 0.4444, 1e-9},
+        Row{method("impulse", 1e-3, false, "jacobi", 64), 1, 0.8, 1e-9},
+        Row{method("impulse", 1e-3, false, "gauss-seidel"), 0.988, 0.789, 0.008},
+        Row{method("impulse", 1e-3, false, "gauss-seidel", 32), 1, 0.8, 1e-6},
+        Row{method("kinematic", 1e-3), 1, 0.8, 1e-9}, Row{method("kinematic", 1e-2, true), 1, 0.8, 1e-9},
+        Row{method("penalty", 1e-5), 1, 0.8541, 1e-9}, Row{method("event-driven", 1e-2), 1, 0.95, 0.1}}) {
     INFO(row.settings.response << ", swept " << row.settings.is_swept << ", " << row.settings.solver);
     for (const std::vector<size_t>& order : kOrders) {
       const std::vector<Vec3d> v = after(kBetween, order, 1, row.settings),
