@@ -33,10 +33,6 @@ constexpr int kMaxParts = 100;  // runs that write to one output at once
   throw RunError(folder.string(), "cannot make the folder: " + reason);
 }
 
-[[noreturn]] void fail_reading(const fs::path& path, int reason = errno) {
-  throw UserError(path.string(), std::string("no readable file (") + std::strerror(reason) + ")", "a readable file");
-}
-
 /// What an output leads to.
 struct Target {
   fs::path place;           ///< links followed
@@ -265,6 +261,10 @@ void append_to_file(const fs::path& path, std::string_view lines) {
 
 void shorten_file(const fs::path& path, int64_t bytes) {
   if (::truncate(path.c_str(), bytes) != 0) fail_writing(path);
+}
+
+void fail_reading(const fs::path& path) {
+  throw UserError(path.string(), std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
 }
 
 std::string read_file(const fs::path& path) {

@@ -2,9 +2,7 @@
 // PNG for frame sequences: every row filtered by SUB (each byte minus the one a pixel to the left), deflated
 // at level 1 by libdeflate. Flat grounds become zeros, so that little is lost against trying all filters.
 // Source: PNG specification, W3C REC-png-3, sections 5 (chunks), 9 (filtering).
-#include <cerrno>
 #include <cstddef>
-#include <cstring>
 #include <fstream>
 #include <memory>
 #include <string_view>
@@ -13,6 +11,7 @@
 #include <libdeflate.h>
 
 #include "core/error.h"
+#include "core/file.h"
 #include "export/png.h"
 
 namespace ballpit {
@@ -98,8 +97,7 @@ std::string encode_png_fast(const Image& image, const std::string& key) {
 std::optional<PngHead> read_png_head(const std::filesystem::path& path) {
   constexpr size_t kHeader = 33;  // signature, and the chunk with the size
   std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw UserError(path.string(), std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
+  if (!in) fail_reading(path);
   std::string bytes(65536, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<size_t>(in.gcount()));

@@ -5,15 +5,13 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/file.h"
+
 namespace ballpit {
 
 namespace {
 
 constexpr size_t kBufferSize = 1 << 20;
-
-[[noreturn]] void fail_reading(const std::string& file) {
-  throw UserError(file, std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
-}
 
 }  // namespace
 
