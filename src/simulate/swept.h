@@ -252,14 +252,14 @@ struct SweptDrift {
   }
 
   HOST_DEVICE void bounce(int i) const {
-    V p = bodies.position[i], v = bodies.velocity[i];
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      Real p = bodies.position[i][axis], v = bodies.velocity[i][axis];
       const BetweenWalls<Real> walls{low_of(i, axis), high_of(i, axis), change[axis] / dt, wall_restitution};
-      const Real given = walls.fly(p[axis], v[axis], dt);
+      const Real given = walls.fly(p, v, dt);
       if (notes.are_kept() && axis == 1) notes.floor[i] = given / bodies.inverse_mass[i];
+      position[i][axis] = p;
+      velocity[i][axis] = v;
     }
-    position[i] = p;
-    velocity[i] = v;
   }
 
   /// Whether body i parts from all that it meets: what does not part is held, and does not fall in the rest of the step.

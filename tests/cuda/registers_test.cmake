@@ -5,7 +5,8 @@
 #
 # A multiprocessor has 65 536 registers. Where it holds 1024 threads (7.5) each may use 64 of them, where it holds 2048
 # (8.0, 9.0, 10.0) 32, or fewer threads run at once to hide memory's latency: 75 % at 40, 62 % at 48, 50 % at 56.
-# So no kernel may use more than 32 but those listed here, no more than their number, and none may use local memory.
+# So no kernel may use more than 32 but those listed here, no more than their number; and none may use local memory but
+# those in `spilling`.
 set(allowed
   # Position, radius, counts, and the walk through five rows, with the nearest image in periodic domains and the reach into
   # finer size classes. Held to 32, the first spills 520 bytes a thread.
@@ -30,11 +31,16 @@ set(allowed
   # sums of contacts and walls.
   "ResolveVelocity" 48
   "CorrectPosition" 40
-  # Six walls, of which each may be met, on the way as well.
+  # Six walls, of which each may be met, on the way as well; where contacts are swept, also the time of each.
   "Accelerate" 48
-  "MirrorVelocity" 40
   "SolveWalls" 40
-  "SweptDrift" 40
+  "FindFirst" 40
+  # The same, and the bounces between two walls, without a spill.
+  "SweptDrift" 64
+  # Up to four obstacles at once, and the equations for how much a sphere presses on each.
+  "MirrorVelocity" 96
+  # A wall on each side of each axis, with what it has given, and a limit to it.
+  "MoveOutOfWalls" 72
   # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum, the largest overlap and
   # who has it; for a tally, collisions.
   "ReduceBlock.*Spread" 48
@@ -42,7 +48,12 @@ set(allowed
   "ReduceBlock.*Offender" 48
   "ReduceBlock.*Collisions" 48
   "ReduceBlock.*Overlap" 48
+  "ReduceBlock.*LeastEnergy" 48
   "ReduceBlock.*Energy" 40)
+
+# A sphere's obstacles are few, but how many is known only at run time: they are an array. Spheres in free flight do not
+# touch it. The response is there to be seen, not for speed.
+set(spilling "MirrorVelocity")
 
 string(REPLACE "|" ";" flags "${FLAGS}")
 
@@ -86,7 +97,7 @@ function(check architecture common)
     if(registers GREATER limit)
       message(SEND_ERROR "sm_${architecture}: ${registers} registers, allowed ${limit}: ${name}")
     endif()
-    if(NOT stack EQUAL 0)
+    if(NOT stack EQUAL 0 AND NOT name MATCHES "[0-9](${spilling})")
       message(SEND_ERROR "sm_${architecture}: ${stack} bytes of local memory: ${name}")
     endif()
     message(STATUS "sm_${architecture}: ${registers} registers: ${name}")
