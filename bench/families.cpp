@@ -137,7 +137,7 @@ const Family& find_family(std::string_view name) {
     if (family.info.name == name) return family;
     names.push_back(family.info.name);
   }
-  throw UserError("family: found " + std::string(name) + ", allowed " + join(names));
+  throw UserError("--families", name, join(names));
 }
 
 template <class T>
@@ -274,7 +274,7 @@ std::span<const FamilyInfo> families() {
 Spheres make_family(std::string_view name, int64_t count, uint64_t seed) {
   const Family& family = find_family(name);
   if (count < 1 || count > INT32_MAX) {
-    throw UserError("count: found " + std::to_string(count) + ", allowed 1 to " + std::to_string(INT32_MAX));
+    throw UserError("--count", std::to_string(count), "1 to " + std::to_string(INT32_MAX));
   }
   Random random(seed_for(seed, kDraftSeed));
   Draft draft = family.draft(count, random);

@@ -13,7 +13,7 @@ namespace ballpit {
 inline void check_cuda(cudaError_t status, const char* expression) {
   if (status == cudaSuccess) return;
   (void)cudaGetLastError();  // so that a later check does not report it again
-  throw RunError(std::string("CUDA: ") + expression + ": " + cudaGetErrorString(status));
+  throw RunError("CUDA", std::string(expression) + ": " + cudaGetErrorString(status));
 }
 
 }  // namespace ballpit

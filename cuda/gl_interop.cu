@@ -72,7 +72,7 @@ void check_same_device() {
   BALLPIT_CUDA_CHECK(cudaGLGetDevices(&count, devices.data(), unsigned(devices.size()), cudaGLDeviceListAll));
   devices.resize(count);
   if (std::find(devices.begin(), devices.end(), own) == devices.end())
-    throw RunError("CUDA: OpenGL draws on another device");
+    throw RunError("CUDA", "OpenGL draws on another device");
 }
 
 class CudaBodyWriter final : public BodyWriter {

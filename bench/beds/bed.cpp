@@ -133,7 +133,7 @@ Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle
   } else if (name == "dense") {
     bed.scene = dense_bed(count, settle_steps, random);
   } else {
-    throw UserError("--beds: found " + std::string(name) + ", allowed loose, dense");
+    throw UserError("--beds", name, "loose, dense");
   }
   for (Vec3d& p : bed.scene.bodies.position) p = rounded(p);
   for (Vec3d& v : bed.scene.bodies.velocity) v = rounded(v);

@@ -95,7 +95,7 @@ std::string input_script(const Bed& bed, const LammpsOptions& options, const Str
 /// What follows `key` in the last line of `text` that starts with it, as a number.
 double number_after(const std::string& text, const std::string& key, const fs::path& log) {
   const size_t start = text.rfind("\n" + key);
-  if (start == std::string::npos) throw RunError("no \"" + key + "\" in " + log.string());
+  if (start == std::string::npos) throw RunError(log.string(), "no line \"" + key + "\"");
   return std::strtod(text.c_str() + start + 1 + key.size(), nullptr);
 }
 
@@ -108,14 +108,14 @@ std::string error_line(const std::string& text) {
 /// The log up to where the timed run ends, which the last one, `run 0`, follows.
 std::string timed_part(const std::string& text, const fs::path& log) {
   const size_t last = text.rfind("\nLoop time of ");
-  if (last == std::string::npos) throw RunError("no loop time in " + log.string());
+  if (last == std::string::npos) throw RunError(log.string(), "no loop time");
   return text.substr(0, last);
 }
 
 /// The share of the wall time for which LAMMPS had a core: from "99.8% CPU use with 1 MPI tasks", the last such line.
 double cpu_share(const std::string& text, const fs::path& log) {
   const size_t end = text.rfind("% CPU use with");
-  if (end == std::string::npos) throw RunError("no CPU use in " + log.string());
+  if (end == std::string::npos) throw RunError(log.string(), "no CPU use");
   const size_t start = text.rfind('\n', end) + 1;
   return 0.01 * std::strtod(text.c_str() + start, nullptr);
 }
@@ -132,10 +132,10 @@ int run_program(const std::string& path, std::vector<std::string> arguments, con
   pid_t process = 0;
   const int failure = posix_spawn(&process, path.c_str(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) throw RunError("cannot run " + path + ": " + std::strerror(failure));
+  if (failure != 0) throw RunError(path, std::string("cannot run: ") + std::strerror(failure));
   int status = 0;
   while (waitpid(process, &status, 0) < 0) {
-    if (errno != EINTR) throw RunError("waiting for " + path + ": " + std::strerror(errno));
+    if (errno != EINTR) throw RunError(path, std::string("cannot wait for it: ") + std::strerror(errno));
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
@@ -171,13 +171,13 @@ Measured Lammps::run(const fs::path& folder) {
   const int status = run_program(path_, {path_, "-in", kInput, "-log", kLog, "-screen", "none", "-nocite"}, folder);
   const std::string text = fs::exists(log) ? read_file(log) : "";
   if (status != 0) {
-    throw RunError(path_ + " ended with status " + std::to_string(status) + ": " + error_line(text));
+    throw RunError(path_, "ended with status " + std::to_string(status) + ": " + error_line(text));
   }
   const size_t open = text.find('('), close = text.find(")\n");
   if (open < close && close < 80) version_ = text.substr(open + 1, close - open - 1);
   const std::string timed = timed_part(text, log);
   if (number_after(timed, "Dangerous builds = ", log) > 0) {
-    throw RunError("LAMMPS built neighbour lists too late, see " + log.string());
+    throw RunError(log.string(), "LAMMPS built neighbour lists too late");
   }
   Measured measured;
   measured.seconds = number_after(timed, "Loop time of ", log);

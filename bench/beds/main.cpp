@@ -53,7 +53,7 @@ std::vector<std::string> bed_names() {
 }
 
 void require(bool allowed, const char* option, const std::string& found, const std::string& what_is_allowed) {
-  if (!allowed) throw UserError(std::string(option) + ": found " + found + ", allowed " + what_is_allowed);
+  if (!allowed) throw UserError(option, found, what_is_allowed);
 }
 
 void require_name(const char* option, const std::string& found, const std::vector<std::string>& allowed) {
@@ -119,7 +119,7 @@ class Folder {
   explicit Folder(const std::string& keep) : path_(keep), is_kept_(!keep.empty()) {
     if (is_kept_) return;
     std::string name = (std::filesystem::temp_directory_path() / "bench_beds_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw RunError("cannot make a folder like " + name);
+    if (!mkdtemp(name.data())) throw RunError(name, "cannot make a folder like this");
     path_ = name;
   }
   ~Folder() {
@@ -143,9 +143,9 @@ std::optional<Lammps> find_lammps(const Options& options) {
   if (options.only == "ours") return std::nullopt;
   std::optional<Lammps> lammps = Lammps::find(options.lammps);
   if (lammps) return lammps;
-  const std::string absent = "LAMMPS is absent: no program " + options.lammps + " (Debian package lammps)";
-  if (options.only == "lammps") throw RunError(absent);
-  std::cerr << "bench_beds: " << absent << "; Ballpit runs alone\n";
+  const std::string absent = "no program " + options.lammps + " (Debian package lammps)";
+  if (options.only == "lammps") throw RunError("LAMMPS", absent);
+  std::cerr << "bench_beds: LAMMPS: " << absent << "; Ballpit runs alone\n";
   return std::nullopt;
 }
 
@@ -226,7 +226,7 @@ int run(const Options& options) {
   const double tolerance = options.tolerance.value_or(options.precision == "float" ? 5e-3 : 1e-3);
   for (const BedRow& row : rows) {
     if (!row.has_both() || row.energy_difference() <= tolerance) continue;
-    throw RunError("kinetic energies differ in bed " + row.bed + " of " + std::to_string(row.count) + " spheres");
+    throw RunError(row.bed + " of " + std::to_string(row.count) + " spheres", "kinetic energies differ");
   }
   return 0;
 }

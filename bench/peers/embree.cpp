@@ -63,7 +63,7 @@ class EmbreePeer : public Peer {
 
  private:
   void check() const {
-    if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) throw RunError("Embree reports an error");
+    if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) throw RunError("Embree", "reports an error");
   }
 
   static void bounds(const RTCBoundsFunctionArguments* arguments) {

@@ -10,8 +10,8 @@
 #include <iostream>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <malloc.h>
+#include <nlohmann/json.hpp>
 
 #include "compare.h"
 #include "core/error.h"
@@ -51,7 +51,7 @@ std::vector<std::string> peer_names() {
 }
 
 void require(bool allowed, const char* option, const std::string& found, const std::string& what_is_allowed) {
-  if (!allowed) throw UserError(std::string(option) + ": found " + found + ", allowed " + what_is_allowed);
+  if (!allowed) throw UserError(option, found, what_is_allowed);
 }
 
 void require_names(const char* option, const std::vector<std::string>& found, const std::vector<std::string>& allowed) {
@@ -173,7 +173,7 @@ int run(const Options& options) {
   }
   if (!options.csv.empty()) write_file(options.csv, csv_of(rows));
   const bool all_equal = std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.equal; });
-  if (!all_equal) throw RunError("pairs differ");
+  if (!all_equal) throw RunError("peers", "pairs differ");
   return 0;
 }
 

@@ -8,11 +8,11 @@
 
 #include "app/bench_summary.h"
 #include "app/commands.h"
-#include "core/interrupt.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "app/summary.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "lab/machine.h"
 #include "lab/step_timing.h"
 #include "simulate/methods.h"
@@ -59,8 +59,7 @@ std::vector<Backend> choose_backends(const std::vector<std::string>& names) {
     const bool is_named = std::find(names.begin(), names.end(), backend.name) != names.end();
     const bool can_serve = backend.unavailable_reason.empty();
     if (is_named && !can_serve) {
-      throw UserError("--backends: found " + backend.name + ", which cannot serve here: " + backend.unavailable_reason +
-                      "; allowed cpu");
+      throw UserError("--backends", backend.name + ", which cannot serve here: " + backend.unavailable_reason, "cpu");
     }
     if (is_named || (names.empty() && can_serve)) backends.push_back(backend);
   }
@@ -82,8 +81,7 @@ class BenchCommand final : public Command {
         add("--backends", backends_,
             "some of " + join(names_of(Family::backend)) + "; default: all that can serve here", "NAME,…");
     add("--repeat", repeat_, "blocks of steps to measure of each", "N")->shows_default();
-    add("--limit", limit_, "longest time for each; what would need longer is skipped", "SECONDS")
-        ->shows_default();
+    add("--limit", limit_, "longest time for each; what would need longer is skipped", "SECONDS")->shows_default();
     command.add_flag("--stages", stages_, "show each stage that takes a hundredth of a step, or more");
     command.add_flag("--json", json_, "print one JSON object");
     settings_.add_to(command, "Simulation", kStepSettings);
@@ -141,7 +139,8 @@ class BenchCommand final : public Command {
     const auto tell = [&](int64_t done) { progress.show(done); };
     std::vector<StepTiming> timings = time_steps(plan, tell, was_interrupted);
     if (!was_interrupted()) return timings;
-    throw RunError("interrupted after " + std::to_string(timings.size()) + " of " + std::to_string(total) + " entries");
+    throw RunError("bench",
+                   "interrupted after " + std::to_string(timings.size()) + " of " + std::to_string(total) + " entries");
   }
 
   SettingOptions settings_;

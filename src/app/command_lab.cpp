@@ -8,11 +8,12 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "core/interrupt.h"
+#include "app/notes.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "core/numbers.h"
 #include "lab/experiment.h"
 #include "lab/gnuplot.h"
@@ -132,14 +133,14 @@ class LabCommand final : public Command {
   void announce() {
     double seconds = 0;
     for (const Experiment* experiment : chosen_) seconds += seconds_of(*experiment, is_quick_);
-    std::cerr << "ballpit: " << chosen_.size() << (chosen_.size() == 1 ? " experiment" : " experiments") << ", about "
-              << duration_text(seconds) << " on two cores, less what " << (folder_ / "cache").string()
-              << " already holds\n";
+    note("lab", std::to_string(chosen_.size()) + (chosen_.size() == 1 ? " experiment" : " experiments") + ", about " +
+                    duration_text(seconds) + " on two cores, less what " + (folder_ / "cache").string() +
+                    " already holds");
     if (!gnuplot_.empty()) return;
     lack_ =
         "No charts: gnuplot is not on the PATH (Debian: gnuplot-nox). The same command draws them later, without "
         "measuring again.";
-    std::cerr << "ballpit: warning: " << lack_ << "\n";
+    tell_notes({lack_});
   }
 
   /// The report grows with each experiment: one that is interrupted leaves those before it.
@@ -153,7 +154,7 @@ class LabCommand final : public Command {
         write_file(folder_ / "report.html", report_html(sections, circumstances(), lack_));
         write_file(folder_ / "report.md", report_markdown(sections, circumstances(), lack_));
       } catch (const RunError& error) {
-        throw RunError(std::string(experiment->name) + ": " + error.what());
+        throw error.inside(experiment->name);
       }
       progress.end();
     }
@@ -166,6 +167,7 @@ class LabCommand final : public Command {
     options.seed = seed_number_;
     options.cache = folder_ / "cache" / (std::string(experiment.name) + ".csv");
     options.tell = [&](bool was_kept) { progress.tell(was_kept); };
+    options.name = experiment.name;
     options.stop = was_interrupted;
     Lab lab(options);
     ReportSection section{&experiment, experiment.run(lab), {}, command_of(experiment)};

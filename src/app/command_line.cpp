@@ -18,7 +18,12 @@ std::string allowed_by(const CLI::Option& option) {
   return option.get_type_name() + " (" + option.get_description() + ")";
 }
 
-std::string describe_extra(const CLI::App& command) {
+/// "see `ballpit simulate --help`".
+std::string see_help(const CLI::App& command) {
+  return "see `ballpit " + (command.get_parent() ? command.get_name() + " " : "") + "--help`";
+}
+
+UserError extra_words(const CLI::App& command) {
   const std::vector<std::string> extras = command.remaining(true);
   const std::string found = extras.empty() ? "more than it takes" : extras.front();
   if (!found.starts_with('-')) {
@@ -26,44 +31,50 @@ std::string describe_extra(const CLI::App& command) {
     for (const std::string argument : {"SCENE", "FILE"}) {
       if (command.get_option_no_throw(argument) != nullptr) allowed = "one " + argument + " and options";
     }
-    return command.get_name() + ": found " + found + ", allowed " + allowed;
+    return UserError(command.get_name(), found, allowed, see_help(command));
   }
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
   }
-  return command.get_name() + ": found unknown option " + found + ", allowed " + join(names);
+  return UserError(command.get_name(), "unknown option " + found, join(names), see_help(command));
+}
+
+/// A failure that is none of those above and below.
+UserError other_failure(const std::string& message, const CLI::App& command) {
+  return UserError(command.get_name(), "what cannot be parsed (" + message + ")", "a command and its options",
+                   see_help(command));
 }
 
 /// An option that has too few or too many values: CLI11's message starts with its name, a flag's without
 /// dashes.
-std::string describe_mismatch(const std::string& message, const CLI::App& command) {
+UserError value_mismatch(const std::string& message, const CLI::App& command) {
   const std::string first = message.substr(0, message.find_first_of(": "));
   const std::string name = first.starts_with('-') ? first : "--" + first;
   const CLI::Option* option = command.get_option_no_throw(name);
-  if (option == nullptr) return message;
-  if (option->get_items_expected_max() == 0) return name + ": found a value, allowed none";
-  if (option->count() > 1) return name + ": found " + std::to_string(option->count()) + " values, allowed one";
-  return name + ": found nothing, allowed " + allowed_by(*option);
+  if (option == nullptr) return other_failure(message, command);
+  if (option->get_items_expected_max() == 0) return UserError(name, "a value", "none", see_help(command));
+  if (option->count() > 1)
+    return UserError(name, std::to_string(option->count()) + " values", "one", see_help(command));
+  return UserError(name, "nothing", allowed_by(*option), see_help(command));
 }
 
-std::string describe_required(const std::string& message, const CLI::App& command) {
+UserError missing_option(const std::string& message, const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
-    return option->get_name() + ": found nothing, allowed " + allowed_by(*option);
+    return UserError(option->get_name(), "nothing", allowed_by(*option), see_help(command));
   }
-  return message;
+  return other_failure(message, command);
 }
 
-/// One line for a failure to parse the arguments of a command: option, what was found, what is allowed.
-std::string describe_parse_error(const CLI::ParseError& error, const CLI::App& app) {
+/// A failure to parse the arguments of a command, in our form.
+UserError user_error(const CLI::ParseError& error, const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
-  std::string text = error.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) text = describe_extra(command);
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) text = describe_mismatch(text, command);
-  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) text = describe_required(text, command);
-  return text + "; see `ballpit " + (chosen.empty() ? "" : command.get_name() + " ") + "--help`";
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return extra_words(command);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return value_mismatch(error.what(), command);
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing_option(error.what(), command);
+  return other_failure(error.what(), command);
 }
 
 /// CLI11 asks for "a subcommand" where it finds a word that is none; this says which word, and what there is.
@@ -73,8 +84,7 @@ void check_command(int argc, char** argv, std::span<const CommandEntry> commands
   std::vector<std::string_view> names;
   for (const CommandEntry& entry : commands) names.push_back(entry.name);
   if (std::find(names.begin(), names.end(), found) != names.end()) return;
-  throw UserError("command: found " + (found.empty() ? "nothing" : std::string(found)) + ", allowed " + join(names) +
-                  ", --help, --version");
+  throw UserError("command", found, join(names) + ", --help, --version");
 }
 
 }  // namespace
@@ -128,7 +138,7 @@ void run_command_line(int argc, char** argv, std::span<const CommandEntry> entri
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw UserError(describe_parse_error(error, app));
+    if (error.get_exit_code() != 0) throw user_error(error, app);
     app.exit(error);  // prints --help or --version
   }
 }

@@ -9,11 +9,13 @@
 #include <limits>
 #include <new>
 #include <optional>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
 #include "app/backends.h"
 #include "app/commands.h"
+#include "app/notes.h"
 #include "app/options.h"
 #include "app/pair_input.h"
 #include "app/pairs_summary.h"
@@ -43,9 +45,10 @@ void warn_of_rounding(const RestingSpheres& spheres, const std::string& file) {
   const float step = std::nextafter(farthest, std::numeric_limits<float>::infinity()) - farthest;
   const float smallest = *std::min_element(spheres.radius.begin(), spheres.radius.end());
   if (step / 2 <= kAllowed * smallest) return;
-  std::cerr << "ballpit: warning: " << file << ": coordinates as large as " << farthest << " are rounded by up to "
-            << step / 2 << " m in single precision, beside a radius of " << smallest
-            << " m: pairs are those of the rounded spheres\n";
+  std::ostringstream text;
+  text << "coordinates as large as " << farthest << " are rounded by up to " << step / 2
+       << " m in single precision, beside a radius of " << smallest << " m: pairs are those of the rounded spheres";
+  warn(file, text.str());
 }
 
 /// Views of the spheres: one radius where all are equal.
@@ -96,7 +99,7 @@ class PairsCommand final : public Command {
     try {
       search(backend, settings, repeat, period);
     } catch (const std::bad_alloc&) {
-      throw RunError("out of memory: " + file_ + " has more spheres, or more of them overlap, than memory can hold");
+      throw RunError(file_, "out of memory", "it has more spheres, or more of them overlap, than memory can hold");
     }
   }
 

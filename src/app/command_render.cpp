@@ -12,6 +12,7 @@
 #include "app/demo_renderer.h"
 #include "app/film.h"
 #include "app/film_key.h"
+#include "app/notes.h"
 #include "app/options.h"
 #include "app/panel.h"
 #include "app/progress.h"
@@ -34,9 +35,7 @@ class RenderCommand final : public Command {
     command.add_option("--size", size_, "picture size in pixels")->type_name("WIDTHxHEIGHT")->shows_default();
     command.add_option("--fps", fps_, "frames a simulated second")->type_name("N")->shows_default();
     command.add_option("--every", every_, "write only every Kth frame")->type_name("K")->shows_default();
-    command.add_option("--from", from_, "simulated time of the first frame")
-        ->type_name("SECONDS")
-        ->shows_default();
+    command.add_option("--from", from_, "simulated time of the first frame")->type_name("SECONDS")->shows_default();
     look_.add_to(command);
     command.add_option("--supersample", supersample_, "draw N × N times larger and average, for stills: 1 to 4")
         ->type_name("N")
@@ -45,9 +44,9 @@ class RenderCommand final : public Command {
     click_option_ =
         command.add_option("--click", clicks_, "items of the panel to click on before the first frame, by name")
             ->type_name("A,B,…");
-    command
-        .add_flag("--copy-bodies", copies_bodies_,
-                  "copy the spheres through the host, also where their processor can write into OpenGL's memory; to compare");
+    command.add_flag(
+        "--copy-bodies", copies_bodies_,
+        "copy the spheres through the host, also where their processor can write into OpenGL's memory; to compare");
     command.add_flag("--resume", resume_, "go on after the last whole frame in the folder");
     command.add_flag("--json", json_, "print a summary as one JSON object");
     arguments_.add_to(command);
@@ -60,11 +59,10 @@ class RenderCommand final : public Command {
         double(parse_integer("--every", every_, 1, 1000000)) / parse_number("--fps", fps_, 1e-3, 1e6);
     const double from = parse_number("--from", from_, 0, 1e9);
     const View look = look_.view();
-    if (look_.scales_panel() && !has_panel_)
-      throw UserError("--ui-scale: found without --panel, allowed together with it");
+    if (look_.scales_panel() && !has_panel_) throw UserError("--ui-scale", "without --panel", "together with it");
     const int supersample = static_cast<int>(parse_integer("--supersample", supersample_, 1, 4));
     if (click_option_->is_given() && !has_panel_) {
-      throw UserError("--click: found " + clicks_ + " without --panel, allowed together with it");
+      throw UserError("--click", clicks_ + " without --panel", "together with it");
     }
 
     parse_path("--out", out_);
@@ -106,8 +104,9 @@ class RenderCommand final : public Command {
     film.finish();
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (was_interrupted() && film.next() < frames) {
-      throw RunError("interrupted after " + std::to_string(film.next()) + " of " + std::to_string(frames) +
-                     " frames; --resume goes on from there");
+      throw RunError(session.scene().name,
+                     "interrupted after " + std::to_string(film.next()) + " of " + std::to_string(frames) + " frames",
+                     "--resume goes on from there");
     }
     tell(session, context, drawing.path(), frames);
   }
@@ -124,7 +123,7 @@ class RenderCommand final : public Command {
   static void tell_lacks(Demo& demo) {
     for (const OverlayEntry& overlay : overlay_table()) {
       const std::string lack = demo.view.shows(overlay.name) ? overlay.lack(demo.inspection()) : "";
-      if (!lack.empty()) std::cerr << "ballpit: note: --overlay " << overlay.name << ": " << lack << "\n";
+      if (!lack.empty()) note("--overlay " + std::string(overlay.name), lack);
     }
   }
 
@@ -134,7 +133,7 @@ class RenderCommand final : public Command {
     } catch (const Interrupted&) {
       // within a long step
     } catch (const RunError& error) {
-      throw RunError(error.what() + rescue(session, session.scene().name + "-last-good.csv"));
+      throw error.with(rescue(session, session.scene().name + "-last-good.csv"));
     }
   }
 
@@ -148,8 +147,7 @@ class RenderCommand final : public Command {
       if (item == panel.items().end()) {
         std::vector<std::string> names;
         for (const auto& known : panel.items()) names.push_back(known.first);
-        throw UserError("--click: found " + (name.empty() ? "nothing" : name) +
-                        ", allowed what the panel shows then: " + join(names));
+        throw UserError("--click", name, "what the panel shows then: " + join(names));
       }
       panel.reveal(name);
       draw(PanelInput{});
@@ -192,10 +190,7 @@ class RenderCommand final : public Command {
   /// Frames of an earlier, longer run are not this run's to remove; but they would be taken for its own.
   void warn_of_other_frames(int frames) const {
     const int found = next_frame_index(out_);
-    if (found > frames) {
-      std::cerr << "ballpit: note: " << frame_name(frames) << " to " << frame_name(found - 1) << " in " << out_
-                << " are from an earlier run\n";
-    }
+    if (found > frames) note(out_, frame_name(frames) + " to " + frame_name(found - 1) + " are from an earlier run");
   }
 
   SceneArguments arguments_;

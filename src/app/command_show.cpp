@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 #include <thread>
 
@@ -16,6 +15,7 @@
 #include "app/demo.h"
 #include "app/demo_renderer.h"
 #include "core/interrupt.h"
+#include "app/notes.h"
 #include "app/options.h"
 #include "app/panel.h"
 #include "app/remembered.h"
@@ -220,7 +220,7 @@ class ShowCommand final : public Command {
   }
 
   static void tell_forgotten(const UserError& error) {
-    std::cerr << "ballpit: note: nothing is remembered: " << error.what() << "\n";
+    note("--remember", std::string("nothing is remembered: ") + error.what());
   }
 
   /// What is on the command line goes before what is remembered; options are those of the scene remembered.

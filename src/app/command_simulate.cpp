@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "core/interrupt.h"
 #include "app/observe.h"
 #include "app/options.h"
 #include "app/progress.h"
@@ -14,6 +13,7 @@
 #include "app/summary.h"
 #include "app/trajectory.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/numbers.h"
 #include "scene/catalog.h"
 #include "scene/spheres_csv.h"
@@ -68,7 +68,7 @@ class SimulateCommand final : public Command {
   int64_t parse_every() const {
     const int64_t every = parse_integer("--every", every_, 1, 1'000'000'000);
     if (every_option_->is_given() && !trajectory_option_->is_given()) {
-      throw UserError("--every: found " + every_ + " without --trajectory, allowed together with it");
+      throw UserError("--every", every_ + " without --trajectory", "together with it");
     }
     return every;
   }
@@ -83,13 +83,13 @@ class SimulateCommand final : public Command {
     } catch (const Interrupted&) {
       // within a long step
     } catch (const RunError& error) {
-      throw RunError(error.what() + rescue(session, last_good_file(session)) +
-                     (trajectory ? trajectory->finish_early() : ""));
+      throw error.with(rescue(session, last_good_file(session))).with(trajectory ? trajectory->finish_early() : "");
     }
     if (was_interrupted()) {
-      throw RunError("interrupted after " + std::to_string(session.world().steps()) + " of " + std::to_string(steps) +
-                     " steps, at t = " + three_digits(session.world().time()) + " s" +
-                     (trajectory ? trajectory->finish_early() : ""));
+      throw RunError(session.scene().name,
+                     "interrupted after " + std::to_string(session.world().steps()) + " of " + std::to_string(steps) +
+                         " steps, at t = " + three_digits(session.world().time()) + " s",
+                     trajectory ? trajectory->finish_early() : "");
     }
   }
 

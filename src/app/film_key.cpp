@@ -68,8 +68,8 @@ std::string hash_of_state(Session& session) {
 }
 
 bool changes_pictures(std::string_view setting) {
-  constexpr std::array<std::string_view, 6> kOthers{"backend", "threads",     "max-overlap",
-                                                    "max-energy", "count", "seed"};  // the last two: in the state's hash
+  constexpr std::array<std::string_view, 6> kOthers{"backend", "threads", "max-overlap", "max-energy",
+                                                    "count",   "seed"};  // the last two: in the state's hash
   return std::find(kOthers.begin(), kOthers.end(), setting) == kOthers.end();
 }
 
@@ -117,13 +117,15 @@ void check_frames(const std::string& folder, int count, const std::string& key) 
     const std::string name = frame_name(index);
     const std::optional<PngHead> head = read_png_head(std::filesystem::path(folder) / name);
     std::vector<std::string> found;
-    if (head) found = lines_of(head->key.empty() ? "size " + text_of(PictureSize{head->width, head->height}) : head->key);
-    const size_t compared = head && head->key.empty() ? 1 : allowed.size();  // a frame of an older version has only its size
+    if (head)
+      found = lines_of(head->key.empty() ? "size " + text_of(PictureSize{head->width, head->height}) : head->key);
+    const size_t compared =
+        head && head->key.empty() ? 1 : allowed.size();  // a frame of an older version has only its size
     for (size_t k = 0; k < compared; ++k) {
       const std::string line = line_named(name_in(allowed[k]), found);
       if (line == allowed[k]) continue;
-      throw UserError("--resume: found " + name + " in " + folder + " with " + line + ", allowed frames with " +
-                      allowed[k] + "; another --out, or no --resume, begins anew");
+      throw UserError("--resume", name + " in " + folder + " with " + line, "frames with " + allowed[k],
+                      "another --out, or no --resume, begins anew");
     }
   }
 }

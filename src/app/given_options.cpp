@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/given_options.h"
 
-#include <iostream>
+#include <optional>
+#include <sstream>
 
+#include "app/notes.h"
 #include "core/error.h"
 #include "simulate/methods.h"
 
@@ -14,8 +16,8 @@ void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
 
 void check_given(const Settings& settings, const std::vector<GivenOption>& given) {
   for (const GivenOption& option : given) {
-    const std::string wrong = misfit(settings.response, option.name, option.value);
-    if (!wrong.empty()) throw UserError("--" + option.name + ": " + wrong);
+    const std::optional<Misfit> wrong = misfit(settings.response, option.name, option.value);
+    if (wrong) throw UserError("--" + option.name, wrong->found, wrong->allowed);
   }
 }
 
@@ -28,11 +30,11 @@ Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<G
   check_given(settings, given);
   Settings fitting;
   for (const DefaultOption& option : defaults) {
-    const std::string wrong = misfit(response, option.key, option.value);
-    if (wrong.empty()) {
+    const std::optional<Misfit> wrong = misfit(response, option.key, option.value);
+    if (!wrong) {
       apply_setting(fitting, option.key, option.value, option.where);
     } else if (response == of_scene) {
-      throw UserError(option.where + ": " + wrong);
+      throw UserError(option.where, wrong->found, wrong->allowed);
     }
   }
   apply_given(fitting, given);
@@ -40,12 +42,11 @@ Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<G
 }
 
 void warn_of_small_cells(const Settings& settings) {
-  if (can_miss_contacts(settings)) {
-    std::cerr << "ballpit: warning: --cell-size " << *settings.cell_size
-              << " is below 1: the block of cells around a sphere does not reach all that touch it, so "
-                 "contacts are "
-                 "missed\n";
-  }
+  if (!can_miss_contacts(settings)) return;
+  std::ostringstream option;
+  option << "--cell-size " << *settings.cell_size;
+  warn(option.str(),
+       "below 1, the block of cells around a sphere does not reach all that touch it, so contacts are missed");
 }
 
 }  // namespace ballpit

@@ -42,8 +42,8 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
-int fail(int status, const std::string& message) {
-  std::cerr << "ballpit: " << on_one_line(message) << "\n";
+int fail(int status, const std::exception& error) {
+  std::cerr << "ballpit: " << on_one_line(error.what()) << "\n";
   return status;
 }
 
@@ -51,12 +51,13 @@ int fail(int status, const std::string& message) {
 void flush_output() {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return;
-  throw RunError(std::string("standard output: cannot write: ") + std::strerror(errno));
+  throw RunError("standard output", std::string("cannot write: ") + std::strerror(errno));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::string command = argc < 2 ? "" : argv[1];  // what a failure without a place of its own is named after
   // Frames are megabytes, made and freed at a steady pace: kept by the program, they are not mapped and cleared by the
   // system each time. Measured: one part in twenty of the time of a frame.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
@@ -67,10 +68,13 @@ int main(int argc, char** argv) {
     flush_output();
     return 0;
   } catch (const UserError& error) {
-    return fail(2, error.what());
+    return fail(2, error);
+  } catch (const RunError& error) {
+    return fail(1, error);
   } catch (const std::bad_alloc&) {
-    return fail(1, "out of memory; fewer spheres (--count) or a smaller picture (--size) need less");
+    return fail(1, RunError(command, "out of memory",
+                            "fewer spheres (--count) or a smaller picture (--size) need less"));
   } catch (const std::exception& error) {
-    return fail(1, error.what());
+    return fail(1, RunError(command, error.what()));
   }
 }

@@ -71,8 +71,7 @@ std::vector<Observable> parse_observables(const std::string& text) {
     const auto found =
         std::find_if(observables().begin(), observables().end(), [&](const Observable& o) { return o.name == name; });
     if (found == observables().end()) {
-      throw UserError("--observe: found " + (name.empty() ? "nothing" : name) + ", allowed all alone, or some of " +
-                      join(observable_names()) + ", with commas between");
+      throw UserError("--observe", name, "all alone, or some of " + join(observable_names()) + ", with commas between");
     }
     result.push_back(*found);
   }

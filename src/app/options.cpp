@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <sstream>
 
 #include "core/error.h"
@@ -17,17 +18,23 @@ namespace ballpit {
 namespace {
 
 template <class T>
-T parse_in_range(std::string_view option, const std::string& text, T low, T high, const char* kind) {
+std::optional<T> number_in_range(std::string_view text, T low, T high) {
   T value{};
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end || !(value >= low && value <= high)) {
-    std::ostringstream message;
-    message << option << ": found " << (text.empty() ? "nothing" : text) << ", allowed " << kind << " from " << low
-            << " to " << high;
-    throw UserError(message.str());
-  }
+  if (result.ec != std::errc() || result.ptr != end || !(value >= low && value <= high)) return std::nullopt;
   return value;
+}
+
+template <class T>
+T parse_in_range(std::string_view option, const std::string& text, T low, T high, const char* kind) {
+  const std::optional<T> value = number_in_range(text, low, high);
+  if (!value) {
+    std::ostringstream allowed;
+    allowed << kind << " from " << low << " to " << high;
+    throw UserError(option, text, allowed.str());
+  }
+  return *value;
 }
 
 template <class Table>
@@ -39,7 +46,8 @@ std::vector<std::string> names_in(const Table& table) {
 
 }  // namespace
 
-void SettingOptions::add_to(CommandOptions& command, const std::string& heading, std::span<const std::string_view> names) {
+void SettingOptions::add_to(CommandOptions& command, const std::string& heading,
+                            std::span<const std::string_view> names) {
   for (const SettingInfo& setting : setting_table()) {
     if (!names.empty() && std::find(names.begin(), names.end(), setting.name) == names.end()) continue;
     const std::string name(setting.name);
@@ -76,7 +84,7 @@ double parse_number(std::string_view option, const std::string& text, double low
 const std::string& parse_choice(std::string_view option, const std::string& text,
                                 const std::vector<std::string>& choices) {
   if (std::find(choices.begin(), choices.end(), text) != choices.end()) return text;
-  throw UserError(std::string(option) + ": found " + (text.empty() ? "nothing" : text) + ", allowed " + join(choices));
+  throw UserError(option, text, join(choices));
 }
 
 std::vector<std::string> split_list(const std::string& text) {
@@ -91,7 +99,7 @@ std::vector<std::string> split_list(const std::string& text) {
 
 const std::string& parse_path(std::string_view option, const std::string& text) {
   if (!text.empty()) return text;
-  throw UserError(std::string(option) + ": found nothing, allowed a path");
+  throw UserError(option, "nothing", "a path");
 }
 
 const std::string& parse_output(std::string_view option, const std::string& text) {
@@ -102,8 +110,7 @@ const std::string& parse_output(std::string_view option, const std::string& text
 void reject_same_file(std::string_view option, const std::string& path, std::string_view name,
                       const std::string& other) {
   if (!is_same_file(path, other)) return;
-  throw UserError(std::string(option) + ": found " + path + ", which is " + std::string(name) +
-                  " as well, allowed a file of its own");
+  throw UserError(option, path + ", which is " + std::string(name) + " as well", "a file of its own");
 }
 
 std::vector<std::string> parse_overlays(std::string_view option, const std::string& text) {
@@ -111,8 +118,7 @@ std::vector<std::string> parse_overlays(std::string_view option, const std::stri
   std::vector<std::string> overlays = text == "none" ? std::vector<std::string>{} : split_list(text);
   for (const std::string& name : overlays) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw UserError(std::string(option) + ": found " + (name.empty() ? "nothing" : name) +
-                    ", allowed none alone, or some of " + join(known) + ", with commas between");
+    throw UserError(option, name, "none alone, or some of " + join(known) + ", with commas between");
   }
   return overlays;
 }
@@ -142,15 +148,11 @@ View LookArguments::view(const View& base) const {
 }
 
 PictureSize parse_size(const std::string& text) {
-  const size_t cross = text.find('x');
-  try {
-    if (cross == std::string::npos) throw UserError("");
-    return {static_cast<int>(parse_integer("", text.substr(0, cross), 16, 16384)),
-            static_cast<int>(parse_integer("", text.substr(cross + 1), 16, 16384))};
-  } catch (const UserError&) {
-    throw UserError("--size: found " + (text.empty() ? "nothing" : text) +
-                    ", allowed WIDTHxHEIGHT, each from 16 to 16384");
-  }
+  const size_t cross = std::min(text.find('x'), text.size());
+  const auto width = number_in_range<int>(text.substr(0, cross), 16, 16384);
+  const auto height = number_in_range<int>(text.substr(std::min(cross + 1, text.size())), 16, 16384);
+  if (!width || !height) throw UserError("--size", text, "WIDTHxHEIGHT, each from 16 to 16384");
+  return {*width, *height};
 }
 
 }  // namespace ballpit

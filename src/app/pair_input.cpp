@@ -75,9 +75,9 @@ void lay_period(int axis, const Extent& extent, double period, Box<Vec3>& box) {
 
 void check_period(int axis, double period, float radius) {
   if (period >= 4.0 * double(radius) * (1.0 - 1e-6)) return;
-  throw UserError("--period: found " + number_text(period) + " along " + kAxes[axis] + " with radius " +
-                  number_text(double(radius)) + ", allowed 0 for none, or at least four radii, " +
-                  number_text(4.0 * double(radius)));
+  throw UserError("--period",
+                  number_text(period) + " along " + kAxes[axis] + " with radius " + number_text(double(radius)),
+                  "0 for none, or at least four radii, " + number_text(4.0 * double(radius)));
 }
 
 void wrap(const std::string& file, PairInput& input) {
@@ -97,8 +97,7 @@ void wrap(const std::string& file, PairInput& input) {
 Vec3d parse_period(const std::string& text) {
   const std::vector<std::string> items = split_list(text);
   if (items.size() != 3) {
-    throw UserError("--period: found " + (text.empty() ? "nothing" : text) +
-                    ", allowed X,Y,Z: three numbers, 0 for an axis without a period");
+    throw UserError("--period", text, "X,Y,Z: three numbers, 0 for an axis without a period");
   }
   Vec3d period(0.0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -110,9 +109,10 @@ Vec3d parse_period(const std::string& text) {
 PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& period) {
   PairInput input;
   if (is_scene(file)) {
-    if (period)
-      throw UserError("--period: found with the scene " + file +
-                      ", which says itself whether it is periodic, allowed with a CSV file");
+    if (period) {
+      throw UserError("--period", "with the scene " + file + ", which says itself whether it is periodic",
+                      "with a CSV file");
+    }
     input = from_scene(file);
   } else {
     input.spheres = read_resting_spheres(file);

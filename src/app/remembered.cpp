@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "scene/input_error.h"
 
 namespace ballpit {
 
@@ -19,19 +20,19 @@ namespace {
 constexpr int kVersion = 1;  // of the file; another one is not read
 
 /// A finite number from low to high.
-float bounded(const Json& value, float low, float high) {
-  const float number = value.get<float>();
+float bounded(const Json& view, const char* key, float low, float high) {
+  const float number = view.at(key).get<float>();
   if (number >= low && number <= high) return number;
-  throw UserError("found the number " + value.dump() + ", which is never written");
+  throw UserError(key, view.at(key).dump(), limits_text({low, high}));
 }
 
 View view_from(const Json& json) {
   constexpr float kTurn = 6.2832f;
   View view;
-  view.azimuth = bounded(json.at("azimuth"), -kTurn, kTurn);
-  view.elevation = bounded(json.at("elevation"), -kTurn, kTurn);
-  view.zoom = bounded(json.at("zoom"), kFarthest, kClosest);
-  view.ui_scale = bounded(json.at("ui_scale"), kSmallestUi, kLargestUi);
+  view.azimuth = bounded(json, "azimuth", -kTurn, kTurn);
+  view.elevation = bounded(json, "elevation", -kTurn, kTurn);
+  view.zoom = bounded(json, "zoom", kFarthest, kClosest);
+  view.ui_scale = bounded(json, "ui_scale", kSmallestUi, kLargestUi);
   view.overlays = parse_overlays("overlays", json.at("overlays").get<std::string>());
   view.coloring = coloring_named(json.at("color").get<std::string>()).name;
   view.theme = theme_named(json.at("theme").get<std::string>()).name;
@@ -39,7 +40,7 @@ View view_from(const Json& json) {
 }
 
 Remembered remembered_from(const Json& json) {
-  if (json.at("version") != kVersion) throw UserError("found version " + json.at("version").dump());
+  if (json.at("version") != kVersion) throw UserError("version", json.at("version").dump(), std::to_string(kVersion));
   Remembered result;
   result.scene = json.at("scene").get<std::string>();
   for (const auto& [name, value] : json.at("options").items()) {
@@ -63,7 +64,8 @@ std::filesystem::path remembered_file() {
   const std::filesystem::path config = folder("XDG_CONFIG_HOME"), home = folder("HOME");
   if (config.is_absolute()) return config / "ballpit" / "show.json";  // the standard ignores other ones
   if (!home.empty()) return home / ".config" / "ballpit" / "show.json";
-  throw UserError("--remember: found neither XDG_CONFIG_HOME nor HOME, which tell where to keep it");
+  throw UserError("--remember", "neither XDG_CONFIG_HOME nor HOME in the environment",
+                  "one of them, which says where to keep it");
 }
 
 std::optional<Remembered> read_remembered(const std::filesystem::path& file) {
@@ -72,9 +74,9 @@ std::optional<Remembered> read_remembered(const std::filesystem::path& file) {
   try {
     return remembered_from(Json::parse(read_file(file)));
   } catch (const Json::exception&) {
-    throw UserError(file.string() + ": is not what `ballpit show --remember` writes");
+    throw UserError(file.string(), "something else", "what `ballpit show --remember` writes");
   } catch (const UserError& error) {
-    throw UserError(file.string() + ": " + error.what());
+    throw error.inside(file.string());
   }
 }
 

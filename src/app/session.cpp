@@ -111,10 +111,10 @@ int64_t Session::steps_until(double time) const {
   constexpr double kMostSteps = 1e15;  // more would not end, and their number leaves the integers
   const double steps = time / settings_.dt;
   if (!(steps <= kMostSteps)) {
-    std::ostringstream message;
-    message << "--dt: found " << settings_.dt << ", which makes " << steps << " steps of " << time << " s, allowed "
-            << kMostSteps << " steps";
-    throw UserError(message.str());
+    std::ostringstream found, allowed;
+    found << settings_.dt << ", which makes " << steps << " steps of " << time << " s";
+    allowed << kMostSteps << " steps";
+    throw UserError("--dt", found.str(), allowed.str());
   }
   return static_cast<int64_t>(std::llround(steps)) - world_->steps();
 }
@@ -130,7 +130,7 @@ FrameView Session::view_of(const Inspection& inspection, const View& view, float
 std::string rescue(Session& session, const std::string& path) {
   std::ostringstream text;
   try {
-    text << "; the last good state, of t = " << session.world().last_good_time() << " s, ";
+    text << "the last good state, of t = " << session.world().last_good_time() << " s, ";
     write_spheres_csv(path, session.world().last_good());
     text << "is in " << path;
   } catch (const std::exception& error) {

@@ -19,9 +19,9 @@ std::string Trajectory::finish_early() {
   try {
     file_.finish();
   } catch (const RunError& error) {
-    return "; the " + frames + " lost: " + error.what();
+    return "the " + frames + " lost: " + error.what();
   }
-  return "; the " + frames + " in " + path_;
+  return "the " + frames + " in " + path_;
 }
 
 }  // namespace ballpit

@@ -36,16 +36,16 @@ void check_size(int width, int height) {
   const int most_wide = kMostDisplays * mode->width, most_high = kMostDisplays * mode->height;
   if (width <= most_wide && height <= most_high) return;
   glfwTerminate();
-  throw UserError("--size: found " + std::to_string(width) + "x" + std::to_string(height) + ", allowed at most " +
-                  std::to_string(most_wide) + "x" + std::to_string(most_high) + " on this display");
+  throw UserError("--size", std::to_string(width) + "x" + std::to_string(height),
+                  "at most " + std::to_string(most_wide) + "x" + std::to_string(most_high) + " on this display");
 }
 
 }  // namespace
 
 Window::Window(int width, int height, const std::string& title) {
   const std::string trouble = trouble_with(kGlLibrary);
-  if (!trouble.empty()) throw RunError("no window: " + trouble);
-  if (!glfwInit()) throw RunError("no window: " + glfw_reason() + "; " + other_way());
+  if (!trouble.empty()) throw RunError("show", "no window: " + trouble);
+  if (!glfwInit()) throw RunError("show", "no window: " + glfw_reason(), other_way());
   check_size(width, height);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
@@ -57,7 +57,7 @@ Window::Window(int width, int height, const std::string& title) {
   if (!window_) {
     const std::string reason = glfw_reason();
     glfwTerminate();
-    throw RunError("no window with OpenGL 4.5: " + reason + "; " + other_way());
+    throw RunError("show", "no window with OpenGL 4.5: " + reason, other_way());
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);

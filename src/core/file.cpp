@@ -26,11 +26,11 @@ constexpr int kMaxLinks = 40;   // as Linux follows
 constexpr int kMaxParts = 100;  // runs that write to one output at once
 
 [[noreturn]] void fail_writing(const fs::path& path, int reason = errno) {
-  throw RunError(path.string() + ": cannot write: " + std::strerror(reason));
+  throw RunError(path.string(), std::string("cannot write: ") + std::strerror(reason));
 }
 
 [[noreturn]] void fail_making(const fs::path& folder, const std::string& reason) {
-  throw RunError(folder.string() + ": cannot make the folder: " + reason);
+  throw RunError(folder.string(), "cannot make the folder: " + reason);
 }
 
 /// What an output leads to.
@@ -103,7 +103,8 @@ int open_special(const Target& target) {
 
 /// Locks a temporary file. False where it is another one's: no regular file, another user's, locked, or meanwhile renamed.
 bool lock_part(int descriptor, const fs::path& part) {
-  struct stat opened {}, named {};
+  struct stat opened {
+  }, named{};
   if (::fstat(descriptor, &opened) != 0 || !S_ISREG(opened.st_mode) || opened.st_uid != ::geteuid()) return false;
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   return ::lstat(part.c_str(), &named) == 0 && named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
@@ -232,12 +233,15 @@ void check_output_folder(const fs::path& folder) {
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
   if (a.empty() || b.empty()) return false;
-  struct stat one {}, other {};
+  struct stat one {
+  }, other{};
   const bool is_there = ::stat(a.c_str(), &one) == 0;
   if (is_there != (::stat(b.c_str(), &other) == 0)) return false;
   if (is_there) return one.st_dev == other.st_dev && one.st_ino == other.st_ino;
   std::error_code unknown;
-  const auto place = [&](const fs::path& path) { return fs::weakly_canonical(fs::absolute(follow_links(path)), unknown); };
+  const auto place = [&](const fs::path& path) {
+    return fs::weakly_canonical(fs::absolute(follow_links(path)), unknown);
+  };
   return place(a) == place(b);
 }
 
@@ -259,13 +263,17 @@ void shorten_file(const fs::path& path, int64_t bytes) {
   if (::truncate(path.c_str(), bytes) != 0) fail_writing(path);
 }
 
+void fail_reading(const fs::path& path) {
+  throw UserError(path.string(), std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
+}
+
 std::string read_file(const fs::path& path) {
-  if (fs::is_directory(path)) throw UserError(path.string() + ": is a folder, a file is needed");
+  if (fs::is_directory(path)) throw UserError(path.string(), "a folder", "a file");
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw UserError(path.string() + ": cannot read: " + std::strerror(errno));
+  if (!in) fail_reading(path);
   std::ostringstream content;
   content << in.rdbuf();
-  if (in.bad()) throw UserError(path.string() + ": cannot read: " + std::strerror(errno));
+  if (in.bad()) fail_reading(path);
   return std::move(content).str();
 }
 

@@ -70,6 +70,9 @@ void append_to_file(const std::filesystem::path& path, std::string_view lines);
 /// Shortens such a file to the first `bytes`. Throws RunError.
 void shorten_file(const std::filesystem::path& path, int64_t bytes);
 
+/// For readers of files: throws the UserError of one that cannot be read, with the system's reason in errno.
+[[noreturn]] void fail_reading(const std::filesystem::path& path);
+
 /// The whole content of a file. Throws UserError naming the path and the system's reason.
 std::string read_file(const std::filesystem::path& path);
 

@@ -98,7 +98,7 @@ int next_frame_index(const fs::path& folder) try {
   if (count > 0 && !is_whole_png(read_file(folder / frame_name(count - 1)))) --count;
   return count;
 } catch (const fs::filesystem_error& error) {
-  throw RunError(folder.string() + ": cannot look for frames: " + error.code().message());
+  throw RunError(folder.string(), "cannot look for frames: " + error.code().message());
 }
 
 void remove_frames(const fs::path& folder, int first, int end) {
@@ -109,7 +109,7 @@ void remove_frames(const fs::path& folder, int first, int end) {
     if (fs::is_symlink(status) || fs::is_other(status)) continue;  // also a pipe or a device: to be written to
     fs::remove(path, error);
     const bool absent = error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
-    if (error && !absent) throw RunError(path.string() + ": cannot remove: " + error.message());
+    if (error && !absent) throw RunError(path.string(), "cannot remove: " + error.message());
   }
 }
 

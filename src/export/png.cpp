@@ -33,7 +33,8 @@ std::string encode_png(const Image& image) {
   const std::vector<uint8_t> rgb = without_alpha(image);
   std::string bytes;
   if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, rgb.data(), image.width * 3)) {
-    throw RunError("cannot encode a PNG of " + std::to_string(image.width) + "x" + std::to_string(image.height));
+    throw RunError("PNG",
+                   "cannot encode " + std::to_string(image.width) + "x" + std::to_string(image.height) + " pixels");
   }
   return bytes;
 }

@@ -2,9 +2,7 @@
 // PNG for frame sequences: every row filtered by SUB (each byte minus the one a pixel to the left), deflated
 // at level 1 by libdeflate. Flat grounds become zeros, so that little is lost against trying all filters.
 // Source: PNG specification, W3C REC-png-3, sections 5 (chunks), 9 (filtering).
-#include <cerrno>
 #include <cstddef>
-#include <cstring>
 #include <fstream>
 #include <memory>
 #include <string_view>
@@ -13,6 +11,7 @@
 #include <libdeflate.h>
 
 #include "core/error.h"
+#include "core/file.h"
 #include "export/png.h"
 
 namespace ballpit {
@@ -76,10 +75,10 @@ uint32_t big_endian(const std::string& bytes, size_t at) {
 
 std::string deflated(const std::vector<uint8_t>& rows) {
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(kLevel));
-  if (!compressor) throw RunError("cannot encode a PNG: out of memory");
+  if (!compressor) throw RunError("PNG", "cannot encode: out of memory");
   std::string bytes(libdeflate_zlib_compress_bound(compressor.get(), rows.size()), '\0');
   const size_t size = libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), bytes.data(), bytes.size());
-  if (size == 0) throw RunError("cannot encode a PNG: libdeflate_zlib_compress found no room");
+  if (size == 0) throw RunError("PNG", "cannot encode: libdeflate_zlib_compress found no room");
   bytes.resize(size);
   return bytes;
 }
@@ -98,7 +97,7 @@ std::string encode_png_fast(const Image& image, const std::string& key) {
 std::optional<PngHead> read_png_head(const std::filesystem::path& path) {
   constexpr size_t kHeader = 33;  // signature, and the chunk with the size
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw UserError(path.string() + ": cannot read: " + std::strerror(errno));
+  if (!in) fail_reading(path);
   std::string bytes(65536, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<size_t>(in.gcount()));

@@ -21,8 +21,7 @@ const Experiment& find_experiment(std::string_view name) {
     if (experiment.name == name) return experiment;
     names.push_back(experiment.name);
   }
-  throw UserError("EXPERIMENT: found " + std::string(name.empty() ? "nothing" : name) + ", allowed all, " +
-                  join(names));
+  throw UserError("EXPERIMENT", name, "all, " + join(names));
 }
 
 }  // namespace ballpit

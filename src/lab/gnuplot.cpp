@@ -25,7 +25,7 @@ class MemoryFile {
  public:
   explicit MemoryFile(const std::string& text = "") : descriptor_(::memfd_create("ballpit", MFD_CLOEXEC)) {
     if (descriptor_ < 0 || ::write(descriptor_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
-      throw RunError(std::string("gnuplot: cannot pass the chart: ") + std::strerror(errno));
+      throw RunError("gnuplot", std::string("cannot pass the chart: ") + std::strerror(errno));
     }
     ::lseek(descriptor_, 0, SEEK_SET);
   }
@@ -68,7 +68,7 @@ int run(const std::string& program, const MemoryFile& in, const MemoryFile& out,
   const int error = ::posix_spawn(&process, program.c_str(), &actions, &attributes, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
-  if (error != 0) throw RunError(program + ": cannot start: " + std::strerror(error));
+  if (error != 0) throw RunError(program, std::string("cannot start: ") + std::strerror(error));
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
@@ -90,7 +90,7 @@ std::string draw_svg(const Chart& chart, Ground ground, const std::string& gnupl
   const int status = run(gnuplot, script, out, err);
   std::string svg = out.content();
   if (status != 0 || svg.find("</svg>") == std::string::npos) {
-    throw RunError(gnuplot + ": failed on chart " + chart.name + ": " + err.content());
+    throw RunError(gnuplot, "failed on chart " + chart.name + ": " + err.content());
   }
   // gnuplot takes one family; and neighbouring cells of a map must not show the ground between them.
   replace_all(svg, "font-family=\"sans-serif\"",

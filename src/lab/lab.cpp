@@ -73,15 +73,16 @@ std::vector<double> Lab::time(const std::string& key, const std::function<std::v
     seconds.push_back(load_average());
     return seconds;
   });
-  if (values.empty()) throw RunError(options_.cache.string() + ": holds a timing without numbers; remove the file");
+  if (values.empty()) throw RunError(options_.cache.string(), "holds a timing without numbers", "remove the file");
   load_ = std::max(load_, values.back());
   values.pop_back();
   return values;
 }
 
 void Lab::stop() const {
-  throw RunError("interrupted after " + std::to_string(asked_) +
-                 " measurements of this experiment, which are kept; the same command goes on from there");
+  throw RunError(options_.name,
+                 "interrupted after " + std::to_string(asked_) + " measurements of this experiment, which are kept",
+                 "the same command goes on from there");
 }
 
 void Lab::keep(const std::string& key, const std::vector<double>& values) {

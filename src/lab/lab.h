@@ -17,6 +17,7 @@ struct LabOptions {
   uint64_t seed = 1;
   std::filesystem::path cache = {};              ///< a file; empty: nothing is kept
   std::function<void(bool was_kept)> tell = {};  ///< hears of each measurement that is there
+  std::string name = "lab";                      ///< of the experiment, in messages
   std::function<bool()> stop = {};               ///< asked before each; true ends the run
 };
 

@@ -94,7 +94,7 @@ BodyTarget BodyBuffer::begin_map() {
   const auto map = [&](const GlBuffer& buffer, int64_t bytes) {
     void* const memory = glMapNamedBufferRange(buffer.name(), 0, std::max<int64_t>(bytes, 1),
                                                GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-    if (!memory) throw RunError("OpenGL cannot map its buffer of bodies into memory");
+    if (!memory) throw RunError("OpenGL", "cannot map its buffer of bodies into memory");
     return memory;
   };
   const int64_t n = shape_.count, radii = shape_.has_equal_radii ? 0 : n;

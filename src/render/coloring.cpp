@@ -136,7 +136,7 @@ const ColoringEntry& coloring_named(std::string_view name) {
     if (entry.name == name) return entry;
     names.push_back(entry.name);
   }
-  throw UserError("unknown colouring '" + std::string(name) + "'; colourings are: " + join(names));
+  throw UserError("--color", name, join(names));
 }
 
 Vec3 color_of(const Theme& theme, int mark) {

@@ -184,7 +184,7 @@ std::vector<EglDeviceInfo> list_egl_devices() {
 GlContext::GlContext(int cuda_device) {
   for (const GlLibrary& library : {kEglLibrary, kGlLibrary}) {
     const std::string trouble = trouble_with(library);
-    if (!trouble.empty()) throw RunError("no OpenGL 4.5 context: " + trouble);
+    if (!trouble.empty()) throw RunError("OpenGL", "no OpenGL 4.5 context: " + trouble);
   }
   std::vector<std::string> failures;
   for (const Candidate& candidate : candidates(cuda_device)) {
@@ -199,8 +199,8 @@ GlContext::GlContext(int cuda_device) {
     failures.push_back(candidate.platform + " (" + reason + ")");
   }
   if (failures.empty()) failures.push_back("EGL offers neither devices nor the surfaceless platform");
-  throw RunError("no OpenGL 4.5 context without a display: " + join(failures) +
-                 "; on Debian, libegl1, libegl-mesa0 and libgl1-mesa-dri give one in software");
+  throw RunError("OpenGL", "no OpenGL 4.5 context without a display: " + join(failures),
+                 "on Debian, libegl1, libegl-mesa0 and libgl1-mesa-dri give one in software");
 }
 
 GlContext::~GlContext() {
@@ -212,15 +212,15 @@ GlContext::~GlContext() {
 }
 
 void GlContext::make_current() {
-  if (!eglBindAPI(EGL_OPENGL_API)) throw RunError(egl_error("eglBindAPI(EGL_OPENGL_API)"));
+  if (!eglBindAPI(EGL_OPENGL_API)) throw RunError("OpenGL", egl_error("eglBindAPI(EGL_OPENGL_API)"));
   if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
-    throw RunError(egl_error("eglMakeCurrent"));
+    throw RunError("OpenGL", egl_error("eglMakeCurrent"));
   }
 }
 
 void GlContext::release() {
   if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT)) {
-    throw RunError(egl_error("eglMakeCurrent without a context"));
+    throw RunError("OpenGL", egl_error("eglMakeCurrent without a context"));
   }
 }
 

@@ -67,7 +67,7 @@ std::vector<std::string> GlDebug::take() {
 
 void check_gl(const std::string& doing) {
   if (glGetGraphicsResetStatus() != GL_NO_ERROR) {
-    throw RunError(doing + ": the OpenGL context is lost, since the driver has reset the graphics device; start again");
+    throw RunError(doing, "the OpenGL context is lost, since the driver has reset the graphics device", "start again");
   }
   std::vector<std::string> errors;
   // A lost context reports an error for ever.
@@ -78,7 +78,7 @@ void check_gl(const std::string& doing) {
     std::vector<std::string> messages = debug->take();
     errors.insert(errors.end(), messages.begin(), messages.end());
   }
-  if (!errors.empty()) throw RunError(doing + ": OpenGL reports " + join(errors, "; "));
+  if (!errors.empty()) throw RunError(doing, "OpenGL reports " + join(errors, "; "));
 }
 
 }  // namespace ballpit

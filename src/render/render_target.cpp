@@ -23,8 +23,8 @@ int largest_side() {
 int checked_side(int width, int height, int side) {
   const int largest = largest_side();
   if (width >= 1 && height >= 1 && width <= largest && height <= largest) return side;
-  throw UserError("cannot draw a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                  " pixels; each side may be 1 to " + std::to_string(largest) + " here, supersampling included");
+  throw UserError("--size", std::to_string(width) + "x" + std::to_string(height) + " pixels, supersampling included",
+                  "sides of 1 to " + std::to_string(largest) + " pixels here");
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ RenderTarget::RenderTarget(int width, int height)
   glNamedFramebufferTexture(framebuffer_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   const GLenum status = glCheckNamedFramebufferStatus(framebuffer_.name(), GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
-    throw RunError("OpenGL cannot draw into the picture: framebuffer status " + std::to_string(status));
+    throw RunError("OpenGL", "cannot draw into the picture: framebuffer status " + std::to_string(status));
   }
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 void check_supersample(int supersample) {
   if (supersample >= 1 && supersample <= 4) return;
-  throw UserError("supersample " + std::to_string(supersample) + "; 1 to 4 are possible");
+  throw UserError("--supersample", std::to_string(supersample), "1 to 4");
 }
 
 /// Where to draw a picture that is averaged afterwards; none if it is drawn as it is.

@@ -14,7 +14,7 @@ namespace {
 std::string_view shader_text(const std::string& file) {
   const auto& files = shader_files();
   const auto found = std::find_if(files.begin(), files.end(), [&](const EmbeddedFile& f) { return f.name == file; });
-  if (found == files.end()) throw RunError("shader " + file + " is not compiled into this program");
+  if (found == files.end()) throw RunError(file, "no shader of this program");
   return found->text;
 }
 
@@ -52,7 +52,7 @@ class ShaderStage {
     glGetShaderInfoLog(name_, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<size_t>(length));
     glDeleteShader(name_);
-    throw RunError("shader " + file + " does not compile: " + log);
+    throw RunError(file, "the shader does not compile: " + log);
   }
   ShaderStage(const ShaderStage&) = delete;
   ShaderStage& operator=(const ShaderStage&) = delete;
@@ -82,12 +82,12 @@ Shader::Shader(const std::string& vertex_file, const std::string& fragment_file)
   GLsizei length = 0;
   glGetProgramInfoLog(program_.name(), static_cast<GLsizei>(log.size()), &length, log.data());
   log.resize(static_cast<size_t>(length));
-  throw RunError("shaders " + name_ + " do not link: " + log);
+  throw RunError(name_, "the shaders do not link: " + log);
 }
 
 GLint Shader::location(const char* uniform) const {
   const GLint found = glGetUniformLocation(program_.name(), uniform);
-  if (found < 0) throw RunError("shaders " + name_ + " have no uniform " + uniform);
+  if (found < 0) throw RunError(name_, std::string("the shaders have no uniform ") + uniform);
   return found;
 }
 

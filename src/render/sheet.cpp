@@ -56,7 +56,7 @@ Sheet::Sheet() : context_(make_context()) {
   ImGui::GetIO().IniFilename = nullptr;  // a panel's state survives only if asked
   if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
     ImGui::DestroyContext(context_);
-    throw RunError("Dear ImGui cannot draw in this OpenGL context");
+    throw RunError("Dear ImGui", "cannot draw in this OpenGL context");
   }
   list_ = std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData());
 }
@@ -86,7 +86,7 @@ void Sheet::load_fonts() {
   }
   ImGui::GetIO().FontDefault = font(TextSize::panel);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
-  if (!ImGui_ImplOpenGL3_CreateFontsTexture()) throw RunError("OpenGL has no memory for the letters");
+  if (!ImGui_ImplOpenGL3_CreateFontsTexture()) throw RunError("OpenGL", "no memory for the letters");
   font_height_ = height_;
 }
 
@@ -113,7 +113,7 @@ void Sheet::begin(int width, int height, int left) {
   width_ = width;
   height_ = height;
   left_ = left;
-  if (!ImGui::GetIO().BackendRendererUserData) throw RunError("Dear ImGui's OpenGL backend is gone");
+  if (!ImGui::GetIO().BackendRendererUserData) throw RunError("Dear ImGui", "the OpenGL backend is gone");
   if (font_height_ == 0) ImGui_ImplOpenGL3_NewFrame();  // makes the backend's objects
   if (font_height_ != height) load_fonts();
   prepare_shapes();

@@ -63,7 +63,7 @@ const Theme& theme_named(const std::string& name) {
     if (theme.name == name) return theme;
     names.push_back(theme.name);
   }
-  throw UserError("unknown theme '" + name + "'; themes are: " + join(names));
+  throw UserError("--theme", name, join(names));
 }
 
 }  // namespace ballpit

@@ -32,8 +32,7 @@ Scene load_scene(std::string_view name_or_path, const SceneOverrides& overrides)
   }
   std::vector<std::string> names;
   for (const SceneInfo& scene : built_in_scenes()) names.push_back(scene.name);
-  throw UserError("SCENE: found " + quoted(name_or_path) + ", allowed " + join(names) +
-                  ", or a path that ends in .toml or contains a '/'");
+  throw UserError("SCENE", quoted(name_or_path), join(names) + ", or a path that ends in .toml or contains a '/'");
 }
 
 }  // namespace ballpit

@@ -39,11 +39,9 @@ std::string visible(std::string_view text) {
 }
 
 UserError input_error(const Place& place, std::string_view key, std::string_view found, std::string_view allowed) {
-  std::string line = place.file + ':' + std::to_string(place.line) + ": ";
-  if (!key.empty()) line.append(key).append(": ");
-  line.append("found ").append(found);
-  if (!allowed.empty()) line.append(", allowed ").append(allowed);
-  return UserError(visible(line));
+  std::string where = place.file + ':' + std::to_string(place.line);
+  if (!key.empty()) where.append(": ").append(key);
+  return {visible(where), visible(found), visible(allowed)};
 }
 
 std::string number_text(double value) {

@@ -5,15 +5,13 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/file.h"
+
 namespace ballpit {
 
 namespace {
 
 constexpr size_t kBufferSize = 1 << 20;
-
-[[noreturn]] void fail_reading(const std::string& file) {
-  throw UserError(file + ": cannot read: " + std::strerror(errno));
-}
 
 }  // namespace
 
@@ -26,7 +24,7 @@ LineReader::LineReader(std::string_view text, std::string_view file_name)
 LineReader::LineReader(const std::filesystem::path& path) : place_{path.string(), 0} {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown)) {
-    throw UserError(place_.file + ": is a folder, a file is needed");
+    throw UserError(place_.file, "a folder", "a file");
   }
   file_.reset(std::fopen(path.c_str(), "rb"));
   if (!file_) fail_reading(place_.file);

@@ -111,7 +111,7 @@ BroadPhaseParameters<V> broad_phase_parameters(const Settings& settings, const B
   if (settings.table == "hashed") parameters.table = CellTable::hashed;
   if (settings.axis != "auto") {
     parameters.axis = settings.axis[0] - 'x';
-    if (parameters.axis >= kDimensions<V>) throw UserError("--axis: found z, allowed auto, x, y in a planar scene");
+    if (parameters.axis >= kDimensions<V>) throw UserError("--axis", "z", "auto, x, y in a planar scene");
   }
   return parameters;
 }

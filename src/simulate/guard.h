@@ -155,9 +155,9 @@ class Guard {
   static constexpr int64_t kSteps = 16;
 
   [[noreturn]] static void stop(int64_t step, double time, const std::string& what, const std::string& hint) {
-    std::ostringstream message;
-    message << "step " << step << " (t = " << time << " s): " << what << "; " << hint;
-    throw RunError(message.str());
+    std::ostringstream where;
+    where << "step " << step << " (t = " << time << " s)";
+    throw RunError(where.str(), what, hint);
   }
 
   static Offender worst_overlap(StepState<V, Exec>& state) {

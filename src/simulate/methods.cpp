@@ -85,35 +85,36 @@ const Method& find_method(Family family, std::string_view name) {
   for (const Method& method : kMethods) {
     if (method.family == family && method.name == name) return method;
   }
-  throw UserError("--" + std::string(family_name(family)) + ": found " + std::string(name) + ", allowed " +
-                  join(method_names(family)));
+  throw UserError("--" + std::string(family_name(family)), name, join(method_names(family)));
 }
 
-std::string misfit(std::string_view response, std::string_view option, std::string_view value) {
+std::optional<Misfit> misfit(std::string_view response, std::string_view option, std::string_view value) {
   const Method& method = find_method(Family::response, response);
   const std::string with = " with --response ";
-  const std::string found = "found " + std::string(value) + ", allowed ";
+  const auto unless = [&](std::string_view allowed) {
+    return Misfit{std::string(value), std::string(allowed) + with + std::string(response)};
+  };
   if (option == "integrator" && value != "auto" && !lists(method.integrators, value)) {
-    return found + std::string(method.integrators) + with + std::string(response);
+    return unless(method.integrators);
   }
   if (option == "backend" && value != "auto" && !lists(method.backends, value)) {
-    return found + "auto, " + std::string(method.backends) + with + std::string(response);
+    return unless("auto, " + std::string(method.backends));
   }
   if (option == "precision" && !lists(method.precisions, value)) {
-    return found + std::string(method.precisions) + with + std::string(response);
+    return unless(method.precisions);
   }
   std::vector<std::string_view> users;
   for (const Method& other : kMethods) {
     if (other.family == Family::response && lists(other.options, option)) users.push_back(other.name);
   }
-  if (users.empty() || lists(method.options, option)) return "";
-  return found + with.substr(1) + join(users) + ", not " + std::string(response);
+  if (users.empty() || lists(method.options, option)) return std::nullopt;
+  return Misfit{std::string(value), with.substr(1) + join(users) + ", not " + std::string(response)};
 }
 
 bool uses(const Method& method, std::string_view option) { return lists(method.options, option); }
 
 bool goes_with(std::string_view response, std::string_view option, std::string_view value) {
-  return misfit(response, option, value).empty();
+  return !misfit(response, option, value);
 }
 
 std::string_view family_name(Family family) {

@@ -2,6 +2,7 @@
 // One table of all methods; command line, panel, tests and documentation are fed from it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,9 +32,13 @@ std::vector<std::string_view> method_names(Family family);
 /// The entry of this name. Throws UserError where there is none.
 const Method& find_method(Family family, std::string_view name);
 
-/// What is wrong with `--option value` for a response: "found rk4, allowed symplectic-euler with --response impulse"; empty if
-/// nothing.
-std::string misfit(std::string_view response, std::string_view option, std::string_view value);
+/// A value that does not go with a response: "rk4", and "symplectic-euler with --response impulse".
+struct Misfit {
+  std::string found, allowed;
+};
+
+/// What is wrong with `--option value` for a response, if anything.
+std::optional<Misfit> misfit(std::string_view response, std::string_view option, std::string_view value);
 
 /// Whether a broad phase or a response uses an option of its kind.
 bool uses(const Method& method, std::string_view option);

@@ -165,10 +165,10 @@ void apply_setting(Settings& settings, std::string_view name, std::string_view v
   if (info == kTable.end()) {
     std::vector<std::string_view> names;
     for (const SettingInfo& entry : kTable) names.push_back(entry.name);
-    throw UserError(std::string(where) + ": found no option of this name, allowed " + join(names));
+    throw UserError(where, "no option of this name", join(names));
   }
   if (!info->set(settings, value)) {
-    throw UserError(std::string(where) + ": found " + std::string(value) + ", allowed " + info->allowed());
+    throw UserError(where, value, info->allowed());
   }
 }
 

@@ -377,9 +377,9 @@ class SweptContacts {
       const double period = double(box.max[axis]) - double(box.min[axis]);
       if (4 * reach <= period) continue;
       std::ostringstream message;
-      message << "--swept: a sphere and its way in a step reach over " << 2 * reach
-              << " m, allowed in a periodic domain of " << period << " m is half of that; a smaller --dt helps";
-      throw RunError(message.str());
+      message << "a sphere and its way in a step reach over " << 2 * reach << " m, allowed in a periodic domain of "
+              << period << " m is half of that";
+      throw RunError("--swept", message.str(), "a smaller --dt helps");
     }
   }
 

@@ -149,7 +149,7 @@ TEST_CASE("a picture that there is no memory for is told, whether OpenGL lacks i
   const Outcome larger = run_program({"render", "two-spheres", "--size", "16384x16384", "--supersample", "4",
                                       "--frames", "1", "--out", scratch / "film"});
   CHECK(larger.status == 2);
-  CHECK_THAT(larger.err, Contains("cannot draw a picture of 65536x65536 pixels; each side may be 1 to "));
+  CHECK_THAT(larger.err, Contains("--size: found 65536x65536 pixels, supersampling included, allowed sides of 1 to "));
 }
 
 TEST_CASE("a sphere that leaves the domain stops the run with its number and the step") {
@@ -180,7 +180,8 @@ TEST_CASE("without OpenGL's libraries, doctor says what is missing, and render a
     CHECK(run_program({"doctor", "--json"}).json()["gl"].contains("error"));
     const Scratch scratch;
     CHECK_THAT(failure_to_render(scratch / "film"), Contains("no OpenGL") && Contains("the package " + package));
-    CHECK_THAT(failure_of({"show", "two-spheres"}), Contains("no window: ") && Contains("on Debian, the package "));
+    CHECK_THAT(failure_of({"show", "two-spheres"}),
+               Contains("show: no window: ") && Contains("on Debian, the package "));
     CHECK(run_program({"simulate", "two-spheres", "--time", "0"}).status == 0);
   }
 }

@@ -383,8 +383,8 @@ TEST_CASE("files of spheres that are none are refused with the reason") {
     return outcome.err;
   };
   const Scratch scratch;
-  CHECK_THAT(error_of(scratch / "none.csv"), Contains("none.csv: cannot read: No such file"));
-  CHECK_THAT(error_of(scratch.path().string()), Contains("is a folder"));
+  CHECK_THAT(error_of(scratch / "none.csv"), Contains("none.csv: found no readable file (No such file"));
+  CHECK_THAT(error_of(scratch.path().string()), Contains("found a folder, allowed a file"));
   CHECK_THAT(error_of(BALLPIT_PROGRAM), Contains(":1: header: found "));
   CHECK_THAT(error_of("/dev/zero"), Contains(":1: line: found more than 1048576 bytes"));
 }

@@ -92,5 +92,5 @@ TEST_CASE_METHOD(Operated, "a film that is stopped keeps its frames; one that ca
   CHECK(fs::exists("frames_00000/frame_00001.png"));
   saver.start_film({1 << 20, 90}, 5);
   CHECK_FALSE(saver.is_filming());
-  CHECK_THAT(demo.message(), Catch::Contains("cannot draw a picture of 1048576x90"));
+  CHECK_THAT(demo.message(), Catch::Contains("--size: found 1048576x90"));
 }

@@ -74,7 +74,7 @@ begin --remember; expect_title "20 spheres, sort-and-sweep"; end
 begin lecture-grid; expect_title "linked-cell"; end
 echo "{" > config/ballpit/show.json
 begin lecture-grid --remember --size 640x480; expect_title "linked-cell"; end
-[[ $(wc -l < log) == 1 ]] && grep -q "note: nothing is remembered: .*show.json" log || fail "no note"
+[[ $(wc -l < log) == 1 ]] && grep -q "note: --remember: nothing is remembered: .*show.json" log || fail "no note"
 status=0; "$program" show --size 16384x16384 2> log || status=$?
 [[ $status == 2 && $(wc -l < log) == 1 ]] && grep -q -- "--size: found 16384x16384, allowed at most 5120x4096 on this display" log || fail "no line of the size"
 HANDS

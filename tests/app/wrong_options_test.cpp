@@ -279,7 +279,7 @@ TEST_CASE("a backend without a device is refused with the reason") {
 }
 
 TEST_CASE("line breaks in what was found do not break the line") {
-  CHECK_THAT(error_of({"simulate", "a\nb.toml"}), Contains("a?b.toml: cannot read"));
+  CHECK_THAT(error_of({"simulate", "a\nb.toml"}), Contains("a?b.toml: found no readable file"));
   CHECK_THAT(error_of({"simulate", "--dt", "1\n2"}), Contains("--dt: found 1?2"));
 }
 
@@ -289,7 +289,8 @@ TEST_CASE("a scene that does not exist is refused with those that do") {
   for (const SceneInfo& scene : built_in_scenes()) CHECK_THAT(error, Contains(scene.name));
   CHECK_THAT(error_of({"render", "nosuch", "--out", "/proc/nowhere"}), Contains("SCENE: found \"nosuch\""));
   CHECK_THAT(error_of({"simulate", ""}), Contains("SCENE: found \"\""));
-  CHECK_THAT(error_of({"simulate", "nosuch.toml"}), Contains("nosuch.toml: cannot read: No such file"));
-  CHECK_THAT(error_of({"simulate", "/nowhere/x.toml"}), Contains("/nowhere/x.toml: cannot read: No such file"));
-  CHECK_THAT(error_of({"simulate", "/tmp/"}), Contains("/tmp/: is a folder"));
+  CHECK_THAT(error_of({"simulate", "nosuch.toml"}), Contains("nosuch.toml: found no readable file (No such file"));
+  CHECK_THAT(error_of({"simulate", "/nowhere/x.toml"}),
+             Contains("/nowhere/x.toml: found no readable file (No such file"));
+  CHECK_THAT(error_of({"simulate", "/tmp/"}), Contains("/tmp/: found a folder, allowed a file"));
 }

@@ -23,7 +23,7 @@ struct Folder {
   fs::path path;
   Folder() {
     std::string name = (fs::temp_directory_path() / "ballpit-file-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw RunError("no folder for the test");
+    if (::mkdtemp(name.data()) == nullptr) throw RunError(name, "no folder for the test");
     path = name;
   }
   ~Folder() { fs::remove_all(path); }

@@ -87,7 +87,7 @@ Image read_png(const std::string& path) {
   int channels = 0;
   uint8_t* pixels = stbi_load_from_memory(reinterpret_cast<const uint8_t*>(bytes.data()),
                                           static_cast<int>(bytes.size()), &image.width, &image.height, &channels, 4);
-  if (!pixels) throw RunError(path + ": " + stbi_failure_reason());
+  if (!pixels) throw RunError(path, stbi_failure_reason());
   image.pixels.assign(pixels, pixels + static_cast<size_t>(image.width) * static_cast<size_t>(image.height) * 4);
   stbi_image_free(pixels);
   return image;

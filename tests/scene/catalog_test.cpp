@@ -85,7 +85,7 @@ TEST_CASE("a path that ends in .toml or has a slash is a file") {
   write_file(folder / "rain", "title = 'Not the rain'");
   CHECK(load_scene((folder / "mine.toml").string()).title == "Mine");
   CHECK(load_scene((folder / "rain").string()).title == "Not the rain");
-  CHECK_THROWS_WITH(load_scene("nowhere.toml"), Catch::Contains("nowhere.toml: cannot read"));
+  CHECK_THROWS_WITH(load_scene("nowhere.toml"), Catch::Contains("nowhere.toml: found no readable file (No such file"));
   std::filesystem::remove_all(folder);
 }
 

@@ -292,7 +292,7 @@ TEST_CASE("a line that no buffer holds is refused by its number") {
 
 TEST_CASE("a folder is no CSV file") {
   const auto read = [] { read_resting_spheres(fs::temp_directory_path()); };
-  CHECK(message_of(read) == fs::temp_directory_path().string() + ": is a folder, a file is needed");
+  CHECK(message_of(read) == fs::temp_directory_path().string() + ": found a folder, allowed a file");
 }
 
 TEST_CASE("a round trip through a file keeps every bit") {

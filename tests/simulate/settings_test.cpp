@@ -48,7 +48,7 @@ TEST_CASE("a value that is not allowed names option, finding and choices") {
       {"threads", "257", "--threads: found 257, allowed 0 to 256"},
       {"count", "99999999999999999999", "--count: found 99999999999999999999, allowed 1 to 100000000"},
       {"seed", "-1", "--seed: found -1, allowed 0 to 18446744073709551615"},
-      {"substeps", "", "--substeps: found , allowed 1 to 1000"},
+      {"substeps", "", "--substeps: found nothing, allowed 1 to 1000"},
   }));
   Settings settings;
   CHECK_THROWS_WITH(apply_setting(settings, row.name, row.value, std::string("--") + row.name), row.message);

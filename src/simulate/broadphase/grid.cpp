@@ -127,11 +127,11 @@ Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>&
   const V edge = choose_edge(parameters, spheres, wanted_edge, is_hashed);
   const double count = cell_count(box, edge);
   if ((!is_hashed || grid.is_periodic) && !(count <= kLargestGrid)) {
-    std::ostringstream message;
-    message << "--cell-size: found " << parameters.cell_size.value_or(1.0) << ", which needs " << count
-            << " cells; allowed are sizes that need at most " << kLargestGrid
+    std::ostringstream found, allowed;
+    found << parameters.cell_size.value_or(1.0) << ", which needs " << count << " cells";
+    allowed << "sizes that need at most " << kLargestGrid << " cells"
             << (grid.is_periodic ? "" : ", or --table hashed");
-    throw UserError(message.str());
+    throw UserError("--cell-size", found.str(), allowed.str());
   }
   for (int axis = 0; axis < kDimensions<V>; ++axis) {
     const double extent = extent_of(box, axis);

@@ -129,12 +129,14 @@ void EventDriven<V>::count_event(int i) {
   } else if (++moment_events_ > kStandstill * size()) {
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       if (!is_wedged(i, axis)) continue;
-      fail(i, std::string("it fits exactly between the walls along ") + "xyz"[axis] +
-                  ", and what pushes it there makes it collide without end; a domain with more room ends this");
+      fail(i,
+           std::string("it fits exactly between the walls along ") + "xyz"[axis] +
+               ", and what pushes it there makes it collide without end",
+           "a domain with more room ends this");
     }
     const bool is_short = rules_.contact_duration < kMoment * epoch_length_;
-    fail(i, std::string("collisions follow each other without end; ") +
-                (is_short ? "a longer --contact-duration may end them" : "it has no room to move between its neighbours"));
+    fail(i, "collisions follow each other without end",
+         is_short ? "a longer --contact-duration may end them" : "it has no room to move between its neighbours");
   }
 }
 
@@ -338,10 +340,10 @@ void EventDriven<V>::check(int i, const V& velocity) const {
 }
 
 template <class V>
-void EventDriven<V>::fail(int i, const std::string& what) const {
-  std::ostringstream message;
-  message << "event " << events_ << " (t = " << epoch_start_ + now_ << " s), sphere " << i << ": " << what;
-  throw RunError(message.str());
+void EventDriven<V>::fail(int i, const std::string& what, const std::string& more) const {
+  std::ostringstream where;
+  where << "event " << events_ << " (t = " << epoch_start_ + now_ << " s), sphere " << i;
+  throw RunError(where.str(), what, more);
 }
 
 template <class V>

@@ -117,7 +117,7 @@ class EventDriven {
   bool is_wedged(int i, int axis) const;
 
   void check(int i, const V& velocity) const;
-  [[noreturn]] void fail(int i, const std::string& what) const;
+  [[noreturn]] void fail(int i, const std::string& what, const std::string& more = "") const;
 
   EventRules<V> rules_;
   Cells<V> cells_;

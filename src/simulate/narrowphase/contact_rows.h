@@ -23,8 +23,8 @@ inline constexpr int kKept = 8;
 /// Throws RunError where a number of entries exceeds what an index holds.
 inline int checked_count(int64_t count, const char* what) {
   if (count > std::numeric_limits<int>::max()) {
-    throw RunError("too many " + std::string(what) + ": " + std::to_string(count) + "; at most " +
-                   std::to_string(std::numeric_limits<int>::max()) + " can be held");
+    throw RunError(what, "too many: " + std::to_string(count),
+                   "at most " + std::to_string(std::numeric_limits<int>::max()) + " can be held");
   }
   return static_cast<int>(count);
 }
