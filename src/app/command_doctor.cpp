@@ -78,9 +78,7 @@ void print_text(const Json& found) {
 
 class DoctorCommand final : public Command {
  public:
-  void add_options(CommandOptions& command) override {
-    command.add_flag("--json", json_, "print one JSON object");
-  }
+  void add_options(CommandOptions& command) override { command.add_flag("--json", json_, "print one JSON object"); }
 
   void run() override {
     const Json found = examine_machine();

@@ -22,10 +22,10 @@ class CommandOption {
  public:
   explicit CommandOption(CLI::Option* option) : option_(option) {}
 
-  CommandOption* type_name(const std::string& name);     ///< of its value: "SECONDS"
-  CommandOption* group(const std::string& heading);      ///< of --help
+  CommandOption* type_name(const std::string& name);  ///< of its value: "SECONDS"
+  CommandOption* group(const std::string& heading);   ///< of --help
   CommandOption* required();
-  CommandOption* shows_default();                        ///< --help shows the value that the variable has now
+  CommandOption* shows_default();  ///< --help shows the value that the variable has now
 
   bool is_given() const;
 

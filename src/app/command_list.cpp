@@ -138,9 +138,7 @@ void print_text(const Json& list) {
 
 class ListCommand final : public Command {
  public:
-  void add_options(CommandOptions& command) override {
-    command.add_flag("--json", json_, "print one JSON object");
-  }
+  void add_options(CommandOptions& command) override { command.add_flag("--json", json_, "print one JSON object"); }
 
   void run() override {
     const Json list{{"scenes", list_scenes()},

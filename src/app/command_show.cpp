@@ -14,7 +14,6 @@
 #include "app/commands.h"
 #include "app/demo.h"
 #include "app/demo_renderer.h"
-#include "core/interrupt.h"
 #include "app/notes.h"
 #include "app/options.h"
 #include "app/panel.h"
@@ -22,6 +21,7 @@
 #include "app/saver.h"
 #include "app/window.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/numbers.h"
 #include "render/painter.h"
 #include "render/renderer.h"
@@ -177,9 +177,8 @@ class ShowCommand final : public Command {
     size_option_ = command.add_option("--size", size_, "the window's size in pixels");
     size_option_->type_name("WIDTHxHEIGHT")->shows_default();
     look_.add_to(command);
-    command
-        .add_flag("--remember", remembers_,
-                  "go on with scene, options and view of the last `show --remember`, and keep them");
+    command.add_flag("--remember", remembers_,
+                     "go on with scene, options and view of the last `show --remember`, and keep them");
     arguments_.add_to(command);
   }
 

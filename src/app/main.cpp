@@ -20,19 +20,19 @@ using namespace ballpit;
 
 namespace {
 
-constexpr std::array kCommands{
-    CommandEntry{"show", "a window with the panel", make_show_command},
-    CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
-    CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
-    CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file or a scene", make_pairs_command},
-    CommandEntry{"bench", "time per step by method, backend, threads and number of spheres", make_bench_command},
+constexpr std::array kCommands {
+  CommandEntry{"show", "a window with the panel", make_show_command},
+      CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
+      CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
+      CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file or a scene", make_pairs_command},
+      CommandEntry{"bench", "time per step by method, backend, threads and number of spheres", make_bench_command},
 #if BALLPIT_HAS_LABORATORY
-    CommandEntry{"lab", "experiments: tables, charts and one report of what methods cost and get right",
-                 make_lab_command},
+      CommandEntry{"lab", "experiments: tables, charts and one report of what methods cost and get right",
+                   make_lab_command},
 #endif
-    CommandEntry{"list", "scenes, methods, backends, overlays, colours, themes, observables, experiments",
-                 make_list_command},
-    CommandEntry{"doctor", "what this machine offers", make_doctor_command},
+      CommandEntry{"list", "scenes, methods, backends, overlays, colours, themes, observables, experiments",
+                   make_list_command},
+      CommandEntry{"doctor", "what this machine offers", make_doctor_command},
 };
 
 /// `text` without line breaks and other control characters, which would break the line or the terminal.
@@ -72,8 +72,8 @@ int main(int argc, char** argv) {
   } catch (const RunError& error) {
     return fail(1, error);
   } catch (const std::bad_alloc&) {
-    return fail(1, RunError(command, "out of memory",
-                            "fewer spheres (--count) or a smaller picture (--size) need less"));
+    return fail(1,
+                RunError(command, "out of memory", "fewer spheres (--count) or a smaller picture (--size) need less"));
   } catch (const std::exception& error) {
     return fail(1, RunError(command, error.what()));
   }

@@ -70,7 +70,8 @@ const std::string& parse_path(std::string_view option, const std::string& text);
 const std::string& parse_output(std::string_view option, const std::string& text);
 
 /// Throws UserError where an output leads to the same place as a file that `name` is given.
-void reject_same_file(std::string_view option, const std::string& path, std::string_view name, const std::string& other);
+void reject_same_file(std::string_view option, const std::string& path, std::string_view name,
+                      const std::string& other);
 
 /// How a scene is looked at, for the commands that draw: --overlay, --color, --theme, --ui-scale.
 class LookArguments {

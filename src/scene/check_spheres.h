@@ -29,7 +29,7 @@ inline constexpr double kAnyOverlap = 1.0;
 /// unless it is kAnyOverlap. What rounding to single precision makes is allowed in both. Adds all to `index`. Returns how many
 /// spheres were outside of a periodic domain.
 int64_t check_spheres(const Domain& domain, const Physics& physics, const SphereLines& lines, Bodies& bodies,
-                   SphereIndex& index);
+                      SphereIndex& index);
 
 /// Throws UserError unless each edge of a periodic domain is at least four times the largest radius: then two
 /// spheres meet across one edge only. `place` is where the domain was written.

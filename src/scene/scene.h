@@ -89,7 +89,7 @@ struct Scene {
   Bodies bodies;
   std::vector<DefaultOption> defaults;
   Needs needs;
-  uint64_t seed = 1;  ///< that filled it
+  uint64_t seed = 1;                 ///< that filled it
   std::vector<std::string> notes{};  ///< what the user is to know: "state.csv: 3 of 10 spheres …"
 };
 

@@ -2,8 +2,8 @@
 // Worlds and pair searches on the CPU.
 #include "exec/cpu_executor.h"
 #include "simulate/event_driven/world.h"
-#include "simulate/make_world.h"
 #include "simulate/instances_cpu.h"
+#include "simulate/make_world.h"
 #include "simulate/pair_search_on.h"
 
 namespace ballpit {

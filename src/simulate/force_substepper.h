@@ -13,8 +13,8 @@
 #include "simulate/integrate/symplectic_euler.h"
 #include "simulate/integrate/velocity_verlet.h"
 #include "simulate/methods.h"
-#include "simulate/substepper.h"
 #include "simulate/response/penalty.h"
+#include "simulate/substepper.h"
 
 namespace ballpit {
 
@@ -65,8 +65,7 @@ class ForceSubstepper final : public Substepper<V, Exec> {
 template <class Real>
 PenaltyLaw<Real> penalty_law(const Scene& scene, const Settings& settings) {
   const Physics& physics = scene.physics;
-  const bool ends_with_force = settings.contact_end == "force",
-             has_walls = scene.domain.boundary != Boundary::periodic;
+  const bool ends_with_force = settings.contact_end == "force", has_walls = scene.domain.boundary != Boundary::periodic;
   return {static_cast<Real>(physics.stiffness),
           static_cast<Real>(damping_of(physics.restitution, ends_with_force)),
           has_walls ? static_cast<Real>(damping_of(physics.wall_restitution, ends_with_force)) : Real(0),
@@ -80,7 +79,8 @@ std::unique_ptr<Substepper<V, Exec>> make_penalty_substepper(const Scene& scene,
   const PenaltyLaw<Scalar<V>> law = penalty_law<Scalar<V>>(scene, settings);
   const std::string integrator = integrator_of(settings);
   if (integrator == "explicit-euler") return std::make_unique<ForceSubstepper<V, Exec, ExplicitEuler<V, Exec>>>(law);
-  if (integrator == "symplectic-euler") return std::make_unique<ForceSubstepper<V, Exec, SymplecticEuler<V, Exec>>>(law);
+  if (integrator == "symplectic-euler")
+    return std::make_unique<ForceSubstepper<V, Exec, SymplecticEuler<V, Exec>>>(law);
   if (integrator == "rk4") return std::make_unique<ForceSubstepper<V, Exec, RungeKutta4<V, Exec>>>(law);
   return std::make_unique<ForceSubstepper<V, Exec, VelocityVerlet<V, Exec>>>(law);
 }

@@ -10,7 +10,7 @@
 #include "simulate/step_state.h"
 #include "simulate/tally_on.h"
 
-#define BALLPIT_DETECTION(EXTERN, V, Exec)         \
+#define BALLPIT_DETECTION(EXTERN, V, Exec)             \
   EXTERN template class ballpit::Detector<V, Exec>;    \
   EXTERN template class ballpit::ContactList<V, Exec>; \
   EXTERN template class ballpit::StepState<V, Exec>;   \

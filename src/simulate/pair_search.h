@@ -17,8 +17,8 @@ namespace ballpit {
 
 /// Spheres at rest, in main memory, as their owner keeps them.
 struct SphereArrays {
-  Span<const Vec3> position;  ///< [m] finite
-  Span<const float> radius;   ///< [m] above 0; one value for all, or one each
+  Span<const Vec3> position;          ///< [m] finite
+  Span<const float> radius;           ///< [m] above 0; one value for all, or one each
   std::optional<Box<Vec3>> period{};  ///< periodic domain that holds all centres, each edge four radii or longer
 };
 

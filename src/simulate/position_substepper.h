@@ -11,8 +11,8 @@
 
 #include "simulate/integrate/symplectic_euler.h"
 #include "simulate/measure.h"
-#include "simulate/substepper.h"
 #include "simulate/response/position_based.h"
+#include "simulate/substepper.h"
 
 namespace ballpit {
 

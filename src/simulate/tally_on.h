@@ -103,7 +103,7 @@ ImpulseNotes<V> TallyKeeper<V, Exec>::begin(Exec& exec, int64_t bodies, int64_t 
 
 template <class V, class Exec>
 void TallyKeeper<V, Exec>::end(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs,
-         Span<const ContactGeometry<V>> geometry, bool counts) {
+                               Span<const ContactGeometry<V>> geometry, bool counts) {
   if (!is_kept_) return;
   const int64_t n = bodies.size();
   if (before_.size() != n) {

@@ -20,8 +20,8 @@
 #include "simulate/make_world.h"
 #include "simulate/measure.h"
 #include "simulate/methods.h"
-#include "simulate/substepper.h"
 #include "simulate/snapshot.h"
+#include "simulate/substepper.h"
 #include "simulate/world.h"
 #include "simulate/write_bodies.h"
 

@@ -82,7 +82,8 @@ TEST_CASE("rendering twice gives the same bytes, with any number of threads") {
 TEST_CASE("the option --copy-bodies changes how spheres reach the picture, and no byte of the frames") {
   CHECK(is_same(film({"--frames", "3", "--copy-bodies"}), film({"--frames", "3"})));
   const Scratch scratch;
-  const std::vector<std::string> arguments{"render", "--frames", "1", "--size", "64x64", "--json", "--out", scratch / "film"};
+  const std::vector<std::string> arguments{"render", "--frames", "1",     "--size",
+                                           "64x64",  "--json",   "--out", scratch / "film"};
   CHECK(run_program(arguments).json()["bodies"] == "written by cpu");
   std::vector<std::string> with_copies = arguments;
   with_copies.push_back("--copy-bodies");

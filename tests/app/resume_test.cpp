@@ -165,8 +165,8 @@ TEST_CASE("Ctrl-C ends simulate with status 1 and the steps made, without a stat
 
 TEST_CASE("Ctrl-C takes effect within one long step of event-driven motion, and leaves no state") {
   const Scratch folder;
-  Program program({"simulate", "bouncing-balls", "--count", "5000", "--response", "event-driven", "--dt", "10", "--time",
-                   "10", "--out", folder / "state.csv"});
+  Program program({"simulate", "bouncing-balls", "--count", "5000", "--response", "event-driven", "--dt", "10",
+                   "--time", "10", "--out", folder / "state.csv"});
   REQUIRE(program.wait_until_it_catches(SIGINT));
   program.signal(SIGINT);
   const Outcome outcome = program.wait();
@@ -194,17 +194,18 @@ TEST_CASE("the option --resume refuses frames that show something else, and says
   check_refused({"render", "lecture-grid", "--size", "160x90", "--out", out, "--resume"}, "scene bouncing-balls");
   check_refused({"render", "bouncing-balls", "--count", "150", "--size", "80x90", "--out", out, "--resume"},
                 "size 160x90");
-  for (const auto& [options, what] : std::vector<std::pair<Arguments, std::string>>{{{"--theme", "dark"}, "theme "},
-                                                                                    {{"--overlay", "none"}, "overlay "},
-                                                                                    {{"--color", "size"}, "color "},
-                                                                                    {{"--seed", "7"}, "state "},
-                                                                                    {{"--from", "1"}, "from 0"},
-                                                                                    {{"--fps", "30"}, "interval "},
-                                                                                    {{"--every", "2"}, "interval "},
-                                                                                    {{"--supersample", "2"}, "supersample 1"},
-                                                                                    {{"--panel"}, "panel none"},
-                                                                                    {{"--dt", "0.001"}, "dt "},
-                                                                                    {{"--swept", "on"}, "swept "}}) {
+  for (const auto& [options, what] :
+       std::vector<std::pair<Arguments, std::string>>{{{"--theme", "dark"}, "theme "},
+                                                      {{"--overlay", "none"}, "overlay "},
+                                                      {{"--color", "size"}, "color "},
+                                                      {{"--seed", "7"}, "state "},
+                                                      {{"--from", "1"}, "from 0"},
+                                                      {{"--fps", "30"}, "interval "},
+                                                      {{"--every", "2"}, "interval "},
+                                                      {{"--supersample", "2"}, "supersample 1"},
+                                                      {{"--panel"}, "panel none"},
+                                                      {{"--dt", "0.001"}, "dt "},
+                                                      {{"--swept", "on"}, "swept "}}) {
     Arguments arguments = render(out, 4, options);
     arguments.emplace_back("--resume");
     check_refused(arguments, what);
@@ -223,5 +224,6 @@ TEST_CASE("frames of older versions, which do not say what they show, are refuse
   Arguments again = render(folder.path().string(), 4, {"--resume"});
   const Outcome outcome = run_program(again);
   CHECK(outcome.status == 2);
-  CHECK_THAT(outcome.err, Contains("found frame_00001.png in ") && Contains(" with size 80x90, allowed frames with size 160x90"));
+  CHECK_THAT(outcome.err,
+             Contains("found frame_00001.png in ") && Contains(" with size 80x90, allowed frames with size 160x90"));
 }

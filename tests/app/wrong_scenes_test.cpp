@@ -97,7 +97,8 @@ TEST_CASE("a preset that does not go with the response given is dropped, and one
   const Scratch scratch;
   const std::string scene = scratch / "a.toml";
   write_text(scene,
-             "[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[[spheres]]\nposition = [0.5, 0.5, 0.5]\nradius = 0.1\n[defaults]\nresponse = 'penalty'\n"
+             "[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[[spheres]]\nposition = [0.5, 0.5, 0.5]\nradius = "
+             "0.1\n[defaults]\nresponse = 'penalty'\n"
              "integrator = 'rk4'\ncontact-end = 'force'\nprecision = 'float'\ndt = 0.001\n");
   const auto methods_with = [&](const char* response) {
     const Outcome outcome = run_program({"simulate", scene, "--time", "0.002", "--response", response, "--json"});

@@ -176,7 +176,8 @@ TEST_CASE("impossible fills are refused") {
       {one + "radius = [0.2]",
        "3: [[fill]] radius: found an array of 1 values, allowed a number, or an array of 2 numbers, low and "
        "high"},
-      {one + "radius = 0.6", "2: [[fill]] radius: found 0.6, allowed at most 0.4999, below half the region, whose edge along x is 1"},
+      {one + "radius = 0.6",
+       "2: [[fill]] radius: found 0.6, allowed at most 0.4999, below half the region, whose edge along x is 1"},
       {ball + "speed = -1", "4: [[fill]] speed: found -1, allowed 0 to 1e+15"},
       {ball + "speed = 1\nvelocity = [0, 0, 0]",
        "4: [[fill]] speed: found both speed and velocity, allowed one of them"},

@@ -80,7 +80,8 @@ TEST_CASE("a start that overlaps, as a saved heap may, does not stop the run") {
   CHECK(stop_of(*make_cpu_world(scene, settings), 64).empty());
 }
 
-TEST_CASE("the last good state of so many spheres that they are sorted in memory is in the order of the scene", "[slow]") {
+TEST_CASE("the last good state of so many spheres that they are sorted in memory is in the order of the scene",
+          "[slow]") {
   Scene scene = make_cloud({.count = 5000, .smallest = 0.01, .largest = 0.01}, 7);
   const auto world = make_cpu_world(scene, settings_of("impulse", 1e-5));
   for (int k = 0; k < 65; ++k) world->step();  // sorted again in step 65, after the last good state

@@ -163,7 +163,8 @@ Scene pairs_apart(int side, int stride, const Kind& kind) {
 
 TEST_CASE(
     "the state has the same bits after 500 steps for any number of threads, every broad phase, with a skin or "
-    "without", "[slow]") {
+    "without",
+    "[slow]") {
   check_hashes(heap(GENERATE(2, 3)), kSteps);
 }
 
@@ -172,8 +173,8 @@ TEST_CASE("the state of a periodic gas of unequal spheres has the same bits what
                kSteps / 5);
 }
 
-TEST_CASE(
-    "the state of so many spheres that they are sorted in memory has the same bits whatever finds their contacts", "[slow]") {
+TEST_CASE("the state of so many spheres that they are sorted in memory has the same bits whatever finds their contacts",
+          "[slow]") {
   // Past a second sorting, in step 64; two in a thousand of the heap move fast enough to end a skin.
   Scene scene = make_cloud({.count = 4500, .smallest = 0.03, .largest = 0.045}, 5);
   scene.physics.gravity = {0, -9.81, 0};

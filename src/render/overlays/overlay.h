@@ -29,11 +29,11 @@ class Overlay {
 };
 
 struct OverlayEntry {
-  std::string_view name;                             ///< "grid", as typed
-  std::string_view label;                            ///< "Grid cells", as the panel shows it
-  std::unique_ptr<Overlay> (*create)();              ///< needs a current GL context
-  Wanted wanted = {};                                ///< of the inspection, to be drawn
-  float (*room_below)(const Inspection&) = nullptr;  ///< of the picture's height, that it fills at the lower edge
+  std::string_view name;                                ///< "grid", as typed
+  std::string_view label;                               ///< "Grid cells", as the panel shows it
+  std::unique_ptr<Overlay> (*create)();                 ///< needs a current GL context
+  Wanted wanted = {};                                   ///< of the inspection, to be drawn
+  float (*room_below)(const Inspection&) = nullptr;     ///< of the picture's height, that it fills at the lower edge
   std::string (*lacking)(const Inspection&) = nullptr;  ///< why the method gives it nothing to draw; "" where it does
 
   std::string lack(const Inspection& inspection) const { return lacking ? lacking(inspection) : ""; }

@@ -18,7 +18,7 @@ constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 constexpr int64_t kStandstill = 1000;
 constexpr double kMoment = 0x1p-16;
 constexpr int64_t kEventsBetweenLooks = 1024;  // whether the run was interrupted: about a millisecond
-constexpr double kWedged = 1e-9;     // radii: a sphere with less room between two walls fits exactly between them
+constexpr double kWedged = 1e-9;      // radii: a sphere with less room between two walls fits exactly between them
 constexpr double kRightAngle = 1e-6;  // part of a normal along an axis that does not count
 constexpr int kFewestToFetch = 5000;  // spheres; fewer lie in a cache
 

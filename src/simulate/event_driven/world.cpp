@@ -206,7 +206,8 @@ class EventDrivenWorld final : public World {
   double dt_;  // [s]
   EventDriven<V> motion_;
   int64_t steps_ = 0;
-  double time_ = 0;  // [s] of the present state: the end of the latest step, or where a step ended early, the moment it reached
+  double time_ =
+      0;  // [s] of the present state: the end of the latest step, or where a step ended early, the moment it reached
   double seconds_ = 0;
 };
 

@@ -55,8 +55,7 @@ class ContactList {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  void build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies,
-             const Box<V>& box);
+  void build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies, const Box<V>& box);
 
   /// Without measuring.
   void link(Exec& exec, Span<const Pair> pairs, Span<const int> first);
@@ -74,7 +73,7 @@ class ContactList {
 
 template <class V, class Exec>
 void ContactList<V, Exec>::build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies,
-           const Box<V>& box) {
+                                 const Box<V>& box) {
   link(exec, pairs, first);
   geometry_.resize(pairs.size());
   exec.parallel_for("measure contacts", pairs.size(), MeasureContact<V>{bodies, box, pairs, geometry_.span()});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The impulse response on the CPU.
-#include "simulate/response/impulse_substepper.h"
 #include "simulate/instances_cpu.h"
+#include "simulate/response/impulse_substepper.h"
 
 namespace ballpit {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The kinematic response on the CPU.
-#include "simulate/response/kinematic_substepper.h"
 #include "simulate/instances_cpu.h"
+#include "simulate/response/kinematic_substepper.h"
 
 namespace ballpit {
 

@@ -47,8 +47,8 @@ struct PositionBasedView {
   Real h;           ///< [s] length of the substep
   Real compliance;  ///< α̃ = compliance / h² [1/kg]
   Real restitution, wall_restitution, threshold;
-  Span<const V> velocity;  ///< [m/s] kicked
-  Real push;               ///< [m/s] contacts make bodies part at most so fast; negative: no limit
+  Span<const V> velocity;         ///< [m/s] kicked
+  Real push;                      ///< [m/s] contacts make bodies part at most so fast; negative: no limit
   Span<V> low_given, high_given;  ///< [kg·m] what of the multipliers has entered velocities; empty without a limit
   Span<Real> given;
 
@@ -217,15 +217,14 @@ class PositionBasedResponse {
     exec.parallel_for("take velocities", n, TakeVelocity<V>{h, shift_.span(), state.velocity.span()});
     state.moved();
     if (!state.box().is_periodic()) {
-      exec.parallel_for("rebound from walls", n,
-                        ReboundFromWalls<V>{view, before, is_limited ? low_given_.span() : low_.span(),
-                                            is_limited ? high_given_.span() : high_.span(), state.velocity.span(),
-                                            notes});
+      exec.parallel_for(
+          "rebound from walls", n,
+          ReboundFromWalls<V>{view, before, is_limited ? low_given_.span() : low_.span(),
+                              is_limited ? high_given_.span() : high_.span(), state.velocity.span(), notes});
     }
     const Span<const Real> pushed = is_limited ? given_.span() : multiplier_.span();
     colours_.for_each([&](Span<const int> colour) {
-      exec.parallel_for("rebound", colour.size(),
-                        ReboundApart<V>{view, colour, pushed, state.velocity.span(), notes});
+      exec.parallel_for("rebound", colour.size(), ReboundApart<V>{view, colour, pushed, state.velocity.span(), notes});
     });
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The position-based response on the CPU.
-#include "simulate/position_substepper.h"
 #include "simulate/instances_cpu.h"
+#include "simulate/position_substepper.h"
 
 namespace ballpit {
 

@@ -51,7 +51,8 @@ Settings settings_for(const std::string& response) {
 
 }  // namespace
 
-TEST_CASE("a heap is at rest after 5 s, by impulses, springs with dashpots and positions, in float and double", "[slow]") {
+TEST_CASE("a heap is at rest after 5 s, by impulses, springs with dashpots and positions, in float and double",
+          "[slow]") {
   for (const char* const response : {"impulse", "penalty", "position-based"}) {
     for (const char* const precision : {"float", "double"}) {
       const Rest rest = rest_of(heap(), settings_for(response), precision);
@@ -62,8 +63,8 @@ TEST_CASE("a heap is at rest after 5 s, by impulses, springs with dashpots and p
   }
 }
 
-TEST_CASE(
-    "far from the origin a heap in float jitters by about half a last digit a substep, and in double not at all", "[slow]") {
+TEST_CASE("far from the origin a heap in float jitters by about half a last digit a substep, and in double not at all",
+          "[slow]") {
   // Positions are rounded to the distance of float's numbers, ulp(x), in each substep h; measured: 0.42 to 0.47 ulp(x)/h.
   struct Row {
     const char* response;

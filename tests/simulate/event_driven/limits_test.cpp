@@ -65,14 +65,19 @@ TEST_CASE("event-driven: a bouncing ball rests after t1·(1 + e)/(1 − e), at a
   CHECK(later.tally.floor_impulse - at_rest.tally.floor_impulse == Approx(2 * 9.81).epsilon(1e-4));
 }
 
-TEST_CASE("event-driven: a run that cannot go on leaves a state of before the failure, with all spheres in the domain") {
+TEST_CASE(
+    "event-driven: a run that cannot go on leaves a state of before the failure, with all spheres in the domain") {
   // Without the TC model the ball comes to rest at 4.0637 s by ever faster bounces.
   const double rest = std::sqrt(2 / 9.81) * 1.8 / 0.2;
   for (const double dt : {0.5, 3.0, 1000.0}) {
     Settings settings = event_driven(dt);
     settings.contact_duration = 0;
     const auto world = make_cpu_world(dropped_ball(), settings);
-    CHECK_THROWS_AS([&] { for (;;) world->step(); }(), RunError);
+    CHECK_THROWS_AS(
+        [&] {
+          for (;;) world->step();
+        }(),
+        RunError);
     CHECK(world->last_good_time() == Approx(rest).epsilon(1e-6));
     CHECK(world->last_good_time() <= rest + 1e-9);
     CHECK(world->steps() == static_cast<int64_t>(rest / dt));
@@ -195,7 +200,7 @@ TEST_CASE("event-driven: a ball that runs into a corner loses the same part of i
 TEST_CASE("event-driven: a ball struck by a ball and a wall at right angles at once loses energy at both") {
   Scene scene = empty_box(4.0);
   scene.physics.restitution = scene.physics.wall_restitution = 0.5;
-  add_sphere(scene, {1, 1, 2}, {0, -1, 0}, 0.5, 1.0);  // reaches the floor at 0.5 s
+  add_sphere(scene, {1, 1, 2}, {0, -1, 0}, 0.5, 1.0);      // reaches the floor at 0.5 s
   add_sphere(scene, {2.5, 0.5, 2}, {-1, 0, 0}, 0.5, 1.0);  // and is there at that time, beside it
   const Bodies after = world_at(scene, 0.6)->bodies();
   CHECK(length(after.velocity[0] - Vec3d(-0.75, 0.5, 0)) < 1e-6);

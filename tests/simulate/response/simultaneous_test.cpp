@@ -47,7 +47,8 @@ const std::vector<Ball> kBetween{{{-2, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, Vec3d(0)},
 
 }  // namespace
 
-TEST_CASE("a ball that runs into an edge or a corner keeps e of its speed along each axis, by every response", "[slow]") {
+TEST_CASE("a ball that runs into an edge or a corner keeps e of its speed along each axis, by every response",
+          "[slow]") {
   for (const Settings& settings :
        {method("impulse", 1e-3), method("impulse", 1e-3, false, "jacobi", 1), method("impulse", 1e-2, true),
         method("impulse", 1e-3, false, "gauss-seidel"), method("impulse", 1e-2, true, "gauss-seidel"),
