@@ -14,7 +14,7 @@ constexpr char kSeparators[] = {',', ';', '\t', ' '};
 
 struct ColumnName {
   std::string_view name;
-  Column column;
+  CsvColumn column;
   double factor = 1;
 };
 constexpr ColumnName kNames[] = {{"x", kX},
@@ -88,7 +88,9 @@ void refuse_twice(const CsvHeader& header, const Place& place) {
 
 }  // namespace
 
-bool CsvHeader::has(Column column) const { return std::find(columns.begin(), columns.end(), column) != columns.end(); }
+bool CsvHeader::has(CsvColumn column) const {
+  return std::find(columns.begin(), columns.end(), column) != columns.end();
+}
 
 std::string CsvHeader::ignored() const {
   constexpr size_t kMostNamed = 8;

@@ -20,15 +20,15 @@
 
 namespace ballpit {
 
-enum Column { kX, kY, kZ, kRadius, kVx, kVy, kVz, kMassColumn, kColumns, kIgnored = kColumns };
+enum CsvColumn { kX, kY, kZ, kRadius, kVx, kVy, kVz, kMassColumn, kColumns, kIgnored = kColumns };
 
 struct CsvHeader {
   char separator = ',';            ///< ' ' stands for any number of blanks and tabs
-  std::vector<Column> columns;     ///< what each field of a row holds
+  std::vector<CsvColumn> columns;  ///< what each field of a row holds
   std::vector<std::string> names;  ///< as written
   double radius_factor = 1;        ///< from the column to a radius: 0.5 where it holds diameters
 
-  bool has(Column column) const;
+  bool has(CsvColumn column) const;
   /// For the user: "column 1 without a name, "id""; empty where every column is read.
   std::string ignored() const;
 };

@@ -166,7 +166,7 @@ class Rows {
   }
 
   double checked(double value, std::string_view field, size_t k) {
-    const Column column = header_.columns[k];
+    const CsvColumn column = header_.columns[k];
     if (column == kRadius) value *= header_.radius_factor;
     if (!kLimits[column].contains(value)) refuse_number(field, k);
     return value;
