@@ -43,7 +43,7 @@ set(allowed
   "MoveOutOfWalls" 72
   # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum, the largest overlap and
   # who has it; for a tally, collisions.
-  "ReduceBlock.*Spread" 48
+  "ReduceBlock.*AxisSums" 48
   "ReduceBlock.*Motion" 48
   "ReduceBlock.*Offender" 48
   "ReduceBlock.*Collisions" 48

@@ -14,7 +14,7 @@ using namespace ballpit;
 
 namespace {
 
-Drift drift_in_gas(const std::string& name) {
+LargestDrift drift_in_gas(const std::string& name) {
   constexpr double kStep = 0.004;
   const auto& methods = contact_methods();
   const auto method =
@@ -58,7 +58,7 @@ TEST_CASE("explicit Euler fails in a gas where velocity Verlet holds") {
 
 TEST_CASE("every response but the kinematic one keeps momentum to rounding") {
   for (const ContactMethod& method : contact_methods()) {
-    const Drift drift = drift_in_gas(method.name);
+    const LargestDrift drift = drift_in_gas(method.name);
     INFO(method.name << ": momentum " << drift.momentum << ", energy " << drift.energy);
     if (method.settings.response == "kinematic") {
       CHECK(drift.momentum > 0.01);

@@ -34,7 +34,7 @@ std::vector<std::string> integrators() {
   return names;
 }
 
-std::vector<Drift> gas_drift(Lab& lab, const ContactMethod& method) {
+std::vector<LargestDrift> gas_drift(Lab& lab, const ContactMethod& method) {
   Settings settings = method.settings;
   settings.dt = kStep;
   const auto key = key_of({"gas", method.name, kStep, kStepsOfContact, double(kCells), kRho, double(lab.seed()),
@@ -43,19 +43,19 @@ std::vector<Drift> gas_drift(Lab& lab, const ContactMethod& method) {
     Scene gas = equilibrium_gas(kCells, kRho, lab.seed());
     gas.physics.stiffness = stiffness_for(kStep, kStepsOfContact, 0.5, 1);
     std::vector<double> flat;
-    for (const Drift& drift : drift_of(gas, settings, times(lab.is_quick()))) {
+    for (const LargestDrift& drift : drift_of(gas, settings, times(lab.is_quick()))) {
       flat.insert(flat.end(), {drift.energy, drift.momentum});
     }
     return flat;
   });
-  std::vector<Drift> drifts;
+  std::vector<LargestDrift> drifts;
   for (size_t k = 0; k + 1 < values.size(); k += 2) drifts.push_back({values[k], values[k + 1]});
   return drifts;
 }
 
 struct Course {
   ContactMethod method;
-  std::vector<Drift> drifts;
+  std::vector<LargestDrift> drifts;
 };
 
 Table table_of(const std::vector<Course>& courses, const std::vector<double>& at) {
@@ -69,7 +69,7 @@ Table table_of(const std::vector<Course>& courses, const std::vector<double>& at
 }
 
 Chart chart_of(const std::string& name, const std::string& title, const std::vector<Course>& courses,
-               const std::vector<double>& at, double Drift::*what) {
+               const std::vector<double>& at, double LargestDrift::*what) {
   Chart chart{name,
               title,
               {"time", "D/√(kT/m)", Scale::log},
@@ -122,7 +122,7 @@ Findings oscillator(Lab& lab) {
 
 int64_t measurements(bool) { return static_cast<int64_t>(contact_methods().size() + integrators().size()); }
 
-const Drift& end_of(const std::vector<Course>& courses, std::string_view name) {
+const LargestDrift& end_of(const std::vector<Course>& courses, std::string_view name) {
   return std::find_if(courses.begin(), courses.end(), [&](const Course& c) { return c.method.name == name; })
       ->drifts.back();
 }
@@ -135,9 +135,10 @@ Findings run(Lab& lab) {
   for (const ContactMethod& method : contact_methods()) courses.push_back({method, gas_drift(lab, method)});
   Findings findings = oscillator(lab);
   findings.tables.insert(findings.tables.begin(), table_of(courses, at));
-  findings.charts.insert(findings.charts.begin(),
-                         {chart_of("energy", "An elastic gas: who keeps its energy", courses, at, &Drift::energy),
-                          chart_of("momentum", "The same gas: who keeps its momentum", courses, at, &Drift::momentum)});
+  findings.charts.insert(
+      findings.charts.begin(),
+      {chart_of("energy", "An elastic gas: who keeps its energy", courses, at, &LargestDrift::energy),
+       chart_of("momentum", "The same gas: who keeps its momentum", courses, at, &LargestDrift::momentum)});
   findings.answer =
       "Over " + three_digits(at.back()) + " units of time an elastic gas changes its energy by " +
       change(end_of(courses, "penalty, velocity-verlet").energy) + " by velocity Verlet, " +

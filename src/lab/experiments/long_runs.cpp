@@ -21,15 +21,15 @@ double energy_of(const Report& report) {
 
 }  // namespace
 
-std::vector<Drift> drift_of(const Scene& scene, const Settings& settings, const std::vector<double>& times) {
-  std::vector<Drift> drifts;
+std::vector<LargestDrift> drift_of(const Scene& scene, const Settings& settings, const std::vector<double>& times) {
+  std::vector<LargestDrift> drifts;
   const auto world = make_cpu_world(scene, settings);
   const Report start = world->report();
   double moving = 0;
   for (size_t i = 0; i < scene.bodies.mass.size(); ++i) {
     moving += scene.bodies.mass[i] * length(scene.bodies.velocity[i]);
   }
-  Drift drift;
+  LargestDrift drift;
   try {
     for (const double time : times) {
       while (world->time() < time - settings.dt / 2) {

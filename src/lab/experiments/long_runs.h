@@ -11,13 +11,13 @@
 namespace ballpit {
 
 /// Largest changes up to a time, each of the whole at the start.
-struct Drift {
+struct LargestDrift {
   double energy = 0;    ///< |E − E₀|/E₀
   double momentum = 0;  ///< |P − P₀|/Σ m·|v|
 };
 
 /// Up to each of these times, ascending, looked at a few steps apart. Where a run stops, what follows is infinite.
-std::vector<Drift> drift_of(const Scene& scene, const Settings& settings, const std::vector<double>& times);
+std::vector<LargestDrift> drift_of(const Scene& scene, const Settings& settings, const std::vector<double>& times);
 
 /// |E/E₀ − 1| at most, within 1, 2, 4, … 2^(count − 1) steps of a mass on a spring (a sphere that never leaves the floor) by the
 /// penalty response; omega_dt = ω·dt. It is on the floor as long as its energy is below kOscillatorLeaves times that at the start.

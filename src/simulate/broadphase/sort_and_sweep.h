@@ -155,11 +155,11 @@ struct SortAndSweepCandidates {
 };
 
 /// Sums for the variance along each axis.
-struct Spread {
+struct AxisSums {
   double sum[3] = {0, 0, 0}, squares[3] = {0, 0, 0};
 
-  HOST_DEVICE Spread operator+(const Spread& other) const {
-    Spread result;
+  HOST_DEVICE AxisSums operator+(const AxisSums& other) const {
+    AxisSums result;
     for (int axis = 0; axis < 3; ++axis) {
       result.sum[axis] = sum[axis] + other.sum[axis];
       result.squares[axis] = squares[axis] + other.squares[axis];
@@ -169,11 +169,11 @@ struct Spread {
 };
 
 template <class V>
-struct SpreadOf {
+struct AxisSumsOf {
   Span<const V> position;
   V center;  ///< about which squares are summed, so that they do not cancel
-  HOST_DEVICE Spread operator()(int i) const {
-    Spread result;
+  HOST_DEVICE AxisSums operator()(int i) const {
+    AxisSums result;
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       const double x = double(position[i][axis]) - double(center[axis]);
       result.sum[axis] = x;
@@ -280,8 +280,8 @@ class SortAndSweep {
 
  private:
   static int widest_axis(Exec& exec, Span<const V> position, const V& center) {
-    const Spread spread =
-        reduce(exec, "measure spread", position.size(), Spread{}, SpreadOf<V>{position, center}, Sum{});
+    const AxisSums spread =
+        reduce(exec, "measure spread", position.size(), AxisSums{}, AxisSumsOf<V>{position, center}, Sum{});
     const double n = static_cast<double>(position.size());
     int widest = 0;
     double largest = -1;
