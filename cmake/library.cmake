@@ -1,10 +1,18 @@
-# ballpit_library(NAME SOURCES… [LINK targets…] [PRECOMPILE headers…] [LIGHT]): one target per folder, found by others as
-# ballpit::NAME.
+# ballpit_library(FOLDER SOURCES… [LINK targets…] [PRECOMPILE headers…] [LIGHT]): the target of src/FOLDER, found by others
+# as ballpit::FOLDER (of a folder in a folder, ballpit::OUTER_INNER). FOLDER is `cuda` for the folder beside src.
+#
+# Each target has an include root of its own, which holds a link to its folder and nothing else. So it sees the folders of
+# the targets that it links and no others: an include that points upward does not compile.
 #
 # LIGHT is for code whose speed nobody notices: Release compiles it with -O1, in two thirds of the time of -O3.
 # PRECOMPILE names large headers of other libraries that most of the sources include.
-function(ballpit_library name)
+function(ballpit_library folder)
   cmake_parse_arguments(arg "LIGHT" "" "SOURCES;LINK;PRECOMPILE" ${ARGN})
+  string(REPLACE "/" "_" name ${folder})
+  set(root ${PROJECT_BINARY_DIR}/include/${name})
+  cmake_path(GET folder PARENT_PATH parent)
+  file(MAKE_DIRECTORY ${root}/${parent})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${root}/${folder} SYMBOLIC)
   if(arg_SOURCES)
     add_library(ballpit_${name} STATIC ${arg_SOURCES})
     set(scope PUBLIC)
@@ -13,7 +21,7 @@ function(ballpit_library name)
     add_library(ballpit_${name} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_include_directories(ballpit_${name} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(ballpit_${name} ${scope} ${root})
   target_link_libraries(ballpit_${name} ${scope} ballpit_floating_point ${arg_LINK})
   if(arg_LIGHT)
     ballpit_compile_lightly(ballpit_${name})

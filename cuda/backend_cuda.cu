@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Worlds and pair searches on an NVIDIA GPU.
 #include "cuda_executor.h"
-#include "simulate/make_world.h"
-#include "simulate/methods.h"
-#include "simulate/pair_search_on.h"
+#include "methods/methods.h"
+#include "world/make_world.h"
+#include "world/pair_search_on.h"
 
 namespace ballpit {
 

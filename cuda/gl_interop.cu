@@ -9,9 +9,11 @@
 #include <cuda_gl_interop.h>
 // clang-format on
 
+#include "bodies/body_snapshot.h"
+#include "core/span.h"
 #include "cuda_error.h"
 #include "render/body_writer.h"
-#include "simulate/world.h"
+#include "world/world.h"
 
 namespace ballpit {
 

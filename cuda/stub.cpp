@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stands in for the CUDA backend in programs built without the CUDA Toolkit.
 #include "render/body_writer.h"
-#include "simulate/world.h"
+#include "world/world.h"
 
 namespace ballpit {
 

@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "simulate/world.h"
+#include "world/world.h"
 
 namespace ballpit {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "methods/settings.h"
 #include "scene/scene.h"
-#include "simulate/settings.h"
 
 namespace ballpit {
 

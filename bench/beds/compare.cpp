@@ -8,7 +8,7 @@
 
 #include <time.h>
 
-#include "simulate/world.h"
+#include "world/world.h"
 
 namespace ballpit {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bed.h"
-#include "lab/spread.h"
 #include "lammps.h"
+#include "measure/spread.h"
 #include "measured.h"
 
 namespace ballpit {

@@ -17,7 +17,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "simulate/response/damping.h"
+#include "response/damping.h"
 
 namespace ballpit {
 

@@ -19,7 +19,7 @@
 #include "compare.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "lab/machine.h"
+#include "measure/machine.h"
 #include "report.h"
 
 using namespace ballpit;

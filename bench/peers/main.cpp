@@ -16,8 +16,8 @@
 #include "compare.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "methods/settings.h"
 #include "report.h"
-#include "simulate/settings.h"
 
 using namespace ballpit;
 

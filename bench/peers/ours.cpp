@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Our own search on the CPU. Unlike the others it sorts its pairs.
 #include "peer.h"
-#include "simulate/world.h"
+#include "world/world.h"
 
 namespace ballpit {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bodies/pair.h"
 #include "families.h"
-#include "simulate/pair.h"
 
 namespace ballpit {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "bodies/pair.h"
 #include "families.h"
-#include "simulate/pair.h"
 
 namespace ballpit {
 

@@ -8,8 +8,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "bodies/body_snapshot.h"
+#include "bodies/pair.h"
 #include "render/gl_object.h"
-#include "simulate/inspection.h"
 
 namespace ballpit {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bodies/body_snapshot.h"
+#include "broad_phase/inspection.h"
 #include "core/error.h"
 #include "render/painter.h"
 

@@ -11,7 +11,7 @@
 
 #include "render/body_buffer.h"
 #include "render/theme.h"
-#include "simulate/inspection.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

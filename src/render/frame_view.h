@@ -8,7 +8,7 @@
 
 #include "core/math.h"
 #include "render/camera.h"
-#include "simulate/inspection.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

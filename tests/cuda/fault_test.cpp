@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "tests/cuda/fault_injection.h"
-#include "tests/simulate/scenes.h"
+#include "tests/support/scenes.h"
 
 using namespace ballpit;
 

@@ -5,7 +5,7 @@
 #include "render/body_writer.h"
 #include "render/gl_context.h"
 #include "tests/cuda/fault_injection.h"
-#include "tests/simulate/scenes.h"
+#include "tests/support/scenes.h"
 
 using namespace ballpit;
 

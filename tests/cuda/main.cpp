@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "simulate/world.h"
+#include "world/world.h"
 
 int main(int argc, char** argv) {
   Catch::Session session;

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/simulate/scenes.h"
+#include "tests/support/scenes.h"
 
 using namespace ballpit;
 

@@ -2,7 +2,7 @@
 // Worlds on CUDA equal worlds on the CPU: the same contacts, the same bits of motion.
 #include <catch2/catch.hpp>
 
-#include "tests/simulate/scenes.h"
+#include "tests/support/scenes.h"
 
 using namespace ballpit;
 

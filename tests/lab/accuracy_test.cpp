@@ -8,8 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include "lab/experiments/results.h"
-#include "lab/mean.h"
-#include "simulate/response/damping.h"
+#include "lab/measure/mean.h"
+#include "response/damping.h"
 
 using namespace ballpit;
 

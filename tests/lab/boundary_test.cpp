@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a map changes sides, and how far from where it should.
-#include "lab/boundary.h"
+#include "lab/measure/boundary.h"
 
 #include <cmath>
 

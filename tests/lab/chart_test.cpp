@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Charts: the same chart gives the same picture, and nothing that is in it is lost.
-#include "lab/chart.h"
+#include "lab/charts/chart.h"
 
 #include <cmath>
 #include <regex>
 
 #include <catch2/catch.hpp>
 
-#include "lab/chart_axis.h"
-#include "lab/chart_style.h"
-#include "lab/experiment.h"
-#include "lab/gnuplot.h"
+#include "lab/charts/chart_axis.h"
+#include "lab/charts/chart_style.h"
+#include "lab/charts/gnuplot.h"
+#include "lab/report/experiment.h"
 
 using namespace ballpit;
 using Catch::Contains;

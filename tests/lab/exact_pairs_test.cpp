@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact reference against the definition, pair by pair.
-#include "lab/exact_pairs.h"
+#include "measure/exact_pairs.h"
 
 #include <catch2/catch.hpp>
 

@@ -8,10 +8,10 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "lab/experiment.h"
+#include "lab/charts/html.h"
 #include "lab/experiments/accuracy.h"
-#include "lab/html.h"
-#include "lab/report.h"
+#include "lab/report/experiment.h"
+#include "lab/report/report.h"
 
 using namespace ballpit;
 using Catch::Contains;

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/spread.h"
-#include "lab/work_profile.h"
+#include "measure/spread.h"
+#include "measure/work_profile.h"
 
 using namespace ballpit;
 

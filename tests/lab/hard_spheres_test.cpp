@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/made_scenes.h"
-#include "lab/mean.h"
-#include "lab/theory.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/mean.h"
+#include "lab/measure/theory.h"
 
 using namespace ballpit;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is measured is kept: nothing is measured twice, nothing that was measured is lost.
-#include "lab/lab.h"
+#include "lab/measure/lab.h"
 
 #include <cmath>
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "lab/experiment.h"
+#include "lab/report/experiment.h"
 
 using namespace ballpit;
 using Catch::Contains;

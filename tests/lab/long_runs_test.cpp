@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/experiments/contact_methods.h"
-#include "lab/made_scenes.h"
+#include "lab/measure/made_scenes.h"
 
 using namespace ballpit;
 

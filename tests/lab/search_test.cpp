@@ -6,14 +6,14 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/exact_pairs.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/same_error.h"
-#include "lab/fit.h"
-#include "lab/recall.h"
-#include "lab/search_timing.h"
-#include "lab/winner_map.h"
-#include "simulate/world.h"
+#include "lab/measure/fit.h"
+#include "lab/measure/recall.h"
+#include "lab/measure/search_timing.h"
+#include "lab/measure/winner_map.h"
+#include "measure/exact_pairs.h"
+#include "world/world.h"
 
 using namespace ballpit;
 

@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/experiment.h"
 #include "lab/experiments/failures.h"
-#include "lab/theory.h"
+#include "lab/measure/theory.h"
+#include "lab/report/experiment.h"
 
 using namespace ballpit;
 

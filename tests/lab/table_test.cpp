@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lab/table.h"
+#include "lab/charts/table.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Closed forms against digits that were published, or verified by independent experiment.
-#include "lab/theory.h"
+#include "lab/measure/theory.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/gl_context.h"
-#include "test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 using namespace ballpit;
 

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.h"
-#include "picture_compare.h"
-#include "test_scenes.h"
+#include "tests/support/picture_compare.h"
+#include "tests/support/test_scenes.h"
 
 using namespace ballpit;
 

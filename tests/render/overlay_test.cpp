@@ -11,7 +11,7 @@
 #include "render/overlays/swept.h"
 #include "render/overlays/velocity.h"
 #include "render/painter.h"
-#include "test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 using namespace ballpit;
 

@@ -8,7 +8,7 @@
 #include "render/gl_context.h"
 #include "render/overlays/overlay.h"
 #include "render/shader.h"
-#include "test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 using namespace ballpit;
 

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 using namespace ballpit;
 

@@ -5,9 +5,9 @@
 
 #include "lab/experiments/accuracy_parts.h"
 #include "lab/experiments/timed_run.h"
-#include "lab/made_scenes.h"
-#include "lab/theory.h"
-#include "simulate/response/damping.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/theory.h"
+#include "response/damping.h"
 
 namespace ballpit {
 

@@ -8,8 +8,8 @@
 #include "lab/experiments/accuracy_parts.h"
 #include "lab/experiments/same_error.h"
 #include "lab/experiments/timed_run.h"
-#include "lab/made_scenes.h"
-#include "lab/theory.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/theory.h"
 
 namespace ballpit {
 

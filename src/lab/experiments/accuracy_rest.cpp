@@ -6,7 +6,7 @@
 
 #include "lab/experiments/accuracy_parts.h"
 #include "lab/experiments/timed_run.h"
-#include "lab/made_scenes.h"
+#include "lab/measure/made_scenes.h"
 
 namespace ballpit {
 

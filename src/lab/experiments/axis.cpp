@@ -8,9 +8,9 @@
 
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/winner_map.h"
+#include "lab/measure/winner_map.h"
 #include "scene/input_error.h"
-#include "simulate/world.h"
+#include "world/world.h"
 
 namespace ballpit {
 

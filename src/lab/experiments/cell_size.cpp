@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "core/numbers.h"
-#include "lab/exact_pairs.h"
 #include "lab/experiments/experiments.h"
-#include "lab/recall.h"
-#include "lab/search_timing.h"
+#include "lab/measure/recall.h"
+#include "lab/measure/search_timing.h"
+#include "measure/exact_pairs.h"
 #include "scene/input_error.h"
-#include "simulate/world.h"
+#include "world/world.h"
 
 namespace ballpit {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <string_view>
 
-#include "lab/made_scenes.h"
-#include "lab/theory.h"
-#include "simulate/methods.h"
-#include "simulate/response/damping.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/theory.h"
+#include "methods/methods.h"
+#include "response/damping.h"
 
 namespace ballpit {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lab/chart.h"
-#include "simulate/settings.h"
+#include "lab/charts/chart.h"
+#include "methods/settings.h"
 
 namespace ballpit {
 

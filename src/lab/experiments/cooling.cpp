@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/numbers.h"
-#include "lab/boundary.h"
+#include "lab/charts/key.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/hard_spheres.h"
-#include "lab/key.h"
-#include "lab/mean.h"
+#include "lab/measure/boundary.h"
+#include "lab/measure/mean.h"
 
 namespace ballpit {
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "core/numbers.h"
+#include "lab/charts/key.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/same_error.h"
 #include "lab/experiments/timed_run.h"
-#include "lab/key.h"
-#include "lab/made_scenes.h"
-#include "lab/spread.h"
+#include "lab/measure/made_scenes.h"
+#include "measure/spread.h"
 #include "scene/input_error.h"
 
 namespace ballpit {

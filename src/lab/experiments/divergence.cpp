@@ -9,10 +9,10 @@
 
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/search_timing.h"
-#include "lab/sphere_set.h"
-#include "lab/work_profile.h"
-#include "simulate/world.h"
+#include "lab/measure/search_timing.h"
+#include "lab/measure/sphere_set.h"
+#include "measure/work_profile.h"
+#include "world/world.h"
 
 namespace ballpit {
 

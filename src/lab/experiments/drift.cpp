@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/numbers.h"
-#include "lab/boundary.h"
+#include "lab/charts/key.h"
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/long_runs.h"
-#include "lab/key.h"
-#include "lab/made_scenes.h"
+#include "lab/measure/boundary.h"
+#include "lab/measure/made_scenes.h"
 
 namespace ballpit {
 

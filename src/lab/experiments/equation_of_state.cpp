@@ -5,13 +5,13 @@
 #include <functional>
 
 #include "core/numbers.h"
-#include "lab/boundary.h"
+#include "lab/charts/key.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/hard_spheres.h"
-#include "lab/key.h"
-#include "lab/made_scenes.h"
-#include "lab/mean.h"
-#include "lab/theory.h"
+#include "lab/measure/boundary.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/mean.h"
+#include "lab/measure/theory.h"
 
 namespace ballpit {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "lab/experiment.h"
+#include "lab/report/experiment.h"
 
 namespace ballpit {
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/random.h"
-#include "lab/made_scenes.h"
-#include "simulate/pair_search.h"
+#include "lab/measure/made_scenes.h"
+#include "world/pair_search.h"
 
 namespace ballpit {
 

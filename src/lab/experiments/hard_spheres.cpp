@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/made_scenes.h"
-#include "lab/theory.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/theory.h"
 
 namespace ballpit {
 

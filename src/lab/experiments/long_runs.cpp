@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "lab/made_scenes.h"
+#include "lab/measure/made_scenes.h"
 
 namespace ballpit {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "methods/settings.h"
 #include "scene/scene.h"
-#include "simulate/settings.h"
 
 namespace ballpit {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "lab/key.h"
-#include "lab/mean.h"
+#include "lab/charts/key.h"
+#include "lab/measure/mean.h"
 
 namespace ballpit {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lab/experiments/accuracy.h"
-#include "lab/lab.h"
-#include "lab/spread.h"
+#include "lab/measure/lab.h"
+#include "measure/spread.h"
 
 namespace ballpit {
 

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "lab/chart.h"
+#include "lab/charts/chart.h"
+#include "lab/charts/key.h"
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/hard_spheres.h"
-#include "lab/key.h"
-#include "lab/made_scenes.h"
-#include "lab/theory.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/theory.h"
 
 namespace ballpit {
 

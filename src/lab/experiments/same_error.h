@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "lab/lab.h"
-#include "lab/mean.h"
+#include "lab/measure/lab.h"
+#include "lab/measure/mean.h"
+#include "methods/settings.h"
 #include "scene/scene.h"
-#include "simulate/settings.h"
 
 namespace ballpit {
 

@@ -9,12 +9,12 @@
 
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/fit.h"
-#include "lab/gas.h"
-#include "lab/machine.h"
-#include "lab/search_timing.h"
-#include "lab/spread.h"
-#include "lab/step_timing.h"
+#include "lab/measure/fit.h"
+#include "lab/measure/search_timing.h"
+#include "measure/gas.h"
+#include "measure/machine.h"
+#include "measure/spread.h"
+#include "measure/step_timing.h"
 
 namespace ballpit {
 

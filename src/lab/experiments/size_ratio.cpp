@@ -5,7 +5,7 @@
 
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/winner_map.h"
+#include "lab/measure/winner_map.h"
 #include "scene/input_error.h"
 
 namespace ballpit {

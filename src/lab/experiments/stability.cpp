@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "core/numbers.h"
+#include "lab/charts/key.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/failures.h"
 #include "lab/experiments/long_runs.h"
-#include "lab/key.h"
-#include "lab/theory.h"
+#include "lab/measure/theory.h"
 
 namespace ballpit {
 

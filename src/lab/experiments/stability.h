@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "lab/boundary.h"
-#include "lab/chart.h"
-#include "lab/lab.h"
+#include "lab/charts/chart.h"
+#include "lab/measure/boundary.h"
+#include "lab/measure/lab.h"
 
 namespace ballpit {
 

@@ -5,7 +5,7 @@
 
 #include "lab/experiments/failures.h"
 #include "lab/experiments/stability.h"
-#include "lab/theory.h"
+#include "lab/measure/theory.h"
 
 namespace ballpit {
 

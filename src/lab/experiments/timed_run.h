@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "core/error.h"
-#include "lab/made_scenes.h"
+#include "lab/measure/made_scenes.h"
 
 namespace ballpit {
 

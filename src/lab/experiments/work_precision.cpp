@@ -6,10 +6,10 @@
 
 #include "core/error.h"
 #include "core/numbers.h"
+#include "lab/charts/key.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/results.h"
-#include "lab/key.h"
-#include "simulate/response/damping.h"
+#include "response/damping.h"
 
 namespace ballpit {
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include "broad_phase/inspection.h"
 #include "render/overlays/selection.h"
 #include "render/painter.h"
 #include "render/projection.h"

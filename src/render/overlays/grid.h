@@ -13,6 +13,7 @@
 
 #include <vector>
 
+#include "broad_phase/inspection.h"
 #include "render/line_renderer.h"
 #include "render/overlays/overlay.h"
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "broad_phase/inspection.h"
 #include "render/painter.h"
-#include "simulate/inspection.h"
 
 namespace ballpit {
 

@@ -5,9 +5,11 @@
 #include <array>
 #include <optional>
 
+#include "broad_phase/inspection.h"
 #include "render/overlays/interval_list.h"
 #include "render/overlays/staff.h"
 #include "render/painter.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

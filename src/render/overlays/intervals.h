@@ -14,6 +14,7 @@
 #pragma once
 
 #include "render/overlays/overlay.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

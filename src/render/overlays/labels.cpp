@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "bodies/body_snapshot.h"
+#include "broad_phase/inspection.h"
 #include "render/body_buffer.h"
 #include "render/painter.h"
 #include "render/projection.h"

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "broad_phase/inspection.h"
 #include "render/painter.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

@@ -24,7 +24,9 @@
 
 #include <vector>
 
+#include "broad_phase/inspection.h"
 #include "render/overlays/overlay.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "broad_phase/inspection.h"
 #include "core/error.h"
 #include "render/overlays/grid.h"
 #include "render/overlays/intervals.h"
@@ -11,6 +12,7 @@
 #include "render/overlays/pairs.h"
 #include "render/overlays/swept.h"
 #include "render/overlays/velocity.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/frame_view.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

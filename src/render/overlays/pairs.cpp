@@ -6,9 +6,11 @@
 #include <iterator>
 #include <tuple>
 
+#include "bodies/body_snapshot.h"
 #include "render/overlays/line_scale.h"
 #include "render/painter.h"
 #include "render/projection.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

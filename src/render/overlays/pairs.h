@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "render/overlays/overlay.h"
+#include "world/inspection.h"
 
 namespace ballpit {
 

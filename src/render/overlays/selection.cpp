@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/body_snapshot.h"
+#include "broad_phase/inspection.h"
 #include "render/projection.h"
 
 namespace ballpit {

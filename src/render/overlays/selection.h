@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "bodies/body_snapshot.h"
+#include "broad_phase/inspection.h"
 #include "render/frame_view.h"
 #include "render/painter.h"
 

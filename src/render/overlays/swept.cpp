@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "bodies/body_snapshot.h"
 #include "render/painter.h"
 #include "render/projection.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bodies/body_snapshot.h"
 #include "render/overlays/line_scale.h"
 #include "render/painter.h"
 #include "render/projection.h"

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The bodies as kernels see them. V is Vec2 in planar scenes and Vec3 otherwise. The stages of a step meet here and in
+// contacts.h:
+//
+//     position, velocity ──broad phase──▶ candidates ──narrow phase──▶ contacts ──response──▶ velocity ──▶ position
+#pragma once
+
+#include "core/host_device.h"
+#include "core/math.h"
+#include "core/span.h"
+
+namespace ballpit {
+
+template <class V>
+struct BodiesView {
+  Span<const V> position;           ///< [m]
+  Span<const V> velocity;           ///< [m/s]
+  PerBody<Scalar<V>> radius;        ///< [m]
+  PerBody<Scalar<V>> inverse_mass;  ///< [1/kg]
+
+  HOST_DEVICE int64_t size() const { return position.size(); }
+};
+
+/// Kernel: to = from.
+template <class T>
+struct CopyValues {
+  Span<const T> from;
+  Span<T> to;
+  HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
+};
+
+}  // namespace ballpit

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Copies of the bodies on the host, for renderers and overlays.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/math.h"
+#include "core/span.h"
+
+namespace ballpit {
+
+/// The bodies as the vertex shader reads them: `dimensions` floats of position a body, missing coordinates are 0;
+/// one radius for all, or one each.
+struct BodySnapshot {
+  int64_t count = 0;
+  int dimensions = 3;
+  std::vector<float> position;  ///< [m] count × dimensions
+  std::vector<float> velocity;  ///< [m/s] count × dimensions
+  std::vector<float> radius;    ///< [m] 1 or count values
+
+  Vec3 position_of(int64_t i) const { return vector_at(position, i); }
+  Vec3 velocity_of(int64_t i) const { return vector_at(velocity, i); }
+  float radius_of(int64_t i) const { return radius.size() == 1 ? radius[0] : radius[static_cast<size_t>(i)]; }
+
+ private:
+  Vec3 vector_at(const std::vector<float>& values, int64_t i) const {
+    const float* v = values.data() + i * dimensions;
+    return {v[0], v[1], dimensions == 3 ? v[2] : 0.0f};
+  }
+};
+
+/// What of the bodies never changes while a world lives, but their places and velocities do.
+struct BodyShape {
+  int64_t count = 0;
+  int dimensions = 3;
+  bool has_equal_radii = true;
+  float radius = 0;    ///< [m] of all, or the largest
+  float smallest = 0;  ///< [m] radius
+};
+
+/// Memory of a world's own processor that a vertex shader reads, for bodies in the order of their ids.
+struct BodyTarget {
+  Span<float> position;    ///< [m] count × dimensions
+  Span<float> radius;      ///< [m] count values; none where all are equal
+  Span<uint8_t> touching;  ///< 1 for a body in contact, else 0
+};
+
+}  // namespace ballpit

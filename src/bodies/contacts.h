@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Contacts as the narrow phase gives them to a response.
+#pragma once
+
+#include "bodies/pair.h"
+#include "core/host_device.h"
+#include "core/math.h"
+#include "core/span.h"
+
+namespace ballpit {
+
+/// What the narrow phase measures of a contact (i, j).
+template <class V>
+struct ContactGeometry {
+  V normal;              ///< unit vector from i to j
+  Scalar<V> overlap;     ///< r_i + r_j − |x_j − x_i| ≥ 0 [m]
+  Scalar<V> separation;  ///< speed at which the spheres part along the normal; negative while they approach [m/s]
+};
+
+/// A contact as its second body lists it.
+struct IncomingContact {
+  int contact;
+  int body;  ///< the first body of that contact: held here, since looking it up would be one more jump in memory
+};
+
+/// Contacts in canonical order (by i, then j), and for each body the contacts that it is part of:
+/// those with i = body are [first[body], first[body + 1]); those with j = body are listed in
+/// incoming[incoming_first[body]] … incoming[incoming_first[body + 1] − 1], ascending.
+template <class V>
+struct ContactsView {
+  Span<const Pair> pairs;
+  Span<const ContactGeometry<V>> geometry;
+  Span<const int> first;
+  Span<const int> incoming_first;
+  Span<const IncomingContact> incoming;
+
+  HOST_DEVICE int count_of(int body) const {
+    return first[body + 1] - first[body] + incoming_first[body + 1] - incoming_first[body];
+  }
+
+  /// Calls visit(contact, other body, side) in the order of contacts; side is +1 where the normal points away from `body`,
+  /// −1 where it points to it.
+  template <class Visit>
+  HOST_DEVICE void for_each_of(int body, Visit&& visit) const {
+    for (int k = incoming_first[body]; k < incoming_first[body + 1]; ++k) {
+      visit(incoming[k].contact, incoming[k].body, -1);
+    }
+    for (int c = first[body]; c < first[body + 1]; ++c) visit(c, pairs[c].j, 1);
+  }
+};
+
+}  // namespace ballpit

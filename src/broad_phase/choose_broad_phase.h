@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// --broadphase auto: the method whose predicted time is least, and the prediction as a reason.
+#pragma once
+
+#include <string>
+
+#include "bodies/box.h"
+#include "broad_phase/parameters.h"
+#include "core/span.h"
+#include "methods/settings.h"
+
+namespace ballpit {
+
+struct BroadPhaseChoice {
+  std::string method;  ///< "sorted-grid"
+  std::string
+      reason;  ///< "predicted for 20000 spheres, ms on one core: sorted-grid 1.3, …"; empty where it was asked for
+};
+
+/// The broad phase that `settings` ask for, or the one that takes the least time for spheres spread evenly over the box.
+template <class V>
+BroadPhaseChoice choose_broad_phase(const Settings& settings, const BroadPhaseParameters<V>& parameters);
+
+/// What settings and radii (one for all, or one each) make of a box.
+template <class V>
+BroadPhaseParameters<V> broad_phase_parameters(const Settings& settings, const Box<V>& box,
+                                               Span<const Scalar<V>> radius, int64_t count);
+
+}  // namespace ballpit

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command_line.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.h"
+#include "core/error.h"
+#include "version.h"
+
+namespace ballpit {
+
+namespace {
+
+/// "SECONDS (time step: 1e-12 to 10)".
+std::string allowed_by(const CLI::Option& option) {
+  return option.get_type_name() + " (" + option.get_description() + ")";
+}
+
+/// "see `ballpit simulate --help`".
+std::string see_help(const CLI::App& command) {
+  return "see `ballpit " + (command.get_parent() ? command.get_name() + " " : "") + "--help`";
+}
+
+UserError extra_words(const CLI::App& command) {
+  const std::vector<std::string> extras = command.remaining(true);
+  const std::string found = extras.empty() ? "more than it takes" : extras.front();
+  if (!found.starts_with('-')) {
+    std::string allowed = "options alone";
+    for (const std::string argument : {"SCENE", "FILE"}) {
+      if (command.get_option_no_throw(argument) != nullptr) allowed = "one " + argument + " and options";
+    }
+    return UserError(command.get_name(), found, allowed, see_help(command));
+  }
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
+  }
+  return UserError(command.get_name(), "unknown option " + found, join(names), see_help(command));
+}
+
+/// A failure that is none of those above and below.
+UserError other_failure(const std::string& message, const CLI::App& command) {
+  return UserError(command.get_name(), "what cannot be parsed (" + message + ")", "a command and its options",
+                   see_help(command));
+}
+
+/// An option that has too few or too many values: CLI11's message starts with its name, a flag's without
+/// dashes.
+UserError value_mismatch(const std::string& message, const CLI::App& command) {
+  const std::string first = message.substr(0, message.find_first_of(": "));
+  const std::string name = first.starts_with('-') ? first : "--" + first;
+  const CLI::Option* option = command.get_option_no_throw(name);
+  if (option == nullptr) return other_failure(message, command);
+  if (option->get_items_expected_max() == 0) return UserError(name, "a value", "none", see_help(command));
+  if (option->count() > 1)
+    return UserError(name, std::to_string(option->count()) + " values", "one", see_help(command));
+  return UserError(name, "nothing", allowed_by(*option), see_help(command));
+}
+
+UserError missing_option(const std::string& message, const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_required() || option->count() > 0) continue;
+    return UserError(option->get_name(), "nothing", allowed_by(*option), see_help(command));
+  }
+  return other_failure(message, command);
+}
+
+/// A failure to parse the arguments of a command, in our form.
+UserError user_error(const CLI::ParseError& error, const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return extra_words(command);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return value_mismatch(error.what(), command);
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing_option(error.what(), command);
+  return other_failure(error.what(), command);
+}
+
+/// CLI11 asks for "a subcommand" where it finds a word that is none; this says which word, and what there is.
+void check_command(int argc, char** argv, std::span<const CommandEntry> commands) {
+  const std::string_view found = argc < 2 ? "" : argv[1];
+  if (found.starts_with("-h") || found.starts_with("--help") || found.starts_with("--version")) return;
+  std::vector<std::string_view> names;
+  for (const CommandEntry& entry : commands) names.push_back(entry.name);
+  if (std::find(names.begin(), names.end(), found) != names.end()) return;
+  throw UserError("command", found, join(names) + ", --help, --version");
+}
+
+}  // namespace
+
+CommandOption* CommandOption::type_name(const std::string& name) {
+  option_->type_name(name);
+  return this;
+}
+
+CommandOption* CommandOption::group(const std::string& heading) {
+  option_->group(heading);
+  return this;
+}
+
+CommandOption* CommandOption::required() {
+  option_->required();
+  return this;
+}
+
+CommandOption* CommandOption::shows_default() {
+  option_->capture_default_str();
+  return this;
+}
+
+bool CommandOption::is_given() const { return option_->count() > 0; }
+
+CommandOption* CommandOptions::add_option(const std::string& name, std::string& value, const std::string& help) {
+  options_.push_back(std::make_unique<CommandOption>(command_->add_option(name, value, help)));
+  return options_.back().get();
+}
+
+CommandOption* CommandOptions::add_flag(const std::string& name, bool& value, const std::string& help) {
+  CLI::Option* option = command_->add_flag(name, value, help)->disable_flag_override();
+  options_.push_back(std::make_unique<CommandOption>(option));
+  return options_.back().get();
+}
+
+void run_command_line(int argc, char** argv, std::span<const CommandEntry> entries) {
+  CLI::App app("Ballpit shows how fast collision detection works, on bouncing spheres.", "ballpit");
+  app.set_version_flag("--version", std::string("ballpit ") + kVersion);
+  app.require_subcommand(1);
+  std::vector<std::unique_ptr<Command>> commands;
+  std::vector<std::unique_ptr<CommandOptions>> options;
+  for (const CommandEntry& entry : entries) {
+    Command* command = commands.emplace_back(entry.create()).get();
+    CLI::App* sub = app.add_subcommand(std::string(entry.name), std::string(entry.help));
+    command->add_options(*options.emplace_back(std::make_unique<CommandOptions>(sub)));
+    sub->final_callback([command] { command->run(); });
+  }
+  check_command(argc, argv, entries);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw user_error(error, app);
+    app.exit(error);  // prints --help or --version
+  }
+}
+
+}  // namespace ballpit

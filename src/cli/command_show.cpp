@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// ballpit show: a window with the panel.
+//
+//     each turn of the loop:   events ──▶ keys, mouse, panel's input
+//                              clock ──▶ player: as many steps as time asks for, for half a frame at most
+//                              anything new? ──▶ draw picture and panel; else wait for an event
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "core/error.h"
+#include "core/interrupt.h"
+#include "core/numbers.h"
+#include "render/painter.h"
+#include "render/renderer.h"
+#include "scene/catalog.h"
+#include "show/demo.h"
+#include "show/demo_renderer.h"
+#include "show/notes.h"
+#include "window/panel.h"
+#include "window/remembered.h"
+#include "window/saver.h"
+#include "window/window.h"
+
+namespace ballpit {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFrame = 1.0 / 60;  // [s]
+constexpr double kIdle = 0.25;       // [s] to wait for an event where nothing moves
+constexpr float kClick = 4;          // [pixel] that the mouse may move in a click
+
+double seconds_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+void sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+class Show {
+ public:
+  Show(Window& window, Demo& demo)
+      : window_(window),
+        demo_(demo),
+        drawing_(window.width(), window.height(), options()),
+        panel_(drawing_.renderer().sheet()),
+        saver_(demo) {}
+
+  void run() {
+    auto last = Clock::now();
+    while (!window_.is_to_close() && !was_interrupted()) {
+      const bool is_idle =
+          drawn_ == demo_.version() && !demo_.player.is_running && !is_settling_ && !saver_.is_filming();
+      const WindowEvents& events = window_.poll(is_idle ? kIdle : 0);
+      const auto now = Clock::now();
+      const double elapsed = std::min(seconds_between(last, now), 0.25);
+      last = now;
+      take(events);
+      saver_.is_filming() ? saver_.go_on() : demo_.advance(elapsed, kFrame / 2);
+      if (window_.width() < 16 || window_.height() < 16) {  // minimised
+        sleep(kFrame);
+        continue;
+      }
+      if (events.any || drawn_ != demo_.version() || is_settling_) draw(events, static_cast<float>(elapsed));
+      tell_title(now);
+      const double left = kFrame - seconds_between(now, Clock::now());
+      if (demo_.player.is_running && left > 0) sleep(left);
+    }
+  }
+
+ private:
+  RenderOptions options() const {
+    RenderOptions options;
+    options.left = Panel::width_in(window_.width(), window_.height(), demo_.view.ui_scale);
+    return options;
+  }
+
+  void take(const WindowEvents& events) {
+    if (!panel_.has_keyboard()) {
+      for (const int code : events.pressed) press(code);
+    }
+    if (events.was_pressed) {
+      pressed_at_ = events.mouse;
+      is_turning_ = !panel_.has_mouse();
+    }
+    const float height = static_cast<float>(std::max(window_.height(), 1));
+    if (is_turning_ && events.is_mouse_down && events.mouse != mouse_) {
+      const Vec2 way = (events.mouse - mouse_) / height;
+      demo_.view.orbit(way.x, way.y);
+      demo_.touch();
+    }
+    if (events.was_released && is_turning_ && length(events.mouse - pressed_at_) <= kClick) pick(events.mouse);
+    if (events.was_released) is_turning_ = false;
+    if (events.wheel != 0 && !panel_.has_mouse()) {
+      demo_.view.zoom_by(events.wheel);
+      demo_.touch();
+    }
+    mouse_ = events.mouse;
+  }
+
+  void press(int code) {
+    for (const Key& key : key_table()) {
+      if (key.code != code) continue;
+      demo_.perform(key);
+      if (key.action == Action::save_picture) saver_.save_picture(window_size());
+    }
+  }
+
+  void pick(Vec2 at) {
+    const float left = static_cast<float>(options().left), width = static_cast<float>(window_.width()) - left,
+                height = static_cast<float>(window_.height());
+    const FrameView view = demo_.frame_view(width / height);  // with the bodies
+    demo_.view.selected =
+        body_at(view.camera, view.inspection.bodies, {2 * (at.x - left) / width - 1, 1 - 2 * at.y / height});
+    demo_.touch();
+  }
+
+  void draw(const WindowEvents& events, float elapsed) {
+    Renderer& renderer = drawing_.renderer();
+    if (renderer.width() != window_.width() || renderer.height() != window_.height()) {
+      renderer.resize(window_.width(), window_.height());
+    }
+    const int64_t version = demo_.version();
+    drawing_.draw(demo_, options());
+    panel_.density = window_.density();
+    panel_.is_filming = saver_.is_filming();
+    panel_.draw(demo_, {events.mouse, events.is_mouse_down, events.wheel, events.typed, elapsed, events.keys});
+    renderer.copy_to_window();
+    window_.show();
+    fulfil(panel_.wishes);
+    is_settling_ = drawn_ != version || events.any;  // the panel shows the outcome of a click a frame later
+    drawn_ = version;
+  }
+
+  PictureSize window_size() const { return {window_.width(), window_.height()}; }
+
+  void fulfil(PanelWishes& wishes) {
+    if (wishes.picture) saver_.save_picture(window_size());
+    if (wishes.state) saver_.save_state();
+    if (wishes.film && saver_.is_filming()) {
+      saver_.stop_film();
+    } else if (wishes.film) {
+      saver_.start_film(parse_size(wishes.film_size), wishes.film_frames);
+    }
+    wishes.picture = wishes.state = wishes.film = false;
+  }
+
+  /// About once a second, as the exercise sheet asks: spheres, method, milliseconds a step.
+  void tell_title(Clock::time_point now) {
+    if (seconds_between(told_, now) < 1) return;
+    told_ = now;
+    const Report& report = demo_.report();
+    window_.set_title("Ballpit: " + grouped(report.count) + " spheres, " + report.broadphase + ", " +
+                      three_digits(demo_.player.mean_step_time()) + " ms a step");
+  }
+
+  Window& window_;
+  Demo& demo_;
+  DemoRenderer drawing_;
+  Panel panel_;
+  Saver saver_;
+  Vec2 mouse_{0.0f}, pressed_at_{0.0f};
+  bool is_turning_ = false, is_settling_ = true;
+  int64_t drawn_ = -1;  // version
+  Clock::time_point told_{};
+};
+
+class ShowCommand final : public Command {
+ public:
+  void add_options(CommandOptions& command) override {
+    size_option_ = command.add_option("--size", size_, "the window's size in pixels");
+    size_option_->type_name("WIDTHxHEIGHT")->shows_default();
+    look_.add_to(command);
+    command.add_flag("--remember", remembers_,
+                     "go on with scene, options and view of the last `show --remember`, and keep them");
+    arguments_.add_to(command);
+  }
+
+  void run() override {
+    parse_size(size_);
+    (void)look_.view();  // a mistake is told before anything else
+    const std::filesystem::path file = remembers_ ? remembered_file() : "";
+    if (remembers_) check_remembered(file);
+    const std::unique_ptr<Demo> demo = start(recall(file));
+    const auto [width, height] = parse_size(size_);
+    catch_interrupts();
+    Window window(width, height, "Ballpit");
+    try {
+      Show(window, *demo).run();
+    } catch (const Interrupted&) {
+      // within a long step: the same as between two
+    }
+    if (!remembers_) return;
+    const Session& session = demo->session;
+    write_remembered(file, {lasting_name(session.scene_name()), session.given(), demo->view, size_of(window)});
+  }
+
+ private:
+  /// What cannot be read is not worth a demonstration: it is told, and started without.
+  static std::optional<Remembered> recall(const std::filesystem::path& file) {
+    if (file.empty()) return std::nullopt;
+    try {
+      return read_remembered(file);
+    } catch (const UserError& error) {
+      tell_forgotten(error);
+      return std::nullopt;
+    }
+  }
+
+  /// A scene's file by a path that leads to it from any folder.
+  static std::string lasting_name(const std::string& scene) {
+    return is_scene_file(scene) ? std::filesystem::absolute(scene).string() : scene;
+  }
+
+  static void tell_forgotten(const UserError& error) {
+    note("--remember", std::string("nothing is remembered: ") + error.what());
+  }
+
+  /// What is on the command line goes before what is remembered; options are those of the scene remembered.
+  std::unique_ptr<Demo> start(const std::optional<Remembered>& last) {
+    const bool is_same_scene = last && (!arguments_.names_scene() || lasting_name(arguments_.scene()) == last->scene);
+    std::unique_ptr<Demo> demo;
+    if (is_same_scene) {
+      std::vector<GivenOption> given = last->given;
+      for (const GivenOption& option : arguments_.given()) {
+        std::erase_if(given, [&](const GivenOption& old) { return old.name == option.name; });
+        given.push_back(option);
+      }
+      try {
+        demo = std::make_unique<Demo>(last->scene, given);
+      } catch (const UserError& error) {  // a file that is gone, or an option that goes with nothing given now
+        tell_forgotten(error);
+      }
+    }
+    if (!demo) demo = std::make_unique<Demo>(arguments_.scene(), arguments_.given());
+    demo->view = look_.view(last ? last->view : View{});
+    demo->touch();
+    if (last && !size_option_->is_given()) size_ = last->size;
+    return demo;
+  }
+
+  /// As it is asked for: a display of more pixels to the inch makes more of them.
+  static std::string size_of(const Window& window) {
+    const auto side = [&](int pixels) {
+      const auto units = static_cast<int>(std::lround(static_cast<float>(pixels) / window.density()));
+      return std::to_string(std::clamp(units, 16, 16384));
+    };
+    return side(window.width()) + "x" + side(window.height());
+  }
+
+  SceneArguments arguments_;
+  LookArguments look_;
+  std::string size_ = "1600x900";
+  CommandOption* size_option_ = nullptr;
+  bool remembers_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_show_command() { return std::make_unique<ShowCommand>(); }
+
+}  // namespace ballpit

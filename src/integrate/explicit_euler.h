@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Explicit Euler: positions and velocities both move by what was before the step.
+//
+//     a ← forces(x, v) / m
+//     x ← x + dt · v
+//     v ← v + dt · a
+//
+// First order, and unstable for springs at any step: an oscillator's amplitude grows by √(1 + ω²dt²) in each. Here to be seen
+// failing. Cost: one evaluation of the forces. Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration" (2006),
+// section I.1. Its siblings: symplectic_euler.h, velocity_verlet.h, rk4.h.
+#pragma once
+
+#include "core/host_device.h"
+#include "core/math.h"
+#include "core/span.h"
+
+namespace ballpit {
+
+/// Kernel: moves one component of a body.
+template <class Real>
+struct ExplicitEulerStep {
+  Real dt;
+  Span<const Real> acceleration;
+  Span<Real> position, velocity;
+
+  HOST_DEVICE void operator()(int k) const {
+    position[k] = position[k] + velocity[k] * dt;
+    velocity[k] += acceleration[k] * dt;
+  }
+};
+
+template <class V, class Exec>
+class ExplicitEuler {
+ public:
+  /// Moves `state` by dt. forces.at(state, duration, counts, acceleration) evaluates them at its present positions.
+  template <class State, class Forces>
+  void step(State& state, Forces& forces, Scalar<V> dt) {
+    acceleration_.resize(state.count());
+    forces.at(state, dt, true, acceleration_.span());
+    state.exec().parallel_for(
+        "drift and kick", state.count() * kDimensions<V>,
+        ExplicitEulerStep<Scalar<V>>{dt, components(Span<const V>(acceleration_.span())),
+                                     components(state.position.span()), components(state.velocity.span())});
+    state.moved();
+  }
+
+  int64_t bytes() const { return acceleration_.bytes(); }
+
+ private:
+  typename Exec::template Buffer<V> acceleration_;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "lab/charts/table.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "core/append_number.h"
+#include "core/numbers.h"
+#include "scene/input_error.h"
+
+namespace ballpit {
+
+namespace {
+
+void append_text(std::string& line, const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    line += text;
+    return;
+  }
+  line += '"';
+  for (const char c : text) {
+    if (c == '"') line += '"';
+    line += c;
+  }
+  line += '"';
+}
+
+}  // namespace
+
+std::string short_text(const Cell& cell) {
+  if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
+  const double number = std::get<double>(cell);
+  const bool is_count = std::fabs(number) < 1e15 && number == std::round(number);
+  if (std::isnan(number)) return "–";
+  if (std::fabs(number) >= 1e-4 && std::fabs(number) < 0.01) return number_text(std::round(number * 1e6) / 1e6);
+  return is_count ? grouped(static_cast<int64_t>(number)) : three_digits(number);
+}
+
+std::string header_of(const Column& column) {
+  return column.unit.empty() ? column.name : column.name + " [" + column.unit + ']';
+}
+
+std::string csv_line(const std::vector<Cell>& cells) {
+  std::string line;
+  for (size_t k = 0; k < cells.size(); ++k) {
+    if (k > 0) line += ',';
+    if (const double* number = std::get_if<double>(&cells[k])) {
+      if (!std::isnan(*number)) append_number(line, *number);
+    } else {
+      append_text(line, std::get<std::string>(cells[k]));
+    }
+  }
+  line += '\n';
+  return line;
+}
+
+std::vector<std::string> split_csv_line(std::string_view line) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (size_t k = 0; k < line.size(); ++k) {
+    const char c = line[k];
+    if (c == '"' && is_quoted && k + 1 < line.size() && line[k + 1] == '"') {
+      cells.back() += line[++k];
+    } else if (c == '"') {
+      is_quoted = !is_quoted;
+    } else if (c == ',' && !is_quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+std::string csv_of(const Table& table, const std::vector<std::string>& comments) {
+  std::string text;
+  for (const std::string& comment : comments) text += "# " + comment + '\n';
+  std::vector<Cell> header;
+  for (const Column& column : table.columns) {
+    header.emplace_back(header_of(column));
+  }
+  text += csv_line(header);
+  for (const std::vector<Cell>& row : table.rows) {
+    assert(row.size() == table.columns.size());
+    text += csv_line(row);
+  }
+  return text;
+}
+
+}  // namespace ballpit

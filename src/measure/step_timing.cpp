@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "measure/step_timing.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+
+#include "measure/gas.h"
+#include "measure/spread.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kBlockSeconds = 0.05;  // long enough for a clock and for what the system does meanwhile
+constexpr int kMostSteps = 200;         // in a block
+
+/// What a step of so many spheres took.
+struct Cost {
+  int64_t count;
+  double seconds;
+};
+
+/// What a step of `count` spheres will take: the power law through the two largest costs known. No method grows slower
+/// than the spheres, or faster than their pairs.
+double predict(const std::vector<Cost>& known, int64_t count) {
+  const Cost& a = known[known.size() - 2];
+  const Cost& b = known.back();
+  const double ratio = static_cast<double>(b.count) / static_cast<double>(a.count);
+  const double exponent = std::clamp(std::log(b.seconds / a.seconds) / std::log(ratio), 1.0, 2.0);
+  return b.seconds * std::pow(static_cast<double>(count) / static_cast<double>(b.count), exponent);
+}
+
+/// Time of each stage between two reports of a world.
+std::vector<Stage> between(const std::vector<Stage>& before, const std::vector<Stage>& after) {
+  std::vector<Stage> result = after;
+  for (Stage& stage : result) {
+    for (const Stage& earlier : before) {
+      if (earlier.name != stage.name) continue;
+      stage.seconds -= earlier.seconds;
+      stage.launches -= earlier.launches;
+    }
+  }
+  return result;
+}
+
+/// A world whose steps are timed. To report is to detect, unless that was done already, and to measure: two reports in
+/// a row tell what measuring launches, so that it can be taken off.
+class TimedWorld {
+ public:
+  TimedWorld(const Scene& gas, const Settings& settings, const StepCase& which) {
+    Settings own = settings;
+    own.broadphase = which.method;
+    own.threads = which.threads;
+    own.dt = kGasStep;
+    world_ = which.backend.make_world(gas, own);
+    start_ = world_->report().stages;
+    reported_ = world_->report().stages;
+    run(1);  // its contacts were detected for the report
+  }
+
+  /// [s] a step, of so many.
+  double run(int steps) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int k = 0; k < steps; ++k) world_->step();
+    steps_ += steps;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
+  }
+
+  /// Contacts, candidates, and the stages of a step.
+  void describe(StepTiming& timing) {
+    const Report report = world_->report();
+    timing.contacts = report.contacts;
+    timing.candidates = report.candidates;
+    for (Stage& stage : between(between(start_, reported_), between(reported_, report.stages))) {
+      if (stage.launches <= 0) continue;
+      timing.stages.push_back(
+          {stage.name, std::max(0.0, stage.seconds) / steps_, static_cast<double>(stage.launches) / steps_});
+    }
+  }
+
+ private:
+  std::unique_ptr<World> world_;
+  std::vector<Stage> start_, reported_;
+  int steps_ = 0;
+};
+
+/// Runs what may fail for one case and must not end the others; returns why it failed.
+template <class Work>
+std::string failure_of(const Work& work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// One case through all counts.
+class CaseTimer {
+ public:
+  CaseTimer(const StepCase& which, const TimingPlan& plan) : which_(which), plan_(plan) {}
+
+  /// Whether so many spheres are worth a try; if not, timing() says why.
+  bool expects(int64_t count) {
+    timing_ = {which_, count, {}, {}, 0, 0, 0, {}};
+    timing_.skipped = failure_of([&] {
+      if (known_.size() < 2 && count > kProbes[1]) known_ = {probe(kProbes[0]), probe(kProbes[1])};
+      if (known_.size() >= 2) check(predict(known_, count), "a step would take about ");
+    });
+    return timing_.skipped.empty();
+  }
+
+  void start(const Scene& gas) {
+    timing_.skipped = failure_of([&] {
+      world_ = std::make_unique<TimedWorld>(gas, plan_.settings, which_);
+      const double step = std::min(world_->run(1), world_->run(1));
+      known_.push_back({timing_.count, step});
+      check(step, "a step takes ");
+      timing_.steps = std::clamp(static_cast<int>(kBlockSeconds / step), 1, kMostSteps);
+    });
+    if (!timing_.skipped.empty()) world_.reset();
+  }
+
+  bool is_running() const { return world_ != nullptr; }
+
+  void run_block() {
+    timing_.skipped = failure_of([&] { timing_.seconds.push_back(world_->run(timing_.steps)); });
+    if (!timing_.skipped.empty()) world_.reset();
+  }
+
+  StepTiming take() {
+    if (world_) {
+      world_->describe(timing_);
+      known_.back().seconds = spread_of(timing_.seconds).median;
+    }
+    world_.reset();
+    return std::move(timing_);
+  }
+
+ private:
+  static constexpr int64_t kProbes[] = {1000, 10000};  // spheres that any method steps in a moment
+
+  Cost probe(int64_t count) const {
+    TimedWorld world(make_gas(count, plan_.seed), plan_.settings, which_);
+    return {count, world.run(1)};
+  }
+
+  /// Throws where the blocks would take longer than a case may.
+  void check(double step, const char* words) const {
+    if (step * plan_.blocks <= plan_.limit) return;
+    std::ostringstream message;
+    message.precision(3);
+    message << words << step << " s, " << plan_.blocks << " blocks at least " << step * plan_.blocks
+            << " s; --limit is " << plan_.limit << " s";
+    throw std::runtime_error(message.str());
+  }
+
+  StepCase which_;
+  const TimingPlan& plan_;
+  std::vector<Cost> known_;
+  StepTiming timing_;
+  std::unique_ptr<TimedWorld> world_;
+};
+
+/// The gas after its first steps: a lattice has no contacts yet.
+Scene gas_in_motion(int64_t count, uint64_t seed) {
+  Scene gas = make_gas(count, seed);
+  Settings settings;
+  settings.dt = kGasStep;
+  const std::unique_ptr<World> world = cpu_backend().make_world(gas, settings);
+  for (int k = 0; k < kGasStepsToEquilibrium; ++k) world->step();
+  gas.bodies = world->bodies();
+  return gas;
+}
+
+void time_count(std::vector<CaseTimer>& timers, const TimingPlan& plan, int64_t count,
+                const std::function<bool()>& stop) {
+  std::vector<CaseTimer*> running;
+  for (CaseTimer& timer : timers) {
+    if (!stop() && timer.expects(count)) running.push_back(&timer);
+  }
+  if (running.empty()) return;
+  const Scene gas = gas_in_motion(count, plan.seed);
+  for (CaseTimer* timer : running) timer->start(gas);
+  for (int block = 0; block < plan.blocks && !stop(); ++block) {
+    for (CaseTimer* timer : running) {
+      if (timer->is_running()) timer->run_block();
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<StepTiming> time_steps(const TimingPlan& plan, const std::function<void(int64_t)>& tell,
+                                   const std::function<bool()>& stop) {
+  std::vector<CaseTimer> timers;
+  for (const StepCase& which : plan.cases) timers.emplace_back(which, plan);
+  std::vector<StepTiming> timings;
+  for (const int64_t count : plan.counts) {
+    time_count(timers, plan, count, stop);
+    if (stop()) break;
+    for (CaseTimer& timer : timers) timings.push_back(timer.take());
+    tell(static_cast<int64_t>(timings.size()));
+  }
+  return timings;
+}
+
+}  // namespace ballpit

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// A candidate list with a skin (Verlet list): a search among spheres larger by a skin finds pairs that may come into
+// contact soon; as long as no sphere has moved by its skin, only these are tested.
+//
+//        ╭╌╌╌╌╌╮          sphere i with its skin: radius r·(1 + skin)
+//       ╎ ╭───╮ ╎         pairs whose skins overlap are kept, row by row, as contacts are
+//       ╎ │ i │ ╎         valid while |x − x₀| ≤ skin·r for every sphere: two spheres whose skins were apart then
+//       ╎ ╰───╯ ╎         still are
+//        ╰╌╌╌╌╌╯
+//
+// Cost: the broad phase's once in a while; in between O(n + candidates), about six candidates a sphere in a dense heap.
+// Memory: 12 or 8 bytes a body and 8 a candidate. Source: Verlet, "Computer Experiments on Classical Fluids" (1967),
+// doi 10.1103/PhysRev.159.98.
+#pragma once
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/pair.h"
+#include "core/span.h"
+#include "exec/reduce.h"
+#include "narrow_phase/contact_rows.h"
+
+namespace ballpit {
+
+/// The rows of a list as candidates.
+struct ListedCandidates {
+  Span<const int> first;
+  Span<const Pair> pairs;
+
+  /// Calls visit(j) for each j > i in i's row, until visit returns false.
+  template <class Visit>
+  HOST_DEVICE void for_each(int i, Visit&& visit) const {
+    for (int k = first[i]; k < first[i + 1]; ++k) {
+      if (!visit(pairs[k].j)) return;
+    }
+  }
+};
+
+/// Predicate: body i could leave the domain without leaving its skin.
+template <class V>
+struct IsNearBorder {
+  BodiesView<V> bodies;
+  Box<V> box;
+  Scalar<V> skin;  ///< of a radius
+
+  HOST_DEVICE bool operator()(int i) const {
+    if (box.is_periodic()) return !box.holds(bodies.position[i]);  // no border to leave by
+    const V reach(skin * bodies.radius[i]);
+    return !(box.holds(bodies.position[i] - reach) & box.holds(bodies.position[i] + reach));
+  }
+};
+
+/// Kernel: radii with skins.
+template <class Real>
+struct GrowRadius {
+  PerBody<Real> radius;
+  Real factor;
+  Span<Real> grown;
+  HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] * factor; }
+};
+
+/// Predicate: body i has left its skin.
+template <class V>
+struct HasLeftSkin {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const V> start;
+  Real skin;   ///< of a radius
+  Real guard;  ///< what rounding may hide [m]
+
+  HOST_DEVICE bool operator()(int i) const {
+    const V moved = box.displacement(start[i], bodies.position[i]);
+    const Real allowed = skin * bodies.radius[i] - guard;
+    return !((allowed > 0) & (dot(moved, moved) <= allowed * allowed));  // true for NaN
+  }
+};
+
+template <class V, class Exec>
+class CandidateList {
+  using Real = Scalar<V>;
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+ public:
+  /// `skin` is a fraction of each radius, 0 for none; `guard` is what rounding may hide of a distance [m].
+  CandidateList() = default;  ///< not used
+  CandidateList(double skin, double guard) { plan(skin, guard); }
+
+  void plan(double skin, double guard) {
+    skin_ = static_cast<Real>(skin);
+    guard_ = static_cast<Real>(guard);
+    discard();
+  }
+
+  bool is_used() const { return skin_ > 0; }
+  void discard() { is_valid_ = false; }
+
+  /// Whether the list still holds every pair that may be in contact.
+  bool is_valid(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
+    if (!is_valid_ || start_.size() != bodies.size()) return false;
+    if (is_checked_) return true;
+    is_valid_ = !any(exec, "check skins", bodies.size(), HasLeftSkin<V>{bodies, box, start_.span(), skin_, guard_});
+    return is_checked_ = is_valid_;
+  }
+
+  /// To be called by whoever has moved the bodies.
+  void moved() { is_checked_ = false; }
+
+  /// Whether a list that is valid shows that all bodies are inside the domain and finite.
+  bool shows_all_inside() const { return is_clear_; }
+
+  /// The bodies as the search for the list is to see them.
+  BodiesView<V> grown(Exec& exec, const BodiesView<V>& bodies) {
+    grown_.resize(bodies.radius.is_uniform() ? 1 : bodies.size());
+    if (bodies.size() > 0) {
+      exec.parallel_for("grow radii", grown_.size(), GrowRadius<Real>{bodies.radius, factor(), grown_.span()});
+    }
+    BodiesView<V> result = bodies;
+    result.radius = {grown_.span().data(), bodies.radius.is_uniform() ? 0 : 1};
+    return result;
+  }
+  Real factor() const { return 1 + skin_; }
+
+  /// Where that search is to leave its rows; start() then notes where the bodies are.
+  ContactRows<Exec>& rows() { return rows_; }
+  void start(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
+    start_.resize(bodies.size());
+    exec.parallel_for("note positions", bodies.size(), CopyValues<V>{bodies.position, start_.span()});
+    is_clear_ = !any(exec, "check border", bodies.size(), IsNearBorder<V>{bodies, box, skin_});
+    is_valid_ = is_checked_ = true;
+  }
+
+  ListedCandidates candidates() const { return {rows_.first(), rows_.pairs()}; }
+  int64_t bytes() const { return start_.bytes() + grown_.bytes() + rows_.bytes(); }
+
+ private:
+  Real skin_ = 0, guard_ = 0;
+  bool is_valid_ = false;
+  bool is_checked_ = false;  // for these positions
+  bool is_clear_ = false;    // no skin reaches out of the domain
+  Buffer<V> start_;
+  Buffer<Real> grown_;
+  ContactRows<Exec> rows_;
+};
+
+}  // namespace ballpit

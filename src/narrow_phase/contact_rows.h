@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Where a search puts its contacts: pairs in canonical order, and where each body's row begins.
+//
+//     body    0  1  2  3
+//     first   0  2  2  3  3
+//     pairs   (0,3) (0,7) (2,5)
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "bodies/pair.h"
+#include "core/error.h"
+#include "core/span.h"
+#include "exec/reduce.h"
+#include "narrow_phase/sort_row.h"
+
+namespace ballpit {
+
+/// Contacts that a thread keeps from counting to filling. Equal spheres have at most twelve, half of them with a higher
+/// index on average.
+inline constexpr int kKept = 8;
+
+/// Throws RunError where a number of entries exceeds what an index holds.
+inline int checked_count(int64_t count, const char* what) {
+  if (count > std::numeric_limits<int>::max()) {
+    throw RunError(what, "too many: " + std::to_string(count),
+                   "at most " + std::to_string(std::numeric_limits<int>::max()) + " can be held");
+  }
+  return static_cast<int>(count);
+}
+
+struct CountAt {
+  Span<const int> values;
+  HOST_DEVICE int64_t operator()(int i) const { return values[i]; }
+};
+
+/// The sum of counts, in 64 bits.
+template <class Exec>
+int64_t sum_of(Exec& exec, Span<const int> counts) {
+  return reduce(exec, "sum candidates", counts.size(), int64_t{0}, CountAt{counts}, Sum{});
+}
+
+template <class Exec>
+class ContactRows {
+ public:
+  void resize(int64_t bodies, int64_t contacts) {
+    first_.resize(bodies + 1);
+    pairs_.resize(contacts);
+  }
+  void resize_pairs(int64_t contacts) { pairs_.resize(contacts); }
+
+  Span<int> first() { return first_.span(); }
+  Span<Pair> pairs() { return pairs_.span(); }
+  Span<const int> first() const { return first_.span(); }
+  Span<const Pair> pairs() const { return pairs_.span(); }
+  int64_t bytes() const { return first_.bytes() + pairs_.bytes(); }
+
+ private:
+  typename Exec::template Buffer<int> first_;
+  typename Exec::template Buffer<Pair> pairs_;
+};
+
+/// Key: the row that a pair belongs to.
+struct RowOfPair {
+  Span<const Pair> pairs;
+  HOST_DEVICE int operator()(int k) const { return pairs[k].i; }
+};
+struct PairAt {
+  Span<const Pair> pairs;
+  HOST_DEVICE Pair operator()(int k) const { return pairs[k]; }
+};
+
+/// Kernel: sorts the pairs of body i by j.
+struct SortRow {
+  Span<const int> first;
+  Span<Pair> pairs;
+
+  HOST_DEVICE void operator()(int i) const {
+    const int begin = first[i], count = first[i + 1] - begin;
+    if (count > 1) sort_row(pairs.data() + begin, count);
+  }
+};
+
+/// Puts pairs, i < j, that stand in any order into canonical order.
+template <class Exec>
+void put_into_rows(Exec& exec, Span<const Pair> found, int64_t bodies, ContactRows<Exec>& rows) {
+  rows.resize(bodies, found.size());
+  exec.bin("sort contacts", RowOfPair{found}, PairAt{found}, rows.first(), rows.pairs());
+  exec.parallel_for("sort rows", bodies, SortRow{rows.first(), rows.pairs()});
+}
+
+}  // namespace ballpit

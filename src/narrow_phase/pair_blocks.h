@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Pairs found on the CPU by blocks of work, each in a buffer of its own, and joined in the order of the blocks.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "bodies/pair.h"
+#include "core/span.h"
+#include "exec/cpu_executor.h"
+#include "narrow_phase/contact_rows.h"
+
+namespace ballpit {
+
+/// Pairs that were found, in a buffer that only grows.
+class PairBuffer {
+ public:
+  /// Makes room for `more` pairs beyond those held.
+  void reserve(int64_t more) {
+    if (count_ + more <= capacity_) return;
+    const int64_t capacity = std::max(count_ + more, 2 * capacity_);
+    auto data = std::make_unique_for_overwrite<Pair[]>(static_cast<size_t>(capacity));
+    std::copy(data_.get(), data_.get() + count_, data.get());
+    data_ = std::move(data);
+    capacity_ = capacity;
+  }
+  Pair* end() { return data_.get() + count_; }
+  void set_end(const Pair* end) { count_ = end - data_.get(); }
+  void clear() { count_ = 0; }
+  int64_t size() const { return count_; }
+  Span<const Pair> span() const { return {data_.get(), count_}; }
+  int64_t bytes() const { return capacity_ * int64_t(sizeof(Pair)); }
+
+ private:
+  std::unique_ptr<Pair[]> data_;
+  int64_t count_ = 0;
+  int64_t capacity_ = 0;
+};
+
+/// The buffers of all blocks. One thread goes through the blocks in order, and needs one buffer alone.
+class PairBlocks {
+ public:
+  void start(const CpuExecutor& exec, int64_t blocks) {
+    buffers_.resize(static_cast<size_t>(exec.threads() == 1 ? 1 : blocks));
+    for (PairBuffer& buffer : buffers_) buffer.clear();
+  }
+
+  PairBuffer& of(int64_t block) { return buffers_[buffers_.size() == 1 ? 0 : static_cast<size_t>(block)]; }
+
+  /// All pairs, in the order of the blocks.
+  Span<const Pair> join(CpuExecutor& exec) {
+    std::vector<int64_t> first(buffers_.size() + 1, 0);
+    for (size_t b = 0; b < buffers_.size(); ++b) first[b + 1] = first[b] + buffers_[b].size();
+    checked_count(first.back(), "contacts");
+    if (buffers_.size() == 1) return buffers_[0].span();
+    joined_.resize(first.back());
+    exec.parallel_for_blocks("join contacts", static_cast<int64_t>(buffers_.size()), [&](int64_t b) {
+      const Span<const Pair> pairs = buffers_[static_cast<size_t>(b)].span();
+      std::copy(pairs.begin(), pairs.end(), joined_.span().data() + first[static_cast<size_t>(b)]);
+    });
+    return joined_.span();
+  }
+
+  int64_t bytes() const {
+    int64_t sum = joined_.bytes();
+    for (const PairBuffer& buffer : buffers_) sum += buffer.bytes();
+    return sum;
+  }
+
+ private:
+  std::vector<PairBuffer> buffers_;
+  HostBuffer<Pair> joined_;
+};
+
+}  // namespace ballpit

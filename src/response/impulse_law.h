@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// What impulse.h explains, as both of its solvers need it: what a contact wants, and what of its overlap is removed.
+#pragma once
+
+#include "bodies/bodies_view.h"
+#include "bodies/contacts.h"
+#include "bodies/pair.h"
+#include "core/span.h"
+#include "response/walls_view.h"
+
+namespace ballpit {
+
+struct ImpulseParameters {
+  double restitution = 0.8;       ///< sphere–sphere
+  double wall_restitution = 0.8;  ///< sphere–wall
+  double push = 0.8;              ///< part of the old overlap that a step pushes out by velocity …
+  double push_limit = 0.0;        ///< [m/s] … at this speed at most
+  double entered = 1.0;           ///< part of the entered overlap that a step removes by position
+  double correction = 0.0;        ///< part of the old overlap that it does
+  double foresight = 1.0;         ///< part of what the new velocity takes out by itself that is left to it
+  double slop = 0.005;  ///< overlap left alone, as a fraction of r_i + r_j, or of r at a wall: contacts stay contacts
+  int iterations = 4;
+  bool is_by_colour = false;  ///< Gauss–Seidel in place of Jacobi
+};
+
+/// What a contact needs in every iteration.
+template <class V>
+struct ContactConstraint {
+  V normal;           ///< from i to j
+  Scalar<V> wanted;   ///< speed of parting wanted [m/s]
+  Scalar<V> overlap;  ///< overlap to be removed by position, as far as parting does not remove it [m]
+  Scalar<V> mass;     ///< effective mass 1 / (c_i·w_i + c_j·w_j) [kg]
+};
+
+/// What every kernel of the impulse response reads.
+template <class V>
+struct ImpulseView {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;  ///< with the velocities before the kick
+  WallsView<V> walls;
+  ContactsView<V> contacts;
+  Span<const Real> share;  ///< c: contacts of each body; all walls count as one
+  Real dt, restitution, wall_restitution, push, push_limit, entered, correction, foresight, slop;
+
+  /// Calls visit(axis, side, overlap) for each wall of body i.
+  template <class Visit>
+  HOST_DEVICE void for_each_wall(int i, Visit&& visit) const {
+    walls.for_each(i, bodies.position[i], bodies.radius[i], visit);
+  }
+
+  /// How much faster body i, at `velocity`, is to part from a wall [m/s]; at most 0 where it does by itself.
+  HOST_DEVICE Real missing_at_wall(int i, const V& velocity, int axis, int side, Real overlap) const {
+    Real before = -Real(side) * bodies.velocity[i][axis], later = 0;
+    if (walls.is_swept()) {
+      const Real kick = -Real(side) * walls.sweep.kick_of(i)[axis], first = walls.sweep.first[i];
+      before += kick * first;
+      later = kick * (1 - first);
+    }
+    return wanted(wall_restitution, before, overlap, bodies.radius[i], later) + Real(side) * velocity[axis];
+  }
+
+  /// What the rest of the step's kick adds to the speed at which contact c parts [m/s]: nothing where contacts are not
+  /// swept, and nothing between spheres that both fall.
+  HOST_DEVICE Real later(int c, const Pair& pair, const V& normal) const {
+    if (!walls.is_swept()) return 0;
+    return dot(walls.sweep.kick_of(pair.j) - walls.sweep.kick_of(pair.i), normal) * (1 - walls.sweep.time[c]);
+  }
+
+  /// How far a contact that parted at `separation` before the step moved into overlap during the last one [m].
+  HOST_DEVICE Real entered_overlap(Real separation, Real overlap) const {
+    const Real moved = separation < 0 ? -separation * dt : Real(0);
+    return moved < overlap ? moved : overlap;
+  }
+
+  /// The overlap that was there before the last step, less the slop [m].
+  HOST_DEVICE Real old_overlap(Real separation, Real overlap, Real radii) const {
+    const Real old = overlap - entered_overlap(separation, overlap) - slop * radii;
+    return old > 0 ? old : Real(0);
+  }
+
+  /// The overlap to be removed by position [m].
+  HOST_DEVICE Real removable(Real separation, Real overlap, Real radii) const {
+    return entered * entered_overlap(separation, overlap) + correction * old_overlap(separation, overlap, radii);
+  }
+
+  /// The speed of parting that a contact wants at the end of the step: what restitution asks for at the impact, and what
+  /// the kick adds `later`; or what pushes old overlap out.
+  HOST_DEVICE Real wanted(Real e, Real separation, Real overlap, Real radii, Real later) const {
+    const Real rebound = separation < 0 ? later - e * separation : Real(0);
+    const Real out = push * old_overlap(separation, overlap, radii) / dt;
+    const Real limited = out < push_limit ? out : push_limit;
+    return limited > rebound ? limited : rebound;
+  }
+};
+
+/// What the walls at min (low) and max (high) have given each body so far, along each axis [kg·m/s]; anything where it touches
+/// none, and empty where a domain has none.
+template <class V>
+struct WallSums {
+  Span<V> low, high;
+  HOST_DEVICE Scalar<V>& at(int i, int axis, int side) const { return side < 0 ? low[i][axis] : high[i][axis]; }
+};
+
+/// Adds `more` to what a contact has exchanged so far, as far as the sum does not pull; returns what was added. So an
+/// iteration may take back what an earlier one gave too much.
+template <class Real>
+HOST_DEVICE Real add_unless_pulling(Real& sum, Real more) {
+  const Real before = sum, asked = before + more;
+  sum = asked > 0 ? asked : Real(0);
+  return sum - before;
+}
+
+/// Kernel: adds what contact c has exchanged to the notes of a tally.
+template <class Real>
+struct NoteSum {
+  Span<const Real> exchanged;
+  Span<Real> notes;
+  HOST_DEVICE void operator()(int c) const { notes[c] += exchanged[c]; }
+};
+
+/// Kernel: the same for what body i gave the floor.
+template <class V>
+struct NoteFloorSum {
+  ImpulseView<V> view;
+  WallSums<V> walls;
+  Span<Scalar<V>> notes;
+
+  HOST_DEVICE void operator()(int i) const {
+    view.for_each_wall(i, [&](int axis, int side, Scalar<V>) {
+      if (axis == 1 && side < 0) notes[i] += walls.at(i, axis, side);
+    });
+  }
+};
+
+/// Kernel: how many contacts body i splits its mass among. Walls at right angles do not disturb each other, so they have
+/// one share together.
+template <class V>
+struct CountShares {
+  ImpulseView<V> view;
+  Span<Scalar<V>> share;
+
+  HOST_DEVICE void operator()(int i) const {
+    int walls = 0;
+    view.for_each_wall(i, [&](int, int, Scalar<V>) { walls = 1; });
+    share[i] = static_cast<Scalar<V>>(view.contacts.count_of(i) + walls);
+  }
+};
+
+/// Kernel: the constraint of contact c.
+template <class V>
+struct ConstrainContact {
+  ImpulseView<V> view;
+  Span<ContactConstraint<V>> constraints;
+
+  HOST_DEVICE void operator()(int c) const {
+    const Pair pair = view.contacts.pairs[c];
+    const ContactGeometry<V>& contact = view.contacts.geometry[c];
+    const auto& [position, velocity, radius, inverse_mass] = view.bodies;
+    const Scalar<V> softness = view.share[pair.i] * inverse_mass[pair.i] + view.share[pair.j] * inverse_mass[pair.j];
+    const Scalar<V> radii = radius[pair.i] + radius[pair.j];
+    const Scalar<V> later = view.later(c, pair, contact.normal);
+    constraints[c] = {contact.normal, view.wanted(view.restitution, contact.separation, contact.overlap, radii, later),
+                      view.removable(contact.separation, contact.overlap, radii), 1 / softness};
+  }
+};
+
+/// Kernel: how far body i steps back out of what it entered, as far as the velocities do not take it out themselves.
+template <class V>
+struct CorrectPosition {
+  using Real = Scalar<V>;
+  ImpulseView<V> view;
+  Span<const ContactConstraint<V>> constraints;
+  Span<const V> velocity;
+  Span<V> correction;
+
+  HOST_DEVICE void operator()(int i) const {
+    V move{};
+    if (view.share[i] != 0) {
+      const V own = velocity[i];
+      const Real radius = view.bodies.radius[i];
+      view.contacts.for_each_of(i, [&](int c, int other, int side) {
+        const ContactConstraint<V>& contact = constraints[c];
+        const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
+        const Real left = contact.overlap - view.foresight * parting * view.dt;
+        move -= contact.normal * (Real(side) * contact.mass * (left > 0 ? left : Real(0)));
+      });
+      move *= view.bodies.inverse_mass[i];
+      view.for_each_wall(i, [&](int axis, int side, Real overlap) {
+        const Real before = -Real(side) * view.bodies.velocity[i][axis], parting = -Real(side) * own[axis];
+        const Real left = view.removable(before, overlap, radius) - view.foresight * parting * view.dt;
+        if (left > 0) move[axis] -= Real(side) * left / view.share[i];
+      });
+    }
+    correction[i] = move;
+  }
+};
+
+}  // namespace ballpit

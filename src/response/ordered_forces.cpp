@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+// Compiled once for each set of instructions: Highway includes this file again and again, and picks at run time. Always four
+// lanes: wider ones gain nothing, since positions come one by one.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "response/ordered_forces.cpp"
+#include "response/ordered_forces.h"
+
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+#include <hwy/highway.h>
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/pair.h"
+#include "core/span.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ballpit {
+namespace HWY_NAMESPACE {
+
+template <class V>
+HWY_INLINE void AddTo(Vec4& sum, const V& force, float sign) {
+  for (int axis = 0; axis < kDimensions<V>; ++axis) sum[axis] += sign * force[axis];
+}
+
+/// The box in registers' form: no wall where there is none.
+template <class V>
+void CornersOf(const Box<V>& box, Vec4& low, Vec4& high) {
+  low = Vec4(-Box<V>::kFar);
+  high = Vec4(Box<V>::kFar);
+  for (int axis = 0; axis < kDimensions<V> && !box.is_periodic(); ++axis) {
+    low[axis] = box.min[axis];
+    high[axis] = box.max[axis];
+  }
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+template <class V>
+int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
+                     Span<int> at_walls) {
+  Vec4 low, high;
+  CornersOf(box, low, high);
+  int count = 0;
+  for (int i = 0; i < static_cast<int>(acceleration.size()); ++i) {
+    const Vec4& p = packed.position[i];
+    bool is_near = false;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      is_near = is_near | (p[axis] - low[axis] <= p.w) | (high[axis] - p[axis] <= p.w);
+      acceleration[i][axis] = gravity[axis] + packed.sum[i][axis] * packed.velocity[i].w;
+    }
+    at_walls[count] = i;
+    count += is_near;
+  }
+  return count;
+}
+
+template <class V>
+void AddForces(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
+  for (const Pair& pair : pairs) {
+    float along;
+    const V force = force_of(pair, along);
+    AddTo(packed.sum[pair.i], force, -1);
+    AddTo(packed.sum[pair.j], force, 1);
+  }
+}
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::FixedTag<float, 4>;
+using Floats = hn::Vec<Lanes>;
+
+HWY_INLINE Floats Load(const Vec4& v) { return hn::LoadU(Lanes(), &v.x); }
+
+template <class V>
+int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
+                     Span<int> at_walls) {
+  Vec4 low, high, g(0);
+  CornersOf(box, low, high);
+  for (int axis = 0; axis < kDimensions<V>; ++axis) g[axis] = gravity[axis];
+  const Floats lowest = Load(low), highest = Load(high), pull = Load(g);
+  const int n = static_cast<int>(acceleration.size());
+  int count = 0;
+  const auto accelerate = [&](int i) HWY_ATTR {
+    const Floats p = Load(packed.position[i]), radius = hn::Broadcast<3>(p);
+    at_walls[count] = i;
+    count += !hn::AllFalse(Lanes(), hn::Or(hn::Le(hn::Sub(p, lowest), radius), hn::Le(hn::Sub(highest, p), radius)));
+    return hn::Add(pull, hn::Mul(Load(packed.sum[i]), hn::Broadcast<3>(Load(packed.velocity[i]))));
+  };
+  for (int i = 0; i + 2 < n; ++i)
+    hn::StoreU(accelerate(i), Lanes(), &acceleration[i][0]);  // the next ones are overwritten
+  for (int i = n > 2 ? n - 2 : 0; i < n; ++i) {
+    alignas(16) float result[4];
+    hn::Store(accelerate(i), Lanes(), result);
+    for (int axis = 0; axis < kDimensions<V>; ++axis) acceleration[i][axis] = result[axis];
+  }
+  return count;
+}
+
+/// The components of four vectors.
+struct Components {
+  Floats x, y, z, w;
+
+  explicit HWY_INLINE Components(const Floats (&v)[4]) {
+    const Floats xy01 = hn::InterleaveLower(Lanes(), v[0], v[1]), xy23 = hn::InterleaveLower(Lanes(), v[2], v[3]);
+    const Floats zw01 = hn::InterleaveUpper(Lanes(), v[0], v[1]), zw23 = hn::InterleaveUpper(Lanes(), v[2], v[3]);
+    x = hn::ConcatLowerLower(Lanes(), xy23, xy01);
+    y = hn::ConcatUpperUpper(Lanes(), xy23, xy01);
+    z = hn::ConcatLowerLower(Lanes(), zw23, zw01);
+    w = hn::ConcatUpperUpper(Lanes(), zw23, zw01);
+  }
+
+  /// Of vectors of three components; in the plane z is 0.
+  HWY_INLINE Floats Dot(const Components& other) const {
+    return hn::Add(hn::Add(hn::Mul(x, other.x), hn::Mul(y, other.y)), hn::Mul(z, other.z));
+  }
+};
+
+template <bool kPeriodic, bool kEqual, class V>
+class ForceAdder {
+ public:
+  ForceAdder(const PairForce<V>& force_of, const PackedBodies& packed) : force_of_(force_of), packed_(packed) {
+    alignas(16) float period[4] = {1, 1, 1, 1};
+    for (int axis = 0; axis < kDimensions<V>; ++axis) period[axis] = force_of.box.max[axis] - force_of.box.min[axis];
+    period_ = hn::Load(Lanes(), period);
+    const BodiesView<V>& bodies = force_of.bodies;
+    if (bodies.size() == 0) return;
+    radii_ = hn::Set(Lanes(), bodies.radius[0] + bodies.radius[0]);
+    const float mass = 1 / (bodies.inverse_mass[0] + bodies.inverse_mass[0]);
+    dashpot_ = hn::Set(Lanes(), force_of.law.dashpot(force_of.law.damping, mass));
+  }
+
+  void AddAll(Span<const Pair> pairs) const {
+    const ForceAdder self = *this;  // a copy that nothing else can point to stays in registers
+    int64_t k = 0;
+    for (; k + 4 <= pairs.size(); k += 4) self.AddFour(pairs.data() + k);
+    for (; k < pairs.size(); ++k) self.AddOne(pairs[k]);
+  }
+
+ private:
+  void AddOne(const Pair& pair) const {
+    float along;
+    const V force = force_of_(pair, along);
+    AddTo(packed_.sum[pair.i], force, -1);
+    AddTo(packed_.sum[pair.j], force, 1);
+  }
+
+  HWY_INLINE void AddFour(const Pair* pairs) const {
+    Floats apart[4];
+    for (int k = 0; k < 4; ++k) {
+      apart[k] = Displacement(packed_.position[pairs[k].i], packed_.position[pairs[k].j]);
+    }
+    const Components d(apart);
+    const Floats squared = d.Dot(d), radii = RadiiOf(pairs);
+    const hn::Mask<Lanes> touching = hn::Le(squared, hn::Mul(radii, radii));
+    if (hn::AllFalse(Lanes(), touching)) return;
+    if (!hn::AllTrue(Lanes(), hn::Gt(squared, hn::Zero(Lanes())))) {  // centres coincide
+      for (int k = 0; k < 4; ++k) AddOne(pairs[k]);
+      return;
+    }
+    const Floats distance = hn::Sqrt(squared);
+    const Floats along = ForceAlong(pairs, d, distance, hn::Sub(radii, distance));
+    const Floats scale = hn::IfThenElseZero(touching, hn::Div(along, distance));
+    Scatter<0>(pairs[0], apart[0], scale);
+    Scatter<1>(pairs[1], apart[1], scale);
+    Scatter<2>(pairs[2], apart[2], scale);
+    Scatter<3>(pairs[3], apart[3], scale);
+  }
+
+  HWY_INLINE Floats Displacement(const Vec4& a, const Vec4& b) const {
+    Floats d = hn::Sub(Load(b), Load(a));
+    if constexpr (kPeriodic) d = hn::Sub(d, hn::Mul(period_, hn::Round(hn::Div(d, period_))));
+    return d;
+  }
+
+  HWY_INLINE Floats RadiiOf(const Pair* pairs) const {
+    if constexpr (kEqual) return radii_;
+    alignas(16) float radii[4];
+    for (int k = 0; k < 4; ++k) radii[k] = packed_.position[pairs[k].i].w + packed_.position[pairs[k].j].w;
+    return hn::Load(Lanes(), radii);
+  }
+
+  HWY_INLINE Floats DashpotOf(const Pair* pairs) const {
+    if constexpr (kEqual) return dashpot_;
+    alignas(16) float softness[4];
+    for (int k = 0; k < 4; ++k) softness[k] = packed_.velocity[pairs[k].i].w + packed_.velocity[pairs[k].j].w;
+    const Floats mass = hn::Div(hn::Set(Lanes(), 1.0f), hn::Load(Lanes(), softness));
+    const PenaltyLaw<float>& law = force_of_.law;
+    return hn::Mul(hn::Set(Lanes(), law.damping), hn::Sqrt(hn::Mul(hn::Set(Lanes(), law.stiffness), mass)));
+  }
+
+  /// PenaltyLaw::force() of four pairs. Lanes that do not touch hold anything.
+  HWY_INLINE Floats ForceAlong(const Pair* pairs, const Components& d, Floats distance, Floats overlap) const {
+    const PenaltyLaw<float>& law = force_of_.law;
+    Floats force = hn::Mul(hn::Set(Lanes(), law.stiffness), overlap);
+    if (law.is_hertz) force = hn::Mul(force, hn::Sqrt(overlap));
+    if (law.damping > 0) {
+      Floats relative[4];
+      for (int k = 0; k < 4; ++k) {
+        relative[k] = hn::Sub(Load(packed_.velocity[pairs[k].j]), Load(packed_.velocity[pairs[k].i]));
+      }
+      const Floats separation = hn::Div(Components(relative).Dot(d), distance);
+      const Floats damped = hn::Mul(DashpotOf(pairs), separation);
+      const Floats factor = law.is_hertz
+                                ? hn::Mul(hn::Set(Lanes(), PenaltyLaw<float>::kRootOf5), hn::Sqrt(hn::Sqrt(overlap)))
+                                : hn::Set(Lanes(), 2.0f);
+      force = hn::Sub(force, hn::Mul(damped, factor));
+    }
+    return law.ends_with_force ? hn::Max(force, hn::Zero(Lanes())) : force;
+  }
+
+  template <int kLane>
+  HWY_INLINE void Scatter(const Pair& pair, Floats apart, Floats scale) const {
+    const Floats force = hn::Mul(apart, hn::Broadcast<kLane>(scale));
+    Vec4& a = packed_.sum[pair.i];
+    Vec4& b = packed_.sum[pair.j];
+    hn::StoreU(hn::Sub(Load(a), force), Lanes(), &a.x);
+    hn::StoreU(hn::Add(Load(b), force), Lanes(), &b.x);
+  }
+
+  PairForce<V> force_of_;
+  PackedBodies packed_;
+  Floats period_, radii_, dashpot_;
+};
+
+template <class V>
+void AddForces(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
+  const bool is_equal = force_of.bodies.radius.is_uniform() && force_of.bodies.inverse_mass.is_uniform();
+  if (force_of.box.is_periodic()) {
+    is_equal ? ForceAdder<true, true, V>(force_of, packed).AddAll(pairs)
+             : ForceAdder<true, false, V>(force_of, packed).AddAll(pairs);
+  } else {
+    is_equal ? ForceAdder<false, true, V>(force_of, packed).AddAll(pairs)
+             : ForceAdder<false, false, V>(force_of, packed).AddAll(pairs);
+  }
+}
+
+#endif
+
+void AddForces2(const PairForce<Vec2>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
+  AddForces(force_of, pairs, packed);
+}
+void AddForces3(const PairForce<Vec3>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
+  AddForces(force_of, pairs, packed);
+}
+int Accelerate2(const Box<Vec2>& box, const Vec2& gravity, const PackedBodies& packed, Span<Vec2> acceleration,
+                Span<int> at_walls) {
+  return AccelerateBySums(box, gravity, packed, acceleration, at_walls);
+}
+int Accelerate3(const Box<Vec3>& box, const Vec3& gravity, const PackedBodies& packed, Span<Vec3> acceleration,
+                Span<int> at_walls) {
+  return AccelerateBySums(box, gravity, packed, acceleration, at_walls);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace ballpit
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ballpit {
+
+HWY_EXPORT(AddForces2);
+HWY_EXPORT(AddForces3);
+HWY_EXPORT(Accelerate2);
+HWY_EXPORT(Accelerate3);
+
+template <>
+void add_ordered_forces(const PairForce<Vec2>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
+  HWY_DYNAMIC_DISPATCH(AddForces2)(force_of, pairs, packed);
+}
+template <>
+void add_ordered_forces(const PairForce<Vec3>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
+  HWY_DYNAMIC_DISPATCH(AddForces3)(force_of, pairs, packed);
+}
+
+template <>
+int accelerate_by_sums(const Box<Vec2>& box, const Vec2& gravity, const PackedBodies& packed, Span<Vec2> acceleration,
+                       Span<int> at_walls) {
+  return HWY_DYNAMIC_DISPATCH(Accelerate2)(box, gravity, packed, acceleration, at_walls);
+}
+template <>
+int accelerate_by_sums(const Box<Vec3>& box, const Vec3& gravity, const PackedBodies& packed, Span<Vec3> acceleration,
+                       Span<int> at_walls) {
+  return HWY_DYNAMIC_DISPATCH(Accelerate3)(box, gravity, packed, acceleration, at_walls);
+}
+
+}  // namespace ballpit
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The force between two spheres of the penalty response: the laws that penalty.h explains, for one pair at a time.
+#pragma once
+
+#include <cmath>
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/pair.h"
+
+namespace ballpit {
+
+/// The force of a contact.
+template <class Real>
+struct PenaltyLaw {
+  Real stiffness;     ///< k [N/m], or K [N/m^1.5]
+  Real damping;       ///< ζ between spheres
+  Real wall_damping;  ///< ζ at walls
+  Real shear;         ///< [kg/s]
+  bool is_hertz;
+  bool ends_with_force;
+
+  /// What the dashpot's force is proportional to, for a reduced mass.
+  HOST_DEVICE Real dashpot(Real zeta, Real mass) const { return zeta * std::sqrt(stiffness * mass); }
+
+  /// [N] pushing apart.
+  HOST_DEVICE Real force(Real dashpot, Real overlap, Real separation) const {
+    Real spring = stiffness * overlap, damped = 0;
+    if (is_hertz) spring *= std::sqrt(overlap);
+    if (dashpot > 0) {
+      damped = dashpot * separation;
+      damped *= is_hertz ? kRootOf5 * std::sqrt(std::sqrt(overlap)) : Real(2);
+    }
+    const Real force = spring - damped;
+    return ends_with_force && force < 0 ? Real(0) : force;
+  }
+
+  /// [J] held by the spring.
+  HOST_DEVICE double energy(Real overlap) const {
+    const double d = double(overlap);
+    return is_hertz ? 0.4 * double(stiffness) * d * d * std::sqrt(d) : 0.5 * double(stiffness) * d * d;
+  }
+
+  static constexpr Real kRootOf5 = Real(2.2360679774997896964);
+};
+
+/// The force on the second of two bodies; that on the first is opposite.
+template <class V>
+struct PairForce {
+  using Real = Scalar<V>;
+  PenaltyLaw<Real> law;
+  BodiesView<V> bodies;
+  Box<V> box;
+
+  /// [N] 0 where they do not touch. `along` is its part along the line of centres.
+  HOST_DEVICE V operator()(const Pair& pair, Real& along) const {
+    const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
+    const Real radii = bodies.radius[pair.i] + bodies.radius[pair.j], squared = dot(d, d);
+    along = 0;
+    if (!(squared <= radii * radii)) return V{};
+    const V v = bodies.velocity[pair.j] - bodies.velocity[pair.i];
+    const Real mass = 1 / (bodies.inverse_mass[pair.i] + bodies.inverse_mass[pair.j]);
+    const Real distance = std::sqrt(squared), dashpot = law.dashpot(law.damping, mass);
+    if (!(distance > 0)) {  // centres that coincide part along the last axis
+      V force{};
+      force[kDimensions<V> - 1] = along = law.force(dashpot, radii, v[kDimensions<V> - 1]);
+      return force;
+    }
+    const Real separation = dot(v, d) / distance;
+    along = law.force(dashpot, radii - distance, separation);
+    V force = d * (along / distance);
+    if (law.shear > 0) force -= (v - d * (separation / distance)) * law.shear;
+    return force;
+  }
+};
+
+}  // namespace ballpit

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Penalty: overlap is answered by a spring and a dashpot along the normal, and by a dashpot across it (shear), as in the
+// course's exercise sheet 2. Contacts last, waves travel, and the step must be well below a contact's duration.
+//
+//        i ●──/\/\/\──● j      F = k·δ − c·u            linear: c = 2ζ·√(k·m*)
+//          ●───▐█═────●        F = K·δ^1.5 − c·δ^¼·u    Hertz:  c = √5·ζ·√(K·m*)
+//                              δ overlap [m], u speed of parting [m/s], m* reduced mass [kg]
+//
+// For both laws ζ follows from restitution alone: in y = δ^(5/4) and dτ = δ^¼ dt Hertz's contact is a linear oscillator
+// (Antypov and Elliott 2011, doi 10.1209/0295-5075/94/50004). A contact ends where the overlap does, or, if asked for, where
+// the force would begin to pull (Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z). Spheres carry no rotation.
+// Walls follow the same law with m* = m. Cost: O(n + contacts) for each evaluation of the forces: pairs of the candidate list
+// are taken as they are, and those that do not touch exert nothing. One thread of the CPU adds forces to both bodies as it goes
+// along the pairs (ordered_forces.h); elsewhere bodies gather them, in the same order.
+// Source: Cundall and Strack, "A discrete numerical model for granular assemblies" (1979), doi 10.1680/geot.1979.29.1.47.
+// Its siblings: kinematic.h, impulse.h, position_based.h.
+#pragma once
+
+#include <cmath>
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/contacts.h"
+#include "bodies/pair.h"
+#include "core/span.h"
+#include "exec/reduce.h"
+#include "response/damping.h"
+#include "response/impulse_notes.h"
+#include "response/ordered_forces.h"
+#include "response/pair_force.h"
+
+namespace ballpit {
+
+/// Kernel: the force of pair c on its second body [N], 0 where they do not touch.
+template <class V>
+struct StorePairForce {
+  using Real = Scalar<V>;
+  PairForce<V> force_of;
+  Span<const Pair> pairs;
+  Span<V> force;
+  Real duration;  ///< [s] that the force acts, for a tally
+  ImpulseNotes<V> notes;
+
+  HOST_DEVICE void operator()(int c) const {
+    Real along;
+    force[c] = force_of(pairs[c], along);
+    if (notes.are_kept()) notes.contact[c] += along * duration;
+  }
+};
+
+/// Kernel: what the pairs of body i exert on it [N].
+template <class V>
+struct GatherForces {
+  ContactsView<V> pairs;
+  Span<const V> force;
+  Span<V> sum;
+
+  HOST_DEVICE void operator()(int i) const {
+    V result{};
+    pairs.for_each_of(i, [&](int c, int, int side) { result -= force[c] * Scalar<V>(side); });
+    sum[i] = result;
+  }
+};
+
+/// Kernel: the acceleration of body i by its contacts, its walls and gravity [m/s²].
+template <class V, class Sum>
+struct Accelerate {
+  using Real = Scalar<V>;
+  PenaltyLaw<Real> law;
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const Sum> sum;  ///< of its contacts' forces [N]
+  V gravity;
+  Span<V> acceleration;
+  Real duration;
+  ImpulseNotes<V> notes;
+
+  HOST_DEVICE void operator()(int i) const {
+    V force{};
+    for (int axis = 0; axis < kDimensions<V>; ++axis) force[axis] = sum[i][axis];
+    const Real inverse_mass = bodies.inverse_mass[i];
+    box.for_each_wall(bodies.position[i], bodies.radius[i],
+                      [&](int axis, int side, Real overlap) { add_wall(i, axis, side, overlap, force); });
+    acceleration[i] = gravity + force * inverse_mass;
+  }
+
+  HOST_DEVICE void add_wall(int i, int axis, int side, Real overlap, V& force) const {
+    const V v = bodies.velocity[i];
+    const Real dashpot = law.dashpot(law.wall_damping, 1 / bodies.inverse_mass[i]);
+    const Real along = law.force(dashpot, overlap, -Real(side) * v[axis]);
+    force[axis] -= Real(side) * along;
+    for (int other = 0; law.shear > 0 && other < kDimensions<V>; ++other) {
+      if (other != axis) force[other] -= law.shear * v[other];
+    }
+    if (notes.are_kept() && axis == 1 && side < 0) notes.floor[i] += along * duration;
+  }
+};
+
+/// Kernel: the same for the k-th of some bodies.
+template <class V, class Sum>
+struct AccelerateSome {
+  Accelerate<V, Sum> accelerate;
+  Span<const int> some;
+  HOST_DEVICE void operator()(int k) const { accelerate(some[k]); }
+};
+
+/// Map: energy in the spring of contact c.
+template <class V>
+struct ContactEnergy {
+  PenaltyLaw<Scalar<V>> law;
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const Pair> pairs;
+
+  HOST_DEVICE double operator()(int c) const {
+    const Pair pair = pairs[c];
+    const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
+    const Scalar<V> overlap = bodies.radius[pair.i] + bodies.radius[pair.j] - std::sqrt(dot(d, d));
+    return overlap > 0 ? law.energy(overlap) : 0;
+  }
+};
+
+/// Map: energy in the springs between body i and walls.
+template <class V>
+struct WallEnergy {
+  PenaltyLaw<Scalar<V>> law;
+  BodiesView<V> bodies;
+  Box<V> box;
+  HOST_DEVICE double operator()(int i) const {
+    double sum = 0;
+    box.for_each_wall(bodies.position[i], bodies.radius[i],
+                      [&](int, int, Scalar<V> overlap) { sum += law.energy(overlap); });
+    return sum;
+  }
+};
+
+template <class V, class Exec>
+class PenaltyResponse {
+  using Real = Scalar<V>;
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+ public:
+  explicit PenaltyResponse(const PenaltyLaw<Real>& law) : law_(law) {}
+
+  /// Whether velocities matter to the forces.
+  bool depends_on_velocity() const { return law_.damping > 0 || law_.wall_damping > 0 || law_.shear > 0; }
+
+  /// The accelerations of all bodies of `state` [m/s²] at its present positions and velocities, which act for `duration`
+  /// [s]. Sums run in the order of pairs, whoever makes them.
+  template <class State>
+  void accelerate(State& state, Real duration, const ImpulseNotes<V>& notes, Span<V> acceleration) {
+    if constexpr (kHasOrderedForces<V, Exec>) {
+      if (state.exec().runs_in_order() && !notes.are_kept() && law_.shear == 0) {
+        const Span<const Vec4> sum = ordered_.add_up(state, state.near_pairs().pairs, law_);
+        const Span<const int> at_walls = ordered_.accelerate(state, acceleration);
+        if (at_walls.empty()) return;
+        state.exec().parallel_for(
+            "accelerate at walls", at_walls.size(),
+            AccelerateSome<V, Vec4>{acceleration_of(state, sum, duration, notes, acceleration), at_walls});
+        return;
+      }
+    }
+    Exec& exec = state.exec();
+    const ContactsView<V> pairs = state.linked_near_pairs();
+    force_.resize(pairs.pairs.size());
+    sum_.resize(state.count());
+    const PairForce<V> force_of{law_, state.bodies(), state.box()};
+    exec.parallel_for("pair forces", force_.size(),
+                      StorePairForce<V>{force_of, pairs.pairs, force_.span(), duration, notes});
+    exec.parallel_for("gather forces", state.count(), GatherForces<V>{pairs, force_.span(), sum_.span()});
+    const Span<const V> sum = sum_.span();
+    exec.parallel_for("accelerate", state.count(), acceleration_of(state, sum, duration, notes, acceleration));
+  }
+
+  /// [J] in all springs; `pairs` touch.
+  double elastic_energy(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs) const {
+    return reduce(exec, "sum springs", pairs.size(), 0.0, ContactEnergy<V>{law_, bodies, box, pairs}, Sum{}) +
+           reduce(exec, "sum springs", bodies.size(), 0.0, WallEnergy<V>{law_, bodies, box}, Sum{});
+  }
+
+  int64_t bytes() const { return force_.bytes() + sum_.bytes() + ordered_.bytes(); }
+
+ private:
+  template <class State, class Sum>
+  Accelerate<V, Sum> acceleration_of(State& state, Span<const Sum> sum, Real duration, const ImpulseNotes<V>& notes,
+                                     Span<V> acceleration) const {
+    return {law_, state.bodies(), state.box(), sum, state.gravity(), acceleration, duration, notes};
+  }
+
+  PenaltyLaw<Real> law_;
+  Buffer<V> force_, sum_;
+  OrderedForces<V, Exec> ordered_;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Position-based (XPBD): positions are predicted, moved apart until nothing overlaps, and the velocities follow from where the
+// bodies have come to. Unconditionally stable; how stiff a heap is depends on substeps and iterations.
+//
+//     v ← v + h·g     x ← x + h·v                       predict, and find the contacts there
+//     for each contact: C = r_i + r_j − |x_j − x_i|      overlap left; α̃ = compliance / h²
+//         Δλ = (C − α̃·λ) / (w_i + w_j + α̃),  λ + Δλ ≥ 0      x ← x ∓ w·Δλ·n
+//     v ← v + Σ Δx / h
+//     for each contact that pushed: speed of parting ← e·(speed of approach before)      restitution
+//
+// Contacts are solved one after another, walls first and then colour by colour (Gauss–Seidel, contact_colours.h), each from
+// where the others have left the bodies. With one iteration a stack of n rests with an overlap of (n−1)·g·h² at its foot:
+// substeps pay more than iterations (Macklin et al. 2019). Velocities are changed by Σ Δx / h instead of being computed as
+// (x − x₀)/h, which would lose in rounding what it divides by h. Restitution is asked for above 2·g·h only, lest a heap jitter.
+//
+// More overlap at the start of a run than its motion explains says nothing about the load that a contact carries, and v ← v + Σ Δx / h would
+// make any speed of it. In such a run Δx enters the velocity only until the contact parts at `push`, which is 0 without
+// gravity: the rest of the overlap is removed by position alone.
+// Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour.
+// Sources: Macklin, Müller, Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics
+// Simulation" (2019), doi 10.1145/3309486.3340247; Müller et al., "Detailed Rigid Body Simulation with Extended Position
+// Based Dynamics" (2020), doi 10.1111/cgf.14105 (restitution). Its siblings: kinematic.h, impulse.h, penalty.h.
+#pragma once
+
+#include <cmath>
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/contacts.h"
+#include "bodies/pair.h"
+#include "core/span.h"
+#include "response/contact_colours.h"
+#include "response/impulse_notes.h"
+
+namespace ballpit {
+
+struct PositionBasedParameters {
+  double restitution = 0.8;
+  double wall_restitution = 0.8;
+  double compliance = 0;  ///< [m/N]
+  double gravity = 0;     ///< [m/s²] its length
+  int iterations = 1;
+};
+
+/// What the kernels of the position-based response share.
+template <class V>
+struct PositionBasedView {
+  using Real = Scalar<V>;
+  PerBody<Real> radius, inverse_mass;
+  Box<V> box;
+  ContactsView<V> contacts;
+  Real h;           ///< [s] length of the substep
+  Real compliance;  ///< α̃ = compliance / h² [1/kg]
+  Real restitution, wall_restitution, threshold;
+  Span<const V> velocity;         ///< [m/s] kicked
+  Real push;                      ///< [m/s] contacts make bodies part at most so fast; negative: no limit
+  Span<V> low_given, high_given;  ///< [kg·m] what of the multipliers has entered velocities; empty without a limit
+  Span<Real> given;
+
+  HOST_DEVICE bool is_limited() const { return push >= 0; }
+
+  /// What of a multiplier that has become `sum` enters velocities now [kg·m], where bodies part at `parting`.
+  HOST_DEVICE Real give(Real sum, Real& given_so_far, Real parting, Real w) const {
+    const Real before = given_so_far, asked = before + (push - parting) * h / w;
+    given_so_far = asked < 0 ? Real(0) : (asked < sum ? asked : sum);
+    return given_so_far - before;
+  }
+
+  /// The change of a multiplier [kg·m] for an overlap [m] among inverse masses w; the sum never pulls.
+  HOST_DEVICE Real change(Real multiplier, Real overlap, Real w) const {
+    const Real asked = multiplier + (overlap - compliance * multiplier) / (w + compliance);
+    return (asked > 0 ? asked : Real(0)) - multiplier;
+  }
+
+  /// The speed of parting after a contact that parted at `before` (negative: approached).
+  HOST_DEVICE Real rebound(Real e, Real before) const { return before < -threshold ? -e * before : Real(0); }
+};
+
+/// Kernel: moves body i out of the walls. `low` and `high` sum up the multipliers along each axis [kg·m], `shift` how far the
+/// body was moved.
+template <class V>
+struct MoveOutOfWalls {
+  using Real = Scalar<V>;
+  PositionBasedView<V> view;
+  Span<V> position, shift, low, high;
+
+  HOST_DEVICE void operator()(int i) const {
+    const Real w = view.inverse_mass[i], radius = view.radius[i];
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      for (int side = -1; side <= 1; side += 2) {
+        if (side > 0 && axis == 1 && view.box.boundary == Boundary::open_top) continue;
+        const Real p = position[i][axis];
+        const Real overlap = radius - (side < 0 ? p - view.box.min[axis] : view.box.max[axis] - p);
+        Real& sum = side < 0 ? low[i][axis] : high[i][axis];
+        const Real change = view.change(sum, overlap, w);
+        if (change == 0) continue;
+        sum += change;
+        position[i][axis] -= Real(side) * w * change;
+        Real entering = change;
+        if (view.is_limited()) {
+          const Real parting = -Real(side) * (view.velocity[i][axis] + shift[i][axis] / view.h);
+          entering = view.give(sum, side < 0 ? view.low_given[i][axis] : view.high_given[i][axis], parting, w);
+        }
+        shift[i][axis] -= Real(side) * w * entering;
+      }
+    }
+  }
+};
+
+/// Kernel: moves the bodies of a colour's k-th contact apart.
+template <class V>
+struct MoveApart {
+  using Real = Scalar<V>;
+  PositionBasedView<V> view;
+  Span<const int> colour;
+  Span<V> position, shift;
+  Span<Real> multiplier;
+
+  HOST_DEVICE void operator()(int k) const {
+    const int c = colour[k];
+    const Pair pair = view.contacts.pairs[c];
+    const V d = view.box.displacement(position[pair.i], position[pair.j]);
+    const Real distance = std::sqrt(dot(d, d));
+    const V normal = distance > 0 ? d / distance : view.contacts.geometry[c].normal;
+    const Real wi = view.inverse_mass[pair.i], wj = view.inverse_mass[pair.j];
+    const Real change = view.change(multiplier[c], view.radius[pair.i] + view.radius[pair.j] - distance, wi + wj);
+    if (change == 0) return;
+    multiplier[c] += change;
+    V move = normal * change;
+    position[pair.i] -= move * wi;
+    position[pair.j] += move * wj;
+    if (view.is_limited()) {
+      const V relative = view.velocity[pair.j] - view.velocity[pair.i] + (shift[pair.j] - shift[pair.i]) / view.h;
+      move = normal * view.give(multiplier[c], view.given[c], dot(relative, normal), wi + wj);
+    }
+    shift[pair.i] -= move * wi;
+    shift[pair.j] += move * wj;
+  }
+};
+
+/// Kernel: v ← v + shift / h.
+template <class V>
+struct TakeVelocity {
+  Scalar<V> h;
+  Span<const V> shift;
+  Span<V> velocity;
+
+  HOST_DEVICE void operator()(int i) const { velocity[i] += shift[i] / h; }
+};
+
+/// Kernel: restitution of body i at walls that pushed it; `before` are the velocities before the kick.
+template <class V>
+struct ReboundFromWalls {
+  using Real = Scalar<V>;
+  PositionBasedView<V> view;
+  Span<const V> before, low, high;
+  Span<V> velocity;
+  ImpulseNotes<V> notes;
+
+  HOST_DEVICE void operator()(int i) const {
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      for (int side = -1; side <= 1; side += 2) {
+        const Real multiplier = side < 0 ? low[i][axis] : high[i][axis];
+        if (!(multiplier > 0)) continue;
+        const Real rebound = view.rebound(view.wall_restitution, -Real(side) * before[i][axis]);
+        const Real change = rebound + Real(side) * velocity[i][axis];
+        velocity[i][axis] = -Real(side) * rebound;
+        if (notes.are_kept() && axis == 1 && side < 0) {
+          notes.floor[i] += multiplier / view.h + change / view.inverse_mass[i];
+        }
+      }
+    }
+  }
+};
+
+/// Kernel: restitution of a colour's k-th contact, if it pushed.
+template <class V>
+struct ReboundApart {
+  using Real = Scalar<V>;
+  PositionBasedView<V> view;
+  Span<const int> colour;
+  Span<const Real> multiplier;
+  Span<V> velocity;
+  ImpulseNotes<V> notes;
+
+  HOST_DEVICE void operator()(int k) const {
+    const int c = colour[k];
+    if (!(multiplier[c] > 0)) return;
+    const Pair pair = view.contacts.pairs[c];
+    const ContactGeometry<V>& contact = view.contacts.geometry[c];
+    const Real wi = view.inverse_mass[pair.i], wj = view.inverse_mass[pair.j];
+    const Real parting = dot(velocity[pair.j] - velocity[pair.i], contact.normal);
+    const Real impulse = (view.rebound(view.restitution, contact.separation) - parting) / (wi + wj);
+    velocity[pair.i] -= contact.normal * (impulse * wi);
+    velocity[pair.j] += contact.normal * (impulse * wj);
+    if (notes.are_kept()) notes.contact[c] += multiplier[c] / view.h + impulse;
+  }
+};
+
+template <class V, class Exec>
+class PositionBasedResponse {
+  using Real = Scalar<V>;
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+ public:
+  explicit PositionBasedResponse(const PositionBasedParameters& parameters) : parameters_(parameters) {}
+
+  /// Moves the bodies of `state`, which are at their predicted positions with kicked velocities, apart, and changes their
+  /// velocities accordingly. `before` are the velocities before the kick. `push_steps`: contacts make bodies part at most as
+  /// fast as they fall in so many substeps; negative: no limit.
+  template <class State>
+  void respond(State& state, const ContactsView<V>& contacts, Span<const V> before, Real h, Real push_steps,
+               const ImpulseNotes<V>& notes) {
+    Exec& exec = state.exec();
+    const int64_t n = state.count();
+    const bool is_limited = push_steps >= 0;
+    clear(exec, n, state.box().is_periodic() ? 0 : n, contacts.pairs.size(), is_limited);
+    const PositionBasedView<V> view = view_of(state, contacts, h, push_steps);
+    colours_.build(exec, contacts, n);
+    for (int k = 0; k < parameters_.iterations; ++k) move_apart(state, view);
+    exec.parallel_for("take velocities", n, TakeVelocity<V>{h, shift_.span(), state.velocity.span()});
+    state.moved();
+    if (!state.box().is_periodic()) {
+      exec.parallel_for(
+          "rebound from walls", n,
+          ReboundFromWalls<V>{view, before, is_limited ? low_given_.span() : low_.span(),
+                              is_limited ? high_given_.span() : high_.span(), state.velocity.span(), notes});
+    }
+    const Span<const Real> pushed = is_limited ? given_.span() : multiplier_.span();
+    colours_.for_each([&](Span<const int> colour) {
+      exec.parallel_for("rebound", colour.size(), ReboundApart<V>{view, colour, pushed, state.velocity.span(), notes});
+    });
+  }
+
+  int64_t bytes() const {
+    return shift_.bytes() + low_.bytes() + high_.bytes() + multiplier_.bytes() + low_given_.bytes() +
+           high_given_.bytes() + given_.bytes() + colours_.bytes();
+  }
+
+ private:
+  template <class State>
+  PositionBasedView<V> view_of(State& state, const ContactsView<V>& contacts, Real h, Real push_steps) {
+    const BodiesView<V> bodies = state.bodies();
+    const auto& p = parameters_;
+    return {bodies.radius,
+            bodies.inverse_mass,
+            state.box(),
+            contacts,
+            h,
+            Real(p.compliance) / (h * h),
+            Real(p.restitution),
+            Real(p.wall_restitution),
+            Real(2 * p.gravity) * h,
+            state.velocity.span(),
+            push_steps < 0 ? push_steps : push_steps * Real(p.gravity) * h,
+            low_given_.span(),
+            high_given_.span(),
+            given_.span()};
+  }
+
+  void clear(Exec& exec, int64_t bodies, int64_t bodies_at_walls, int64_t contacts, bool is_limited) {
+    shift_.resize(bodies);
+    low_.resize(bodies_at_walls);
+    high_.resize(bodies_at_walls);
+    multiplier_.resize(contacts);
+    for (Buffer<V>* buffer : {&shift_, &low_, &high_}) exec.fill("clear shifts", buffer->span(), V{});
+    exec.fill("clear multipliers", multiplier_.span(), Real(0));
+    if (!is_limited) return;
+    low_given_.resize(bodies_at_walls);
+    high_given_.resize(bodies_at_walls);
+    given_.resize(contacts);
+    for (Buffer<V>* buffer : {&low_given_, &high_given_}) exec.fill("clear shifts", buffer->span(), V{});
+    exec.fill("clear multipliers", given_.span(), Real(0));
+  }
+
+  template <class State>
+  void move_apart(State& state, const PositionBasedView<V>& view) {
+    Exec& exec = state.exec();
+    const Span<V> position = state.position.span(), shift = shift_.span();
+    if (!state.box().is_periodic()) {
+      exec.parallel_for("move out of walls", state.count(),
+                        MoveOutOfWalls<V>{view, position, shift, low_.span(), high_.span()});
+    }
+    colours_.for_each([&](Span<const int> colour) {
+      exec.parallel_for("move apart", colour.size(), MoveApart<V>{view, colour, position, shift, multiplier_.span()});
+    });
+  }
+
+  PositionBasedParameters parameters_;
+  Buffer<V> shift_, low_, high_;
+  Buffer<Real> multiplier_;
+  Buffer<V> low_given_, high_given_;  // only with a limit
+  Buffer<Real> given_;
+  ContactColours<V, Exec> colours_;
+};
+
+}  // namespace ballpit

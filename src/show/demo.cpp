@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "show/demo.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/error.h"
+#include "render/overlays/overlay.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr std::chrono::milliseconds kLongestReplay{500};
+constexpr int64_t kMostCandidates = 2'000'000;  // to be listed for an overlay
+constexpr int64_t kMostForPicked = 100'000;     // candidates, and spheres, to be looked through for the picked sphere
+constexpr size_t kMostMoments = 240;
+constexpr int64_t kMostForOracle = 20'000;  // spheres among which brute force looks for missed contacts
+
+double energy_of(const Report& report) {
+  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
+}
+
+}  // namespace
+
+Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : session(scene, given) { begin_anew(); }
+
+void Demo::begin_anew() {
+  touch();
+  ++worlds_;
+  player.forgive();
+  trade_off.begin(session.given(), session.scene().physics);
+  timeline = std::make_unique<Timeline>(session.world(), session.settings().dt);
+  const Report& now = report();
+  energy_at_start_ = energy_of(now);
+  history_.clear();
+  remember_moment();
+  if (view.selected >= now.count) view.selected = -1;
+}
+
+void Demo::attempt(const std::function<void()>& action) {
+  message_.clear();
+  touch();
+  try {
+    action();
+  } catch (const UserError& error) {
+    message_ = error.what();
+  } catch (const RunError& error) {
+    message_ = error.what();
+  } catch (const std::bad_alloc&) {
+    message_ = "out of memory; fewer spheres need less";
+  }
+}
+
+void Demo::set(const std::string& option, const std::string& value) {
+  attempt([&] {
+    const World* const before = &session.world();
+    const bool could_miss = can_miss_contacts(session.settings());
+    session.set(option, value);
+    player.forget_times();
+    const bool is_same_motion = !could_miss && !can_miss_contacts(session.settings());
+    if (option == "count" || option == "seed") trade_off.clear();
+    if (&session.world() != before || !is_same_motion) {
+      begin_anew();
+    } else {
+      trade_off.begin(session.given(), session.scene().physics);
+    }
+  });
+}
+
+void Demo::return_to(const Played& trial) {
+  const std::vector<GivenOption> given = trial.given;  // the trial may not last
+  const Physics physics = trial.physics;
+  attempt([&] {
+    session.take(given, physics);
+    player.forget_times();
+    begin_anew();
+  });
+}
+
+void Demo::set_physics(const Physics& physics) {
+  attempt([&] {
+    session.set_physics(physics);
+    begin_anew();
+  });
+}
+
+void Demo::restart() {
+  attempt([&] {
+    session.restart();
+    begin_anew();
+  });
+}
+
+void Demo::load(const std::string& scene) {
+  attempt([&] {
+    session.load(scene);
+    view.selected = -1;
+    trade_off.clear();
+    begin_anew();
+  });
+}
+
+void Demo::step() {
+  attempt([&] { player.step(*timeline); });
+}
+
+void Demo::go_to(int64_t step) {
+  attempt([&] {
+    player.is_running = false;
+    player.forgive();
+    trade_off.interrupt();
+    const auto start = std::chrono::steady_clock::now();
+    const auto takes_too_long = [&] { return std::chrono::steady_clock::now() - start > kLongestReplay; };
+    if (!timeline->go_to(step, takes_too_long))
+      message_ = "step " + std::to_string(timeline->step_now()) + " so far; go there again to go on";
+  });
+}
+
+void Demo::perform(const Key& key) {
+  touch();
+  switch (key.action) {
+    case Action::pause:
+      player.is_running = !player.is_running;
+      break;
+    case Action::step:
+      step();
+      break;
+    case Action::step_back:
+      step_back();
+      break;
+    case Action::restart:
+      restart();
+      break;
+    case Action::use_method:
+      set("broadphase", std::string(key.argument));
+      break;
+    case Action::toggle_overlay:
+      view.toggle(key.argument);
+      break;
+    case Action::change_theme:
+      view.theme = themes()[view.theme == themes()[0].name ? 1 : 0].name;
+      break;
+    case Action::reset_view:
+      view.azimuth = kThreeQuarterAzimuth;
+      view.elevation = kThreeQuarterElevation;
+      view.zoom = 1;
+      break;
+    case Action::show_keys:
+      shows_keys = !shows_keys;
+      break;
+    case Action::save_picture:
+      break;
+  }
+}
+
+/// What the view shows of the inspection.
+Wanted Demo::wanted() {
+  Wanted result = coloring_named(view.coloring).wanted;
+  result.state |= view.selected >= 0;
+  for (const OverlayEntry& overlay : overlay_table()) {
+    if (view.shows(overlay.name)) result = result | overlay.wanted;
+  }
+  if (view.selected >= 0 && report().count <= kMostForPicked) {
+    result.candidates |= candidates_to_list() <= kMostForPicked;
+    result.endpoints = true;
+  }
+  return result;
+}
+
+/// About; 0 for event-driven motion, which reports all its forecasts so far, and lists the few pairs in reach.
+int64_t Demo::candidates_to_list() { return session.settings().response == "event-driven" ? 0 : report().candidates; }
+
+/// What of it would take longer than a picture may.
+Wanted Demo::too_much(const Wanted& wanted) {
+  Wanted result;
+  result.candidates = wanted.candidates && candidates_to_list() > kMostCandidates;
+  result.missed = wanted.missed && report().count > kMostForOracle;
+  return result;
+}
+
+FrameView Demo::frame_view(float aspect, bool is_written) {
+  Wanted wanted = this->wanted();
+  wanted.state |= !is_written;
+  const Inspection& seen = look(wanted);
+  FrameView result = session.view_of(seen, view, aspect);
+  result.is_written = is_written;
+  result.left_out = left_out_;
+  return result;
+}
+
+const Inspection& Demo::look(Wanted wanted) {
+  if (looked_at_ == version()) {
+    wanted = wanted | looked_for_;
+    if (wanted == looked_for_) return inspection_;
+  }
+  looked_for_ = wanted;
+  left_out_ = too_much(wanted);
+  wanted.candidates &= !left_out_.candidates;
+  wanted.missed &= !left_out_.missed;
+  inspection_ = session.world().inspect(wanted);
+  looked_at_ = version();
+  return inspection_;
+}
+
+const Report& Demo::report() {
+  if (reported_ != version()) {
+    report_ = session.world().report();
+    reported_ = version();
+    trade_off.observe(report_);
+    remember_moment();
+  }
+  return report_;
+}
+
+void Demo::remember_moment() {
+  while (!history_.empty() && history_.back().step >= report_.steps) history_.pop_back();
+  const double drift =
+      energy_at_start_ != 0 ? (energy_of(report_) - energy_at_start_) / std::fabs(energy_at_start_) : 0;
+  history_.push_back({report_.steps, static_cast<float>(drift), static_cast<float>(report_.max_overlap)});
+  if (history_.size() > kMostMoments) history_.erase(history_.begin());
+}
+
+}  // namespace ballpit

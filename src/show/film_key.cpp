@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "show/film_key.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "core/append_number.h"
+#include "core/error.h"
+#include "export/png.h"
+
+namespace ballpit {
+
+namespace {
+
+std::string text_of(PictureSize size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+
+std::string text_of(std::initializer_list<double> numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    if (!text.empty()) text += ' ';
+    append_number(text, number);
+  }
+  return text;
+}
+
+/// One line a thing. A chunk of text holds no other characters than these (others: ?).
+void append_line(std::string& key, std::string_view name, std::string_view value) {
+  key.append(name) += ' ';
+  for (const char c : value) key += c >= ' ' && c <= '~' ? c : '?';
+  key += '\n';
+}
+
+void append_numbers(std::string& text, const std::vector<double>& values) {
+  for (const double value : values) append_number(text += ' ', value);
+}
+
+void append_vectors(std::string& text, const std::vector<Vec3d>& values) {
+  for (const Vec3d& v : values) text += ' ' + text_of({v.x, v.y, v.z});
+}
+
+/// FNV-1a: of what is too long to be written down. Source: Fowler, Noll, Vo, draft-eastlake-fnv.
+std::string hash_of(std::string_view text) {
+  uint64_t hash = 0xCBF29CE484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<uint8_t>(c)) * 0x100000001B3u;
+  std::array<char, 17> digits;
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return digits.data();
+}
+
+/// Domain, physics and spheres, as the world has them now.
+std::string hash_of_state(Session& session) {
+  const Domain& domain = session.scene().domain;
+  const Physics& physics = session.scene().physics;
+  const Bodies bodies = session.world().bodies();
+  std::string text = std::to_string(domain.dimensions) + ' ' + std::to_string(static_cast<int>(domain.boundary)) + ' ' +
+                     physics.law + ' ';
+  text += text_of({physics.restitution, physics.wall_restitution, physics.stiffness, physics.shear});
+  append_vectors(text, {domain.min, domain.max, physics.gravity});
+  append_vectors(text, bodies.position);
+  append_vectors(text, bodies.velocity);
+  append_numbers(text, bodies.radius);
+  append_numbers(text, bodies.mass);
+  return hash_of(text);
+}
+
+bool changes_pictures(std::string_view setting) {
+  constexpr std::array<std::string_view, 6> kOthers{"backend", "threads", "max-overlap", "max-energy",
+                                                    "count",   "seed"};  // the last two: in the state's hash
+  return std::find(kOthers.begin(), kOthers.end(), setting) == kOthers.end();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string name_in(const std::string& line) { return line.substr(0, line.find(' ')); }
+
+/// The line of this name; "NAME of an unknown value" where there is none.
+std::string line_named(const std::string& name, const std::vector<std::string>& lines) {
+  const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return name_in(line) == name; });
+  return found == lines.end() ? name + " of an unknown value" : *found;
+}
+
+}  // namespace
+
+std::string film_key(Demo& demo, const FilmPlan& plan, const FilmLook& look) {
+  Session& session = demo.session;
+  const View& view = demo.view;
+  std::string key;
+  append_line(key, "size", text_of(look.size));
+  append_line(key, "scene", session.scene().name);
+  append_line(key, "state", hash_of_state(session));
+  append_line(key, "from", text_of({plan.from}));
+  append_line(key, "interval", text_of({plan.interval}));
+  append_line(key, "theme", view.theme);
+  append_line(key, "color", view.coloring);
+  append_line(key, "overlay", view.overlays.empty() ? "none" : join(view.overlays, ","));
+  append_line(key, "view", text_of({view.azimuth, view.elevation, view.zoom, static_cast<double>(view.selected)}));
+  append_line(key, "supersample", std::to_string(look.supersample));
+  append_line(key, "panel", look.has_panel ? text_of({view.ui_scale}) + " " + look.clicks : "none");
+  for (const SettingInfo& setting : setting_table()) {
+    if (changes_pictures(setting.name)) append_line(key, setting.name, setting.get(session.settings()));
+  }
+  return key;
+}
+
+void check_frames(const std::string& folder, int count, const std::string& key) {
+  const std::vector<std::string> allowed = lines_of(key);
+  for (int index = 0; index < count; ++index) {
+    const std::string name = frame_name(index);
+    const std::optional<PngHead> head = read_png_head(std::filesystem::path(folder) / name);
+    std::vector<std::string> found;
+    if (head)
+      found = lines_of(head->key.empty() ? "size " + text_of(PictureSize{head->width, head->height}) : head->key);
+    const size_t compared =
+        head && head->key.empty() ? 1 : allowed.size();  // a frame of an older version has only its size
+    for (size_t k = 0; k < compared; ++k) {
+      const std::string line = line_named(name_in(allowed[k]), found);
+      if (line == allowed[k]) continue;
+      throw UserError("--resume", name + " in " + folder + " with " + line, "frames with " + allowed[k],
+                      "another --out, or no --resume, begins anew");
+    }
+  }
+}
+
+}  // namespace ballpit

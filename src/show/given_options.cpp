@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "show/given_options.h"
+
+#include <optional>
+#include <sstream>
+
+#include "core/error.h"
+#include "methods/methods.h"
+#include "show/notes.h"
+
+namespace ballpit {
+
+void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
+  for (const GivenOption& option : given) apply_setting(settings, option.name, option.value, "--" + option.name);
+}
+
+void check_given(const Settings& settings, const std::vector<GivenOption>& given) {
+  for (const GivenOption& option : given) {
+    const std::optional<Misfit> wrong = misfit(settings.response, option.name, option.value);
+    if (wrong) throw UserError("--" + option.name, wrong->found, wrong->allowed);
+  }
+}
+
+Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<GivenOption>& given) {
+  Settings settings;
+  for (const DefaultOption& option : defaults) apply_setting(settings, option.key, option.value, option.where);
+  const std::string of_scene = settings.response;
+  apply_given(settings, given);
+  const std::string response = settings.response;
+  check_given(settings, given);
+  Settings fitting;
+  for (const DefaultOption& option : defaults) {
+    const std::optional<Misfit> wrong = misfit(response, option.key, option.value);
+    if (!wrong) {
+      apply_setting(fitting, option.key, option.value, option.where);
+    } else if (response == of_scene) {
+      throw UserError(option.where, wrong->found, wrong->allowed);
+    }
+  }
+  apply_given(fitting, given);
+  return fitting;
+}
+
+void warn_of_small_cells(const Settings& settings) {
+  if (!can_miss_contacts(settings)) return;
+  std::ostringstream option;
+  option << "--cell-size " << *settings.cell_size;
+  warn(option.str(),
+       "below 1, the block of cells around a sphere does not reach all that touch it, so contacts are missed");
+}
+
+}  // namespace ballpit

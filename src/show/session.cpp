@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "show/session.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "core/error.h"
+#include "methods/methods.h"
+#include "render/overlays/overlay.h"
+#include "scene/catalog.h"
+#include "scene/spheres_csv.h"
+#include "show/backends.h"
+#include "show/notes.h"
+
+namespace ballpit {
+
+namespace {
+
+/// Options that say how contacts are found, and nothing of what then happens.
+bool is_of_detection(std::string_view option) {
+  constexpr std::array<std::string_view, 5> kNames{"broadphase", "cell-size", "table", "axis", "skin"};
+  return std::find(kNames.begin(), kNames.end(), option) != kNames.end();
+}
+
+}  // namespace
+
+Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally)
+    : keeps_tally_(keeps_tally) {
+  start(std::string(scene), given);
+  warn_of_small_cells(settings_);
+}
+
+void Session::start(std::string name, std::vector<GivenOption> given) {
+  Settings overrides;
+  apply_given(overrides, given);
+  Scene scene = load_scene(name, {overrides.count, overrides.seed});
+  const Settings settings = combine(scene.defaults, given);
+  const std::vector<std::string> notes = std::exchange(scene.notes, {});
+  use(std::move(scene), settings);
+  if (name != scene_name_) tell_notes(notes);  // once, not again where it is filled anew
+  scene_name_ = std::move(name);
+  given_ = std::move(given);
+  time_before_ = 0;
+}
+
+void Session::go_on(std::vector<GivenOption> given, const Physics& physics) {
+  const Settings settings = combine(scene_.defaults, given);
+  Scene scene = scene_;
+  scene.physics = physics;
+  scene.bodies = world_->bodies();
+  const double now = time();
+  use(std::move(scene), settings);
+  given_ = std::move(given);
+  time_before_ = now;
+}
+
+void Session::use(Scene scene, const Settings& settings) {
+  const Backend backend = select_backend(settings.backend, settings.response);
+  Settings own = settings;
+  own.keeps_tally = keeps_tally_;
+  std::unique_ptr<World> world = backend.make_world(scene, own);
+  if (world_) (void)world->report();  // if it lacks memory to look for contacts, the world before it stays
+  world_ = std::move(world);
+  settings_ = own;
+  backend_ = backend.name;
+  scene_ = std::move(scene);
+  scene_.bodies = {};  // the world has them now
+}
+
+/// The same world with another detection; false where it has to be made anew.
+bool Session::detect_by(const std::vector<GivenOption>& given) {
+  Settings settings = combine(scene_.defaults, given);
+  settings.keeps_tally = keeps_tally_;
+  if (!world_->detect_by(settings)) return false;
+  settings_ = settings;
+  return true;
+}
+
+void Session::set(const std::string& name, const std::string& value) {
+  std::vector<GivenOption> given;
+  for (const GivenOption& option : given_) {
+    const bool fits = name != "response" || value.empty() || goes_with(value, option.name, option.value);
+    if (option.name != name && fits) given.push_back(option);
+  }
+  if (!value.empty()) given.push_back({name, value});
+  if (name == "count" || name == "seed") {
+    start(scene_name_, given);
+  } else if (is_of_detection(name) && detect_by(given)) {
+    given_ = std::move(given);
+  } else {
+    go_on(given, scene_.physics);
+  }
+}
+
+void Session::set_physics(const Physics& physics) { go_on(given_, physics); }
+
+void Session::load(const std::string& scene) {
+  std::vector<GivenOption> given = given_;
+  if (scene != scene_name_) {
+    // What was chosen for one scene is not asked of another: it would seldom go with it.
+    std::erase_if(given,
+                  [](const GivenOption& option) { return option.name != "backend" && option.name != "threads"; });
+  }
+  start(scene, given);
+}
+
+int64_t Session::steps_until(double time) const {
+  constexpr double kMostSteps = 1e15;  // more would not end, and their number leaves the integers
+  const double steps = time / settings_.dt;
+  if (!(steps <= kMostSteps)) {
+    std::ostringstream found, allowed;
+    found << settings_.dt << ", which makes " << steps << " steps of " << time << " s";
+    allowed << kMostSteps << " steps";
+    throw UserError("--dt", found.str(), allowed.str());
+  }
+  return static_cast<int64_t>(std::llround(steps)) - world_->steps();
+}
+
+FrameView Session::view_of(const Inspection& inspection, const View& view, float aspect) const {
+  const Domain& domain = scene_.domain;
+  const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top};
+  const Camera camera = leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, inspection));
+  const auto step = static_cast<float>(settings_.dt / settings_.substeps);
+  return {inspection, box, camera, view.overlays, view.selected, view.coloring, step};
+}
+
+std::string rescue(Session& session, const std::string& path) {
+  std::ostringstream text;
+  try {
+    text << "the last good state, of t = " << session.world().last_good_time() << " s, ";
+    write_spheres_csv(path, session.world().last_good());
+    text << "is in " << path;
+  } catch (const std::exception& error) {
+    text << "is lost: " << error.what();
+  }
+  return text.str();
+}
+
+}  // namespace ballpit

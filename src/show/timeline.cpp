@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "show/timeline.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/interrupt.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr int64_t kInterval = 16;  // steps between keyframes, at first: the guard's, after which snapshots are smallest
+constexpr int64_t kMostRecent = 64;  // snapshots
+constexpr int64_t kRecentPart = 4;   // of the budget: a quarter
+
+}  // namespace
+
+Timeline::Timeline(World& world, double dt, int64_t budget)
+    : world_(world), dt_(dt), budget_(budget), first_(world.steps()), furthest_(first_), interval_(kInterval) {
+  keyframes_.put(first_, world_.snapshot());
+  largest_ = keyframes_.bytes;
+}
+
+void Timeline::step() {
+  // Only where all recent snapshots have room: they are so small, then, that they cost little beside a step.
+  advance(has_room_for(kMostRecent));
+}
+
+bool Timeline::go_to(int64_t step, const std::function<bool()>& stop) {
+  const int64_t goal = std::clamp(step, first_, furthest_);
+  const Place latest = latest_before(goal);
+  if (step_now() < latest->first || step_now() > goal) world_.restore(*latest->second);
+  while (step_now() < goal) {
+    if (stop && stop()) return false;
+    advance(goal - step_now() <= kMostRecent && has_room_for(1));  // a step before the goal may be asked for next
+  }
+  return true;
+}
+
+void Timeline::advance(bool keeps_recent) {
+  const int64_t before = step_now();
+  try {
+    world_.step();
+  } catch (const Interrupted&) {
+    throw;  // nothing is wrong with the state, and who made steps again would be interrupted again
+  } catch (...) {
+    world_.restore(*latest_before(before)->second);
+    go_to(before);
+    throw;
+  }
+  furthest_ = std::max(furthest_, step_now());
+  remember(keeps_recent);
+}
+
+/// The latest snapshot at or before a step.
+Timeline::Place Timeline::latest_before(int64_t step) {
+  const Place keyframe = std::prev(keyframes_.at.upper_bound(step)), after = recent_.at.upper_bound(step);
+  if (after == recent_.at.begin() || std::prev(after)->first < keyframe->first) return keyframe;
+  return std::prev(after);
+}
+
+bool Timeline::has_room_for(int64_t recent) const { return recent * largest_ <= budget_ / kRecentPart; }
+
+/// Keeps a snapshot of the present state if it is due for a keyframe, or if those that are recent are kept.
+void Timeline::remember(bool keeps_recent) {
+  const int64_t now = step_now();
+  const bool is_keyframe = now % interval_ == 0;
+  if (keyframes_.at.contains(now) || recent_.at.contains(now) || !(is_keyframe || keeps_recent)) return;
+  auto snapshot = world_.snapshot();
+  largest_ = std::max(largest_, snapshot->bytes());
+  (is_keyframe ? keyframes_ : recent_).put(now, std::move(snapshot));
+  thin_keyframes();
+  thin_recent();
+}
+
+/// Drops every second keyframe until the others fit, but never the first.
+void Timeline::thin_keyframes() {
+  while (keyframes_.bytes > budget_ - budget_ / kRecentPart && keyframes_.at.size() > 1) {
+    interval_ *= 2;
+    for (auto place = std::next(keyframes_.at.begin()); place != keyframes_.at.end();) {
+      place = place->first % interval_ == 0 ? std::next(place) : keyframes_.drop(place);
+    }
+  }
+}
+
+/// Drops what is farthest from the present step until the rest fits.
+void Timeline::thin_recent() {
+  while (recent_.bytes > budget_ / kRecentPart || static_cast<int64_t>(recent_.at.size()) > kMostRecent) {
+    const auto first = recent_.at.begin(), last = std::prev(recent_.at.end());
+    recent_.drop(step_now() - first->first >= last->first - step_now() ? first : last);
+  }
+}
+
+void Timeline::Shelf::put(int64_t step, std::unique_ptr<Snapshot> snapshot) {
+  bytes += snapshot->bytes();
+  at.emplace(step, std::move(snapshot));
+}
+
+Timeline::Shelf::Place Timeline::Shelf::drop(Place place) {
+  bytes -= place->second->bytes();
+  return at.erase(place);
+}
+
+}  // namespace ballpit

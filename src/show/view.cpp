@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "show/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ballpit {
+
+namespace {
+
+constexpr float kHalfTurn = 3.14159265f;
+constexpr float kSteepest = 0.49f * kHalfTurn;  // straight from above, up has no direction
+constexpr float kZoomPerClick = 1.15f;
+
+/// The eye's ray through a place: where it starts, and its direction (unit).
+struct Ray {
+  Vec3 from, along;
+};
+
+Ray ray_through(const Camera& camera, Vec2 place) {
+  const Vec3 forward = normalize(camera.target - camera.eye);
+  const Vec3 right = normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
+  if (camera.is_orthographic()) {
+    const float half = camera.orthographic_height / 2;
+    return {camera.eye + half * (place.x * camera.aspect * right + place.y * up), forward};
+  }
+  const float half = std::tan(camera.fov / 2);
+  return {camera.eye, normalize(forward + half * (place.x * camera.aspect * right + place.y * up))};
+}
+
+}  // namespace
+
+bool View::shows(std::string_view overlay) const {
+  return std::find(overlays.begin(), overlays.end(), overlay) != overlays.end();
+}
+
+void View::toggle(std::string_view overlay) {
+  const auto found = std::find(overlays.begin(), overlays.end(), overlay);
+  if (found != overlays.end()) {
+    overlays.erase(found);
+  } else {
+    overlays.emplace_back(overlay);
+  }
+}
+
+void View::orbit(float right, float down) {
+  azimuth = std::remainder(azimuth - right * kHalfTurn, 2 * kHalfTurn);
+  elevation = std::clamp(elevation + down * kHalfTurn, -kSteepest, kSteepest);
+}
+
+void View::zoom_by(float clicks) { zoom = std::clamp(zoom * std::pow(kZoomPerClick, clicks), kFarthest, kClosest); }
+
+Camera camera_of(const View& view, const DomainBox& domain, float aspect) {
+  Camera camera = domain.is_planar() ? frame_box(domain.min, domain.max, 2, aspect)
+                                     : frame_box_from(domain.min, domain.max, view.azimuth, view.elevation, aspect);
+  camera.orthographic_height /= view.zoom;
+  camera.fov = 2 * std::atan(std::tan(camera.fov / 2) / view.zoom);
+  return camera;
+}
+
+int64_t body_at(const Camera& camera, const BodySnapshot& bodies, Vec2 place) {
+  const Ray ray = ray_through(camera, place);
+  int64_t nearest = -1;
+  float nearest_way = INFINITY;
+  for (int64_t i = 0; i < bodies.count; ++i) {
+    const Vec3 to = bodies.position_of(i) - ray.from;
+    const float ahead = dot(to, ray.along), radius = bodies.radius_of(i);
+    const float aside_squared = dot(to, to) - ahead * ahead;
+    if (ahead <= 0 || aside_squared > radius * radius) continue;
+    const float way = ahead - std::sqrt(radius * radius - aside_squared);
+    if (way >= nearest_way) continue;
+    nearest = i;
+    nearest_way = way;
+  }
+  return nearest;
+}
+
+}  // namespace ballpit

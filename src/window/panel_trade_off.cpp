@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The panel's chart of speed against accuracy: a point for each trial, the present one filled, the front as a line.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "core/numbers.h"
+#include "window/panel.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kLeastCost = 1e-9;   // [s] a simulated second
+constexpr double kLeastError = 1e-9;  // less lies on the lower edge
+
+/// A logarithmic axis from one power of ten to another.
+struct LogAxis {
+  int low, high;          // powers of ten
+  float at_low, at_high;  // [pixel]
+
+  float at(double value) const {
+    const auto part = static_cast<float>((std::log10(value) - low) / (high - low));
+    return at_low + std::clamp(part, 0.0f, 1.0f) * (at_high - at_low);
+  }
+};
+
+/// Holds all values, each at least `least`; two powers of ten at the least.
+template <class Value>
+LogAxis axis_of(const std::vector<Played>& trials, double least, const Value& value, float at_low, float at_high) {
+  int low = 100, high = -100;
+  for (const Played& trial : trials) {
+    if (trial.steps == 0) continue;
+    const double power = std::log10(std::max(value(trial), least));
+    low = std::min(low, static_cast<int>(std::floor(power)));
+    high = std::max(high, static_cast<int>(std::ceil(power)));
+  }
+  if (low > high) low = -3, high = 0;
+  while (high < low + 2) (high - low) % 2 == 0 ? ++high : --low;
+  return {low, high, at_low, at_high};
+}
+
+std::string power_of_ten(int power) {
+  if (power < -3 || power > 3) return "1e" + std::to_string(power);
+  return power < 0 ? std::string("0.").append(static_cast<size_t>(-power - 1), '0').append("1")
+                   : std::string("1").append(static_cast<size_t>(power), '0');
+}
+
+void dotted(ImDrawList& lines, ImVec2 from, ImVec2 to, ImU32 color, float unit) {
+  const float length = std::hypot(to.x - from.x, to.y - from.y), step = 6 * unit;
+  for (float at = 0; at < length; at += step) {
+    const float a = at / length, b = std::min(at + step / 2, length) / length;
+    lines.AddLine({from.x + a * (to.x - from.x), from.y + a * (to.y - from.y)},
+                  {from.x + b * (to.x - from.x), from.y + b * (to.y - from.y)}, color, 2 * unit);
+  }
+}
+
+}  // namespace
+
+void Panel::draw_trade_off(Demo& demo) {
+  if (!section("Speed against accuracy")) return;
+  const auto errors = played_errors();
+  for (size_t k = 0; k < errors.size(); ++k) {
+    if (ImGui::RadioButton(std::string(errors[k].label).c_str(), k == charted_error_)) charted_error_ = k;
+    note("error " + std::string(errors[k].name));
+  }
+  const PlayedError& error = errors[charted_error_];
+  const std::vector<Played>& trials = demo.trade_off.trials();
+  const float unit = sheet_.unit(), text = ImGui::GetTextLineHeight(), margin = 3.2f * text;
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size{std::max(ImGui::GetContentRegionAvail().x, 1.0f), 11 * text};
+  const ImVec2 inner_low{low.x + margin, low.y + text / 2},
+      inner_high{low.x + size.x - text, low.y + size.y - 2.4f * text};
+  ImGui::InvisibleButton("##trade-off", size);
+  const bool is_clicked = ImGui::IsItemClicked();
+  note("trade-off");
+  if (revealed_.rfind("trial ", 0) == 0) ImGui::SetScrollHereY();
+
+  const LogAxis x = axis_of(
+      trials, kLeastCost, [](const Played& t) { return t.cost(); }, inner_low.x, inner_high.x);
+  const LogAxis y = axis_of(
+      trials, kLeastError, [&](const Played& t) { return t.*error.value; }, inner_high.y, inner_low.y);
+  ImDrawList& lines = *ImGui::GetWindowDrawList();
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text), faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  const auto right_of = [&](const std::string& label, float at_x, float at_y, ImU32 color) {
+    lines.AddText({at_x - ImGui::CalcTextSize(label.c_str()).x, at_y}, color, label.c_str());
+  };
+  lines.AddRect(inner_low, inner_high, faint, 0, 0, unit);
+  for (const int power : {x.low, x.high}) {
+    const std::string label = power_of_ten(power);
+    const float width = ImGui::CalcTextSize(label.c_str()).x;
+    lines.AddText({x.at(std::pow(10.0, power)) - (power == x.high ? width : 0), inner_high.y + text / 5}, ink,
+                  label.c_str());
+  }
+  for (const int power : {y.low, y.high})
+    right_of(power_of_ten(power), inner_low.x - text / 4, y.at(std::pow(10.0, power)) - (power == y.low ? text : 0),
+             ink);
+  const std::string what = "s computed for a second simulated";
+  lines.AddText({inner_low.x, inner_high.y + 1.3f * text}, faint, what.c_str());
+  if (x.low < 0 && 0 < x.high) {
+    dotted(lines, {x.at(1), inner_low.y}, {x.at(1), inner_high.y}, faint, unit);
+    right_of("real time", x.at(1) - text / 4, inner_low.y + text / 5, faint);
+  }
+
+  const auto place = [&](const Played& t) {
+    return ImVec2{x.at(std::max(t.cost(), kLeastCost)), y.at(std::max(t.*error.value, kLeastError))};
+  };
+  std::vector<ImVec2> front;
+  for (const int k : demo.trade_off.front(error)) front.push_back(place(trials[static_cast<size_t>(k)]));
+  lines.AddPolyline(front.data(), static_cast<int>(front.size()), faint, 0, 2 * unit);
+  const float radius = 6 * unit, reach = 2 * radius;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Played* chosen = nullptr;
+  for (size_t k = 0; k < trials.size(); ++k) {
+    if (trials[k].steps == 0) continue;
+    const ImVec2 at = place(trials[k]);
+    const bool is_current = static_cast<int>(k) == demo.trade_off.current();
+    if (is_current) lines.AddCircleFilled(at, radius, ink);
+    lines.AddCircle(at, radius, ink, 0, 2 * unit);
+    items_["trial " + std::to_string(k)] = {{at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}};
+    if (std::hypot(mouse.x - at.x, mouse.y - at.y) > reach) continue;
+    chosen = &trials[k];
+    ImGui::SetTooltip("%s\n%s s a simulated second, error %s", trials[k].label().c_str(),
+                      three_digits(trials[k].cost()).c_str(), three_digits(trials[k].*error.value).c_str());
+  }
+  if (is_clicked && chosen) demo.return_to(*chosen);
+}
+
+}  // namespace ballpit

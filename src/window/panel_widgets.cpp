@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// The widgets that the panel's sections are made of.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "methods/methods.h"
+#include "window/panel.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr float kItemWidth = 0.58f;  // of the panel's; the rest is the label's
+
+/// Where a slider is of use; other values can be typed.
+struct SliderRange {
+  std::string_view setting;
+  float low, high;
+  bool is_log, is_integer;
+};
+constexpr std::array kSliders{
+    SliderRange{"cell-size", 0.25f, 8, true, false},  SliderRange{"skin", 0, 1, false, false},
+    SliderRange{"iterations", 1, 64, true, true},     SliderRange{"compliance", 0, 1e-3f, false, false},
+    SliderRange{"dt", 1e-4f, 1.0f / 30, true, false}, SliderRange{"substeps", 1, 32, true, true},
+    SliderRange{"threads", 0, 16, false, true},
+};
+
+const SliderRange* slider_of(std::string_view setting) {
+  const auto found =
+      std::find_if(kSliders.begin(), kSliders.end(), [&](const auto& s) { return s.setting == setting; });
+  return found == kSliders.end() ? nullptr : &*found;
+}
+
+/// What the program takes where a setting is left to it.
+float value_in_use(const Settings& settings, std::string_view name) {
+  if (name == "cell-size") return static_cast<float>(settings.cell_size.value_or(1));
+  if (name == "skin") return static_cast<float>(skin_of(settings));
+  if (name == "iterations") return float(settings.iterations.value_or(settings.response == "impulse" ? 4 : 1));
+  if (name == "compliance") return static_cast<float>(settings.compliance);
+  if (name == "dt") return static_cast<float>(settings.dt);
+  if (name == "substeps") return float(settings.substeps);
+  return float(settings.threads);
+}
+
+/// A radius in units of 2·r_max, the smallest sphere's, which is slide 7's bound for cells; and 2·r_max itself.
+std::vector<SliderMark> marks_of(std::string_view setting, const BodyShape& bodies) {
+  if (setting != "cell-size" || bodies.count == 0) return {};
+  return {{0.5f * bodies.smallest / bodies.radius, bodies.smallest < bodies.radius ? "r_min" : "r"}, {1, "2·r_max"}};
+}
+
+}  // namespace
+
+/// A heading that folds what is below it.
+bool Panel::section(const char* title) {
+  const bool is_open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+  note(std::string("section ").append(title));
+  return is_open;
+}
+
+bool Panel::button(const std::string& name, const std::string& label) {
+  const bool is_pressed = ImGui::Button((label + "##" + name).c_str());
+  note(name);
+  return is_pressed;
+}
+
+/// A list to choose from: `entries` calls entry() for each.
+void Panel::combo(const std::string& name, const std::string& label, const std::string& current,
+                  const std::function<void()>& entries) {
+  ImGui::SetNextItemWidth(kItemWidth * ImGui::GetContentRegionAvail().x);
+  const bool is_open = ImGui::BeginCombo((label + "##" + name).c_str(), current.c_str(), ImGuiComboFlags_HeightLarge);
+  note(name);
+  if (!is_open) return;
+  entries();
+  ImGui::EndCombo();
+}
+
+bool Panel::entry(const std::string& name, const std::string& label, bool is_current) {
+  const bool is_chosen = ImGui::Selectable((label + "##" + name).c_str(), is_current);
+  note(name);
+  return is_chosen;
+}
+
+/// True once the slider is let go of, or a number was typed into it.
+bool Panel::slider(const std::string& name, const std::string& label, float& value, const SliderLook& look) {
+  const auto edited = edited_.find(name);
+  float shown = edited != edited_.end() ? edited->second : value;
+  const float width = kItemWidth * ImGui::GetContentRegionAvail().x;
+  ImGui::SetNextItemWidth(width);
+  const ImGuiSliderFlags flags = look.is_log ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+  if (ImGui::SliderFloat((label + "##" + name).c_str(), &shown, look.low, look.high, look.format, flags)) {
+    edited_[name] = shown;
+  }
+  note(name);
+  const bool is_let_go = ImGui::IsItemDeactivatedAfterEdit();
+  draw_marks(look, width);
+  if (!is_let_go) return false;
+  value = shown;
+  edited_.erase(name);
+  return true;
+}
+
+/// Ticks on the slider before, where ImGui puts the grab's middle for these values, and their names below it.
+void Panel::draw_marks(const SliderLook& look, float width) {
+  if (look.marks.empty()) return;
+  constexpr float kPadding = 2;  // ImGui's own, between frame and grab [pixel]
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float ends = kPadding + 0.5f * ImGui::GetStyle().GrabMinSize, names = high.y + 2 * sheet_.unit();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float free_from = low.x;  // names do not lie over one another
+  for (const SliderMark& mark : look.marks) {
+    if (mark.at < look.low || mark.at > look.high) continue;
+    const float part = look.is_log ? std::log(mark.at / look.low) / std::log(look.high / look.low)
+                                   : (mark.at - look.low) / (look.high - look.low);
+    const float x = low.x + ends + part * (width - 2 * ends);
+    const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
+    list.AddLine({x, low.y + 0.6f * (high.y - low.y)}, {x, names + 2}, color, std::max(2 * sheet_.unit(), 1.0f));
+    const float size = ImGui::CalcTextSize(mark.name.c_str()).x, left = std::max(x - 0.5f * size, free_from);
+    list.AddText({left, names}, color, mark.name.c_str());
+    free_from = left + size + 0.4f * ImGui::GetFontSize();
+  }
+  ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+}
+
+void Panel::number_setting(Demo& demo, const SettingInfo& info) {
+  const std::string name(info.name);
+  if (const SliderRange* range = slider_of(info.name)) {
+    float value = value_in_use(demo.session.settings(), info.name);
+    const SliderLook look{range->low, range->high, range->is_log, range->is_integer ? "%.0f" : "%.4g",
+                          marks_of(info.name, demo.session.world().shape())};
+    if (slider(name, name, value, look)) {
+      std::array<char, 32> text;
+      std::snprintf(text.data(), text.size(), range->is_integer ? "%.0f" : "%.6g", double(value));
+      demo.set(name, text.data());
+    }
+  } else {
+    std::string& text = typed_[name];
+    if (text.empty()) text = info.get(demo.session.settings());
+    ImGui::SetNextItemWidth(kItemWidth * ImGui::GetContentRegionAvail().x);
+    const bool is_entered = ImGui::InputText((name + "##" + name).c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+    note(name);
+    if (is_entered) demo.set(name, text);
+    if (!ImGui::IsItemActive()) text.clear();
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s: %s", std::string(info.help).c_str(), info.allowed().c_str());
+}
+
+/// One shared option, as its table describes it. Names that the response does not go with are not offered.
+void Panel::setting(Demo& demo, const SettingInfo& info) {
+  if (!info.choices) {
+    number_setting(demo, info);
+    return;
+  }
+  const std::string name(info.name), current = info.get(demo.session.settings());
+  combo(name, name, current, [&] {
+    for (const std::string_view choice : info.choices()) {
+      if (info.name != "response" && !goes_with(demo.session.settings().response, info.name, choice)) continue;
+      if (entry(name + " " + std::string(choice), std::string(choice), choice == current))
+        demo.set(name, std::string(choice));
+    }
+  });
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(info.help).c_str());
+}
+
+/// A value beside its name; a long one takes more lines. For tests, by its name.
+void Panel::row(const char* what, const std::string& value) {
+  ImGui::TextUnformatted(what);
+  ImGui::SameLine(0.45f * ImGui::GetWindowContentRegionMax().x);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::PopTextWrapPos();
+  note(std::string("row ").append(what));
+}
+
+}  // namespace ballpit

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "window/remembered.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "scene/input_error.h"
+#include "show/parse.h"
+
+namespace ballpit {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr int kVersion = 1;  // of the file; another one is not read
+
+/// A finite number from low to high.
+float bounded(const Json& view, const char* key, float low, float high) {
+  const float number = view.at(key).get<float>();
+  if (number >= low && number <= high) return number;
+  throw UserError(key, view.at(key).dump(), limits_text({low, high}));
+}
+
+View view_from(const Json& json) {
+  constexpr float kTurn = 6.2832f;
+  View view;
+  view.azimuth = bounded(json, "azimuth", -kTurn, kTurn);
+  view.elevation = bounded(json, "elevation", -kTurn, kTurn);
+  view.zoom = bounded(json, "zoom", kFarthest, kClosest);
+  view.ui_scale = bounded(json, "ui_scale", kSmallestUi, kLargestUi);
+  view.overlays = parse_overlays("overlays", json.at("overlays").get<std::string>());
+  view.coloring = coloring_named(json.at("color").get<std::string>()).name;
+  view.theme = theme_named(json.at("theme").get<std::string>()).name;
+  return view;
+}
+
+Remembered remembered_from(const Json& json) {
+  if (json.at("version") != kVersion) throw UserError("version", json.at("version").dump(), std::to_string(kVersion));
+  Remembered result;
+  result.scene = json.at("scene").get<std::string>();
+  for (const auto& [name, value] : json.at("options").items()) {
+    result.given.push_back({name, value.get<std::string>()});
+    Settings settings;
+    apply_setting(settings, name, result.given.back().value, name);
+  }
+  result.view = view_from(json.at("view"));
+  result.size = json.at("size").get<std::string>();
+  parse_size(result.size);
+  return result;
+}
+
+}  // namespace
+
+std::filesystem::path remembered_file() {
+  const auto folder = [](const char* variable) {
+    const char* const value = std::getenv(variable);
+    return std::filesystem::path(value ? value : "");
+  };
+  const std::filesystem::path config = folder("XDG_CONFIG_HOME"), home = folder("HOME");
+  if (config.is_absolute()) return config / "ballpit" / "show.json";  // the standard ignores other ones
+  if (!home.empty()) return home / ".config" / "ballpit" / "show.json";
+  throw UserError("--remember", "neither XDG_CONFIG_HOME nor HOME in the environment",
+                  "one of them, which says where to keep it");
+}
+
+std::optional<Remembered> read_remembered(const std::filesystem::path& file) {
+  std::error_code unreadable;  // then read_file() says why
+  if (!std::filesystem::exists(file, unreadable) && !unreadable) return std::nullopt;
+  try {
+    return remembered_from(Json::parse(read_file(file)));
+  } catch (const Json::exception&) {
+    throw UserError(file.string(), "something else", "what `ballpit show --remember` writes");
+  } catch (const UserError& error) {
+    throw error.inside(file.string());
+  }
+}
+
+void check_remembered(const std::filesystem::path& file) {
+  check_output_folder(file.parent_path());
+  if (std::filesystem::exists(file.parent_path())) check_output(file);
+}
+
+void write_remembered(const std::filesystem::path& file, const Remembered& remembered) {
+  const View& view = remembered.view;
+  Json options = Json::object();
+  for (const GivenOption& option : remembered.given) options[option.name] = option.value;
+  const Json json{{"version", kVersion},
+                  {"scene", remembered.scene},
+                  {"options", options},
+                  {"view",
+                   {{"azimuth", view.azimuth},
+                    {"elevation", view.elevation},
+                    {"zoom", view.zoom},
+                    {"ui_scale", view.ui_scale},
+                    {"overlays", view.overlays.empty() ? "none" : join(view.overlays, ",")},
+                    {"color", view.coloring},
+                    {"theme", view.theme}}},
+                  {"size", remembered.size}};
+  make_folder(file.parent_path());
+  write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace ballpit

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "window/window.h"
+
+#include <algorithm>
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "core/error.h"
+#include "render/gl_library.h"
+
+namespace ballpit {
+
+namespace {
+
+std::string glfw_reason() {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  return reason ? reason : "unknown";
+}
+
+/// What to do where there is no window.
+std::string other_way() {
+  const std::string trouble = trouble_with(kEglLibrary);
+  return trouble.empty() ? "ballpit render draws without a display"
+                         : "ballpit render would draw without a display, but " + trouble;
+}
+
+/// A window much larger than its display was not meant, and would take memory that there may not be.
+void check_size(int width, int height) {
+  constexpr int kMostDisplays = 4;  // side by side
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (!mode) return;
+  const int most_wide = kMostDisplays * mode->width, most_high = kMostDisplays * mode->height;
+  if (width <= most_wide && height <= most_high) return;
+  glfwTerminate();
+  throw UserError("--size", std::to_string(width) + "x" + std::to_string(height),
+                  "at most " + std::to_string(most_wide) + "x" + std::to_string(most_high) + " on this display");
+}
+
+}  // namespace
+
+Window::Window(int width, int height, const std::string& title) {
+  const std::string trouble = trouble_with(kGlLibrary);
+  if (!trouble.empty()) throw RunError("show", "no window: " + trouble);
+  if (!glfwInit()) throw RunError("show", "no window: " + glfw_reason(), other_way());
+  check_size(width, height);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // so that a loss is told
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (!window_) {
+    const std::string reason = glfw_reason();
+    glfwTerminate();
+    throw RunError("show", "no window with OpenGL 4.5: " + reason, other_way());
+  }
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(1);
+  debug_ = std::make_unique<GlDebug>();
+  listen();
+}
+
+Window::~Window() {
+  debug_.reset();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+Window& Window::of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+void Window::listen() {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    of(w).events_.mouse = of(w).to_pixels(x, y);
+    of(w).events_.any = true;
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    WindowEvents& events = of(w).events_;
+    events.is_mouse_down = action == GLFW_PRESS;
+    (events.is_mouse_down ? events.was_pressed : events.was_released) = true;
+    events.any = true;
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
+    of(w).events_.wheel += static_cast<float>(y);
+    of(w).events_.any = true;
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+    WindowEvents& events = of(w).events_;
+    if (action != GLFW_REPEAT) events.keys[key] = action == GLFW_PRESS;
+    if (action != GLFW_RELEASE) events.pressed.push_back(key);
+    events.any = true;
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
+    of(w).events_.typed += static_cast<char32_t>(code);
+    of(w).events_.any = true;
+  });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).events_.any = true; });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).events_.any = true; });
+}
+
+/// GLFW tells the mouse in the window's units, which a HiDPI display has fewer of than pixels.
+Vec2 Window::to_pixels(double x, double y) const {
+  int w = 1, h = 1;
+  glfwGetWindowSize(window_, &w, &h);
+  return {static_cast<float>(x * width() / std::max(w, 1)), static_cast<float>(y * height() / std::max(h, 1))};
+}
+
+bool Window::is_to_close() const { return glfwWindowShouldClose(window_) != 0; }
+
+const WindowEvents& Window::poll(double seconds) {
+  const Vec2 mouse = events_.mouse;
+  const bool is_down = events_.is_mouse_down;
+  events_ = {};
+  events_.mouse = mouse;
+  events_.is_mouse_down = is_down;
+  if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwPollEvents();
+  }
+  return events_;
+}
+
+int Window::width() const {
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(window_, &w, &h);
+  return w;
+}
+int Window::height() const {
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(window_, &w, &h);
+  return h;
+}
+float Window::density() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return std::max(y, 1.0f);
+}
+void Window::show() { glfwSwapBuffers(window_); }
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+}  // namespace ballpit

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "world/event_driven_world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bodies/bodies_view.h"
+#include "bodies/body_snapshot.h"
+#include "bodies/pair.h"
+#include "broad_phase/inspection.h"
+#include "event_driven/event_driven.h"
+#include "world/inspection.h"
+#include "world/sums.h"
+#include "world/write_bodies.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kTouching = 1e-9;  // of the smaller radius: a gap that counts as a contact
+
+template <class V>
+class EventDrivenWorld final : public World {
+ public:
+  EventDrivenWorld(const Scene& scene, const Settings& settings)
+      : dt_(settings.dt), motion_(scene, rules(scene, settings)) {}
+
+  void step() override {
+    const auto start = std::chrono::steady_clock::now();
+    const double end = static_cast<double>(steps_ + 1) * dt_;
+    try {
+      motion_.run_until(end);
+    } catch (...) {
+      time_ = std::max(time_, motion_.settled_time());
+      throw;
+    }
+    ++steps_;
+    time_ = end;
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  Inspection inspect(const Wanted& wanted) override {
+    Inspection result;
+    result.bodies.count = motion_.size();
+    result.bodies.dimensions = kDimensions<V>;
+    if (!wanted.state) return result;
+    for (int i = 0; i < motion_.size(); ++i) {
+      const V p = position(i), v = velocity(i);
+      for (int axis = 0; axis < kDimensions<V>; ++axis) {
+        result.bodies.position.push_back(static_cast<float>(p[axis]));
+        result.bodies.velocity.push_back(static_cast<float>(v[axis]));
+      }
+      result.bodies.radius.push_back(static_cast<float>(motion_.radius(i)));
+    }
+    for_each_contact([&](Pair pair, double) { result.contacts.push_back(pair); });
+    result.grids.push_back(grid());
+    if (wanted.candidates) result.candidates = pairs_in_reach();
+    return result;
+  }
+
+  Report report() override {
+    Report report;
+    report.count = motion_.size();
+    report.steps = steps_;
+    report.time = time();
+    report.seconds = seconds_;
+    report.stages = {{"handle events", seconds_, steps_}};
+    report.broadphase = "event cells";
+    report.broadphase_reason = "event-driven motion searches cells of its own";
+    report.detection_bytes = motion_.bytes();
+    report.candidates = motion_.predictions();
+    report.events = motion_.events();
+    report.tally = motion_.tally();
+    for_each_contact([&](Pair pair, double gap) {
+      ++report.contacts;
+      const double radius = std::min(motion_.radius(pair.i), motion_.radius(pair.j));
+      report.max_overlap = std::max(report.max_overlap, -gap / radius);
+    });
+    measure_bodies(report);
+    return report;
+  }
+
+  BodyShape shape() const override {
+    float largest = 0, smallest = INFINITY;
+    for (int i = 0; i < motion_.size(); ++i) {
+      largest = std::max(largest, static_cast<float>(motion_.radius(i)));
+      smallest = std::min(smallest, static_cast<float>(motion_.radius(i)));
+    }
+    return {motion_.size(), kDimensions<V>, false, largest, smallest};
+  }
+
+  void write_bodies(const BodyTarget& target) override {
+    for (int i = 0; i < motion_.size(); ++i) {
+      write_body(target, i, position(i), motion_.radius(i));
+      target.touching[i] = 0;
+    }
+    for_each_contact([&](Pair pair, double) { target.touching[pair.i] = target.touching[pair.j] = 1; });
+  }
+
+  Bodies bodies() override {
+    Bodies result;
+    for (int i = 0; i < motion_.size(); ++i) {
+      result.position.push_back(widen(position(i)));
+      result.velocity.push_back(widen(velocity(i)));
+      result.radius.push_back(motion_.radius(i));
+      result.mass.push_back(motion_.mass(i));
+    }
+    return result;
+  }
+
+  std::unique_ptr<Snapshot> snapshot() override { return std::make_unique<EventSnapshot>(motion_, steps_, time_); }
+  void restore(const Snapshot& snapshot) override {
+    const auto& then = dynamic_cast<const EventSnapshot&>(snapshot);
+    motion_ = then.motion;
+    steps_ = then.steps;
+    time_ = then.time;
+  }
+
+  int64_t steps() const override { return steps_; }
+  double time() const override { return time_; }
+
+ private:
+  /// All of the motion: forecasts and queue as well, since the latest event of each sphere decides about the bits.
+  struct EventSnapshot final : Snapshot {
+    EventSnapshot(const EventDriven<V>& motion_then, int64_t steps_then, double time_then)
+        : motion(motion_then), steps(steps_then), time(time_then) {}
+    int64_t bytes() const override { return motion.bytes() + int64_t(sizeof(*this)); }
+
+    EventDriven<V> motion;
+    int64_t steps;
+    double time;
+  };
+
+  static EventRules<V> rules(const Scene& scene, const Settings& settings) {
+    EventRules<V> rules;
+    rules.box = {narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary};
+    rules.gravity = narrow<V>(scene.physics.gravity);
+    rules.restitution = scene.physics.restitution;
+    rules.wall_restitution = scene.physics.wall_restitution;
+    rules.contact_duration = settings.contact_duration;
+    return rules;
+  }
+
+  V position(int i) const { return motion_.rules().box.wrap(motion_.position_at(time(), i)); }
+  V velocity(int i) const { return motion_.velocity_at(time(), i); }
+
+  /// Calls visit(pair, gap [m]) for each pair of spheres that touch, by i, then j.
+  template <class Visit>
+  void for_each_contact(Visit&& visit) const {
+    std::vector<Neighbor> neighbors;
+    std::vector<std::pair<int, double>> partners;
+    for (int i = 0; i < motion_.size(); ++i) {
+      partners.clear();
+      const V p = motion_.position_at(time(), i);
+      motion_.cells().gather(motion_.cell(i), {}, neighbors);
+      for (const Neighbor& neighbor : neighbors) {
+        const int j = neighbor.body;
+        if (j <= i) continue;
+        const double radii = motion_.radius(i) + motion_.radius(j);
+        const double gap = length(motion_.position_at(time(), j) + motion_.cells().shift(neighbor) - p) - radii;
+        if (gap <= kTouching * std::min(motion_.radius(i), motion_.radius(j))) partners.emplace_back(j, gap);
+      }
+      std::sort(partners.begin(), partners.end());
+      for (const auto& [j, gap] : partners) visit(Pair{i, j}, gap);
+    }
+  }
+
+  /// All pairs of spheres in neighbouring cells, by i, then j; each once, also where they meet by several images.
+  std::vector<Pair> pairs_in_reach() const {
+    std::vector<Neighbor> neighbors;
+    std::vector<Pair> pairs;
+    for (int i = 0; i < motion_.size(); ++i) {
+      motion_.cells().gather(motion_.cell(i), {}, neighbors);
+      for (const Neighbor& neighbor : neighbors) {
+        if (neighbor.body > i) pairs.push_back({i, neighbor.body});
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+  /// Energy, momentum, overlap with walls and the hash of the present state.
+  void measure_bodies(Report& report) const {
+    Motion sum;
+    for (int i = 0; i < motion_.size(); ++i) {
+      const V p = position(i), v = velocity(i);
+      const double radius = motion_.radius(i), inverse_mass = 1 / motion_.mass(i);
+      const BodiesView<V> body{{&p, 1}, {&v, 1}, {&radius, 0}, {&inverse_mass, 0}};
+      sum = sum + MotionOf<V>{body, motion_.rules().gravity}(0);
+      report.max_overlap = std::max(report.max_overlap, WallOverlap<V>{body, motion_.rules().box}(0));
+      report.state_hash += hash_body(i, p, v);
+    }
+    report.kinetic_energy = sum.kinetic;
+    report.potential_energy = sum.potential;
+    report.momentum = {sum.px, sum.py, sum.pz};
+  }
+
+  GridInspection grid() const {
+    const Cells<V>& cells = motion_.cells();
+    GridInspection result;
+    result.origin = Vec3(widen(motion_.rules().box.min));
+    result.edge = Vec3(widen(cells.edge()));
+    result.cells = cells.count();
+    result.head = cells.head();
+    result.next = cells.next();
+    return result;
+  }
+
+  double dt_;  // [s]
+  EventDriven<V> motion_;
+  int64_t steps_ = 0;
+  double time_ =
+      0;  // [s] of the present state: the end of the latest step, or where a step ended early, the moment it reached
+  double seconds_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<World> make_event_driven_world(const Scene& scene, const Settings& settings) {
+  if (scene.domain.dimensions == 2) return std::make_unique<EventDrivenWorld<Vec2d>>(scene, settings);
+  return std::make_unique<EventDrivenWorld<Vec3d>>(scene, settings);
+}
+
+}  // namespace ballpit

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Looks after a run: a sphere that is not a number or outside the domain stops it at once; in every kSteps-th step so do an
+// overlap or an energy beyond their limits. A state that passes is kept as the last good one.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/pair.h"
+#include "core/error.h"
+#include "core/span.h"
+#include "world/step_state.h"
+#include "world/sums.h"
+
+namespace ballpit {
+
+/// Map: a fraction of overlap and the pair, or body and wall, that has it.
+struct Offender {
+  double amount = -1;
+  int64_t first = -1, second = -1;  ///< places of bodies; second −1: a wall, or nobody
+};
+struct WorseOffender {
+  HOST_DEVICE Offender operator()(const Offender& a, const Offender& b) const { return a.amount < b.amount ? b : a; }
+};
+
+template <class V>
+struct OverlapOffender {
+  PairOverlap<V> overlap;
+  HOST_DEVICE Offender operator()(int k) const { return {overlap(k), overlap.pairs[k].i, overlap.pairs[k].j}; }
+};
+template <class V>
+struct WallOffender {
+  WallOverlap<V> overlap;
+  HOST_DEVICE Offender operator()(int i) const { return {overlap(i), i, -1}; }
+};
+
+/// Predicate: pair k overlaps by about `limit` of the smaller radius, or more.
+template <class V>
+struct MayOverlapTooMuch {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const Pair> pairs;
+  Real limit;
+
+  HOST_DEVICE bool operator()(int k) const {
+    const Pair pair = pairs[k];
+    const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
+    const Real ri = bodies.radius[pair.i], rj = bodies.radius[pair.j];
+    const Real reach = (ri + rj - limit * (ri < rj ? ri : rj)) * Real(1.00001);  // rounding must not hide one
+    return !((reach <= 0) | (dot(d, d) > reach * reach));
+  }
+};
+
+/// Predicate: body i overlaps a wall by more than `limit` of its radius.
+template <class V>
+struct OverlapsWallTooMuch {
+  WallOverlap<V> overlap;
+  double limit;
+  HOST_DEVICE bool operator()(int i) const { return overlap(i) > limit; }
+};
+
+/// Map: kinetic energy of body i, and who has it.
+template <class V>
+struct EnergyOffender {
+  MotionOf<V> motion;
+  HOST_DEVICE Offender operator()(int i) const { return {motion(i).kinetic, i, -1}; }
+};
+
+/// Map: the energy of body i that needs no explanation [J].
+template <class V>
+struct LeastEnergy {
+  BodiesView<V> bodies;
+  double gravity;  ///< [m/s²]
+  double rounded;  ///< [J/kg]
+  HOST_DEVICE double operator()(int i) const {
+    return (gravity * double(bodies.radius[i]) + rounded) / double(bodies.inverse_mass[i]);
+  }
+};
+
+template <class V, class Exec>
+class Guard {
+  using Buffer = typename Exec::template Buffer<V>;
+
+ public:
+  /// `h` [s]: length of a substep. `hint`: what helps against too much overlap, and against spheres that leave.
+  Guard(double max_overlap, double max_energy, double h, std::string hint)
+      : max_overlap_(max_overlap), max_energy_(max_energy), h_(h), hint_(std::move(hint)) {}
+
+  /// To be called before the first step. `elastic` is the energy in springs [J].
+  void start(StepState<V, Exec>& state, double elastic) {
+    overlap_at_start_ = worst_overlap(state).amount;
+    max_overlap_ = std::fmax(max_overlap_, 2 * overlap_at_start_);  // a start may overlap, and settles
+    energy_at_start_ = energy(state) + elastic;
+    explained_ = std::fmax(energy_at_start_, least_energy(state));
+    keep(state, 0);
+  }
+
+  bool is_started() const { return good_position_.size() > 0; }
+
+  /// Whether check() is to be called after this step.
+  static bool is_due(int64_t step) { return step % kSteps == 0; }
+
+  /// Throws RunError where a body is not a number, or outside the domain. In every step. A body that is in its skin, and
+  /// whose skin is inside, is inside.
+  void check_inside(StepState<V, Exec>& state, int64_t step, double time) const {
+    if (!is_due(step) && state.shows_all_inside()) return;  // velocities are looked at when check() is due
+    const int64_t bad = first_outside(state.exec(), state.bodies(), state.box(), state.order().id_at());
+    if (bad < 0) return;
+    const Vec3d p = widen(state.downloaded(state.position)[static_cast<size_t>(bad)]);
+    std::ostringstream message;
+    message << "sphere " << bad << " left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z << ")";
+    stop(step, time, message.str(), hint_);
+  }
+
+  /// Throws RunError where overlap or energy are beyond their limits; else the state is the last good one.
+  void check(StepState<V, Exec>& state, int64_t step, double time) {
+    check_overlap(state, step, time);
+    check_energy(state, step, time);
+    keep(state, time);
+  }
+
+  Bodies last_good(const StepState<V, Exec>& state) const { return state.download(good_position_, good_velocity_); }
+  double last_good_time() const { return good_time_; }  ///< [s]
+
+  /// Calls rearrange(values) for what is kept for each body.
+  template <class Rearrange>
+  void for_each_kept(const Rearrange& rearrange) {
+    rearrange(good_position_);
+    rearrange(good_velocity_);
+  }
+
+  /// Calls visit(value) for all that a snapshot of `state` at `time` holds. Where the last good state is this one, it is
+  /// held once: each 16th step's snapshot is half as large.
+  template <class Visit>
+  void for_each_saved(StepState<V, Exec>& state, double time, const Visit& visit) {
+    bool is_now = is_started() && good_time_ == time;
+    visit(is_now);
+    visit(max_overlap_);
+    visit(overlap_at_start_);
+    visit(energy_at_start_);
+    visit(explained_);
+    visit(good_time_);
+    if (is_now) {
+      keep(state, good_time_);  // where it is put back; else it is kept already
+    } else {
+      for_each_kept(visit);
+    }
+  }
+
+  int64_t bytes() const { return good_position_.bytes() + good_velocity_.bytes(); }
+
+ private:
+  static constexpr int64_t kSteps = 16;
+
+  [[noreturn]] static void stop(int64_t step, double time, const std::string& what, const std::string& hint) {
+    std::ostringstream where;
+    where << "step " << step << " (t = " << time << " s)";
+    throw RunError(where.str(), what, hint);
+  }
+
+  static Offender worst_overlap(StepState<V, Exec>& state) {
+    const BodiesView<V> bodies = state.bodies();
+    const Span<const Pair> pairs = state.near_pairs().pairs;
+    const PairOverlap<V> of_pair{bodies, state.box(), pairs};
+    const Offender spheres =
+        reduce(state.exec(), "check overlap", pairs.size(), Offender{}, OverlapOffender<V>{of_pair}, WorseOffender{});
+    if (state.box().is_periodic()) return spheres;
+    const Offender walls = reduce(state.exec(), "check overlap", bodies.size(), Offender{},
+                                  WallOffender<V>{{bodies, state.box()}}, WorseOffender{});
+    return WorseOffender{}(spheres, walls);
+  }
+
+  bool may_overlap_too_much(StepState<V, Exec>& state) const {
+    const BodiesView<V> bodies = state.bodies();
+    const Span<const Pair> pairs = state.near_pairs().pairs;
+    const MayOverlapTooMuch<V> of_pair{bodies, state.box(), pairs, static_cast<Scalar<V>>(max_overlap_)};
+    const OverlapsWallTooMuch<V> of_wall{{bodies, state.box()}, max_overlap_};
+    return any(state.exec(), "check overlap", pairs.size(), of_pair) ||
+           (!state.box().is_periodic() && any(state.exec(), "check overlap", bodies.size(), of_wall));
+  }
+
+  void check_overlap(StepState<V, Exec>& state, int64_t step, double time) const {
+    if (!may_overlap_too_much(state)) return;
+    const Offender worst = worst_overlap(state);
+    if (!(worst.amount > max_overlap_)) return;
+    std::ostringstream message;
+    message << "sphere " << id(state, worst.first);
+    if (worst.second >= 0) {
+      message << " overlaps sphere " << id(state, worst.second) << " by ";
+    } else {
+      message << " overlaps a wall by ";
+    }
+    message << worst.amount << " of the smaller radius, more than --max-overlap " << max_overlap_;
+    stop(step, time, message.str(), hint_);
+  }
+
+  /// Springs are left out: energy from nowhere does not stay in them.
+  void check_energy(StepState<V, Exec>& state, int64_t step, double time) const {
+    if (state.box().is_periodic() && state.has_gravity()) return;  // falls for ever
+    const double now = energy(state);
+    if (now <= max_energy_ * explained_) return;
+    const Offender fastest = reduce(state.exec(), "check energy", state.count(), Offender{},
+                                    EnergyOffender<V>{{state.bodies(), state.gravity()}}, WorseOffender{});
+    std::ostringstream message;
+    message << "the energy is ";
+    if (energy_at_start_ > 0) {
+      message << now / energy_at_start_ << " times that at the start";
+    } else {
+      message << now << " J, and was 0 J at the start";
+    }
+    message << ", more than --max-energy " << max_energy_ << "; sphere " << id(state, fastest.first)
+            << " has most of it, " << fastest.amount << " J";
+    stop(step, time, message.str(),
+         overlap_at_start_ > kOverlapThatMatters ? "less overlap at the start may help"
+                                                 : "a smaller --dt or more --substeps may help");
+  }
+
+  /// [J] What needs no explanation, however little a run begins with: spheres lifted by their radius, as out of the floor,
+  /// and positions rounded in a substep.
+  double least_energy(StepState<V, Exec>& state) const {
+    const V extent = state.box().max - state.box().min, g = state.gravity();
+    const double speed = 64 * double(std::numeric_limits<Scalar<V>>::epsilon()) * length(widen(extent)) / h_;
+    return reduce(state.exec(), "check energy", state.count(), 0.0,
+                  LeastEnergy<V>{state.bodies(), length(widen(g)), 0.5 * speed * speed}, Sum{});
+  }
+
+  /// [J] kinetic, and potential above the lowest corner of the domain.
+  static double energy(StepState<V, Exec>& state) {
+    const Motion sum = reduce(state.exec(), "check energy", state.count(), Motion{},
+                              MotionOf<V>{state.bodies(), state.gravity(), lowest_corner(state)}, Sum{});
+    return sum.kinetic + sum.potential;
+  }
+
+  static V lowest_corner(const StepState<V, Exec>& state) {
+    V corner{};
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      corner[axis] = state.gravity()[axis] < 0 ? state.box().min[axis] : state.box().max[axis];
+    }
+    return corner;
+  }
+
+  static int64_t id(StepState<V, Exec>& state, int64_t place) {
+    const Span<const int> id_at = state.order().id_at();
+    return id_at.empty() ? place : state.exec().download(id_at)[static_cast<size_t>(place)];
+  }
+
+  void keep(StepState<V, Exec>& state, double time) {
+    const int64_t n = state.count();
+    good_position_.resize(n);
+    good_velocity_.resize(n);
+    state.exec().parallel_for("keep state", n, CopyValues<V>{state.position.span(), good_position_.span()});
+    state.exec().parallel_for("keep state", n, CopyValues<V>{state.velocity.span(), good_velocity_.span()});
+    good_time_ = time;
+  }
+
+  static constexpr double kOverlapThatMatters = 0.001;  // of the smaller radius
+
+  double max_overlap_, max_energy_, h_;
+  std::string hint_;
+  double overlap_at_start_ = 0, energy_at_start_ = 0;
+  double explained_ = 0;  // [J] what --max-energy is a multiple of
+  Buffer good_position_, good_velocity_;
+  double good_time_ = 0;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The motion of the impulse response.
+#pragma once
+
+#include "response/impulse.h"
+#include "world/velocity_substepper.h"
+
+namespace ballpit {
+
+// Old overlap is pushed out at most as fast as a body falls in so many steps: enough to carry a heap as many spheres
+// high, and no more, so that freed overlap does not throw spheres up.
+inline constexpr double kPushSteps = 100;
+
+inline ImpulseParameters impulse_parameters(const Physics& physics, const Settings& settings) {
+  const double gravity = length(physics.gravity);
+  ImpulseParameters parameters;
+  parameters.restitution = physics.restitution;
+  parameters.wall_restitution = physics.wall_restitution;
+  parameters.push_limit = kPushSteps * gravity * settings.dt / settings.substeps;
+  parameters.correction = gravity > 0 ? 0.0 : 0.4;
+  if (settings.iterations) parameters.iterations = *settings.iterations;
+  parameters.is_by_colour = settings.solver == "gauss-seidel";
+  if (settings.correction != "split") {
+    parameters.push = parameters.foresight = parameters.slop = 0;
+    parameters.entered = parameters.correction = settings.correction == "surface" ? 1 : 0;
+  }
+  return parameters;
+}
+
+template <class V, class Exec>
+std::unique_ptr<Substepper<V, Exec>> make_impulse_substepper(const Scene& scene, const Settings& settings) {
+  using Response = ImpulseResponse<V, Exec>;
+  return std::make_unique<VelocitySubstepper<V, Exec, Response>>(Response(impulse_parameters(scene.physics, settings)),
+                                                                 settings.is_swept, scene.physics.wall_restitution);
+}
+
+}  // namespace ballpit

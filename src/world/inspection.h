@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What the simulation shows of itself: copies on the host, so that looking never changes what is looked at.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bodies/body_snapshot.h"
+#include "bodies/pair.h"
+#include "broad_phase/inspection.h"
+
+namespace ballpit {
+
+/// What an inspection is to hold beside the number of bodies; each costs what it costs.
+struct Wanted {
+  bool state = true;  ///< places, velocities, radii, contacts and lists
+  bool candidates = false;
+  bool missed = false;     ///< brute force is the oracle: O(n²) tests
+  bool endpoints = false;  ///< and the axis
+  bool work = false;
+
+  bool more_than_state() const { return candidates || missed || endpoints || work; }
+
+  Wanted operator|(const Wanted& other) const {
+    return {state || other.state, candidates || other.candidates, missed || other.missed, endpoints || other.endpoints,
+            work || other.work};
+  }
+  bool operator==(const Wanted&) const = default;
+};
+
+struct Inspection {
+  BodySnapshot bodies;
+  std::vector<Pair> contacts;         ///< overlapping pairs that the method found, sorted by i, then j
+  std::vector<GridInspection> grids;  ///< of the broad phase: one for each size class, or none
+
+  // If wanted; as the method searches the present positions where there is no candidate list.
+  std::vector<Pair> candidates;     ///< pairs that the broad phase gives to the narrow phase, sorted
+  std::vector<Pair> missed;         ///< overlapping pairs that the method did not find, sorted
+  int axis = -1;                    ///< along which sort-and-sweep sorts: 0, 1, 2; −1 for other methods
+  std::vector<Endpoint> endpoints;  ///< its sorted list, by `at`
+  std::vector<int> work;            ///< candidates that each thread walks over
+  std::vector<int32_t> worker;      ///< the body that each thread walks for; −1 for one that has nothing to do
+};
+
+}  // namespace ballpit

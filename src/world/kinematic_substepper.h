@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The motion of the kinematic response.
+#pragma once
+
+#include "response/kinematic.h"
+#include "world/velocity_substepper.h"
+
+namespace ballpit {
+
+template <class V, class Exec>
+std::unique_ptr<Substepper<V, Exec>> make_kinematic_substepper(const Scene& scene, const Settings& settings) {
+  using Response = KinematicResponse<V, Exec>;
+  return std::make_unique<VelocitySubstepper<V, Exec, Response>>(
+      Response(scene.physics.restitution, scene.physics.wall_restitution), settings.is_swept,
+      scene.physics.wall_restitution);
+}
+
+}  // namespace ballpit

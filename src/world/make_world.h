@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Which world a scene and its settings ask for: two or three dimensions, single or double precision.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "core/math.h"
+#include "world/world.h"
+
+namespace ballpit {
+
+/// A world of one vector type on an executor. Defined in world_on.h, which takes its time to compile: so each vector type has
+/// a source file of its own.
+template <class V, class Exec>
+std::unique_ptr<World> make_world_of(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings);
+
+template <class Exec>
+std::unique_ptr<World> make_world_on(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings) {
+  const bool is_planar = scene.domain.dimensions == 2;
+  if (settings.precision == "double") {
+    return is_planar ? make_world_of<Vec2d>(std::move(exec), scene, settings)
+                     : make_world_of<Vec3d>(std::move(exec), scene, settings);
+  }
+  return is_planar ? make_world_of<Vec2>(std::move(exec), scene, settings)
+                   : make_world_of<Vec3>(std::move(exec), scene, settings);
+}
+
+}  // namespace ballpit

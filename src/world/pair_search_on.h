@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// The pair search, written once for every executor. Spheres whose centres all have one z are searched in the plane.
+// Instantiated by backend_cpu.cpp and cuda/backend_cuda.cu.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/pair.h"
+#include "broad_phase/choose_broad_phase.h"
+#include "core/span.h"
+#include "narrow_phase/collider.h"
+#include "world/pair_search.h"
+#include "world/spatial_order.h"
+
+namespace ballpit {
+
+/// Key: the place of body i's cell.
+template <class V>
+struct PlaceInGrid {
+  Grid<V> grid;
+  Span<const V> position;
+  HOST_DEVICE int operator()(int i) const { return grid.index(grid.cell_of(position[i])); }
+};
+
+/// Kernel: to[k] = from[order[k]].
+template <class T>
+struct TakeInOrder {
+  Span<const T> from;
+  Span<const int> order;
+  Span<T> to;
+  HOST_DEVICE void operator()(int k) const { to[k] = from[order[k]]; }
+};
+
+/// Kernel: pairs of places become pairs of bodies, lower body first.
+struct NameBodies {
+  Span<const Pair> places;
+  Span<const int> order;
+  Span<Pair> bodies;
+
+  HOST_DEVICE void operator()(int k) const {
+    const int a = order[places[k].i], b = order[places[k].j];
+    bodies[k] = a < b ? Pair{a, b} : Pair{b, a};
+  }
+};
+
+/// A pair search in two or in three dimensions. Lists lead through memory from sphere to sphere: where there are many, they
+/// are searched in the order of a grid's cells, as a world keeps them (spatial_order.h), and the pairs named and ordered
+/// by body afterwards. Ranges are in an order of their own.
+template <class V, class Exec>
+class SearchOn {
+  using Real = Scalar<V>;
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+ public:
+  /// Starts anew for these spheres, in the memory held.
+  void plan(Exec& exec, const Settings& settings, const Box<V>& box, const SphereArrays& spheres) {
+    auto parameters = broad_phase_parameters<V>(settings, box, spheres.radius, spheres.position.size());
+    parameters.occupied_volume = occupied_volume(box, spheres.position);
+    choice_ = choose_broad_phase(settings, parameters);
+    detector_.plan(choice_.method, parameters, skin_of(settings));
+    exec.upload(radius_, spheres.radius.data(), spheres.radius.size());
+    order_.resize(0);
+    if (choice_.method == "linked-cell" && spheres.position.size() >= kFewestToOrder) {
+      upload_positions(exec, spheres);
+      sort_by_cells(exec, grid_of_one_each(box, parameters.count, 2 * parameters.largest_radius()));
+    }
+  }
+
+  void find(Exec& exec, const SphereArrays& spheres) {
+    upload_positions(exec, spheres);
+    detector_.moved();
+    if (order_.size() == 0) {
+      detector_.find(exec, bodies());
+      return;
+    }
+    take_in_order(exec, position_, ordered_position_);
+    detector_.find(exec, bodies());
+    const Span<const Pair> found = detector_.pairs();
+    named_.resize(found.size());
+    exec.parallel_for("name bodies", found.size(), NameBodies{found, order_.span(), named_.span()});
+    put_into_rows(exec, Span<const Pair>(named_.span()), order_.size(), rows_);
+  }
+
+  /// Those found last, in canonical order.
+  Span<const Pair> pairs() const { return order_.size() > 0 ? rows_.pairs() : detector_.pairs(); }
+
+  Detector<V, Exec>& detector() { return detector_; }
+  const BroadPhaseChoice& choice() const { return choice_; }
+  int64_t bytes() const {
+    return detector_.bytes() + position_.bytes() + radius_.bytes() + ordered_position_.bytes() + order_.bytes() +
+           offsets_.bytes() + named_.bytes() + rows_.bytes();
+  }
+
+ private:
+  static constexpr int64_t kFewestToOrder = 16384;  // fewer fit a cache in any order
+
+  void upload_positions(Exec& exec, const SphereArrays& spheres) {
+    if constexpr (kDimensions<V> == 3) {
+      exec.upload(position_, spheres.position.data(), spheres.position.size());
+    } else {
+      std::vector<V> flat(static_cast<size_t>(spheres.position.size()));
+      std::transform(spheres.position.begin(), spheres.position.end(), flat.begin(),
+                     [](const Vec3& p) { return V(p); });
+      exec.upload(position_, flat.data(), spheres.position.size());
+    }
+  }
+
+  void sort_by_cells(Exec& exec, const Grid<V>& grid) {
+    order_.resize(position_.size());
+    offsets_.resize(grid.size() + 1);
+    exec.bin("sort bodies", PlaceInGrid<V>{grid, position_.span()}, offsets_.span(), order_.span());
+    Buffer<Real> ordered;
+    if (radius_.size() > 1) take_in_order(exec, radius_, ordered);
+  }
+
+  /// `spare` is for the other of two buffers, and swapped with it.
+  template <class T>
+  void take_in_order(Exec& exec, Buffer<T>& values, Buffer<T>& spare) {
+    spare.resize(values.size());
+    exec.parallel_for("rearrange bodies", values.size(), TakeInOrder<T>{values.span(), order_.span(), spare.span()});
+    std::swap(values, spare);
+  }
+
+  BodiesView<V> bodies() const {
+    return {position_.span(), {}, {radius_.span().data(), radius_.size() == 1 ? 0 : 1}, {}};
+  }
+
+  BroadPhaseChoice choice_;
+  Detector<V, Exec> detector_;
+  Buffer<V> position_, ordered_position_;
+  Buffer<Real> radius_;
+  Buffer<int> order_, offsets_;  // bodies by place; empty where they are searched as they come
+  Buffer<Pair> named_;
+  ContactRows<Exec> rows_;
+};
+
+template <class Exec>
+class PairSearchOn final : public PairSearch {
+ public:
+  PairSearchOn(std::unique_ptr<Exec> exec, const Settings& settings) : exec_(std::move(exec)), settings_(settings) {
+    if (!settings_.skin) settings_.skin = 0.0;
+  }
+
+  void find(const SphereArrays& spheres) override {
+    if (!may_go_on(spheres)) start(spheres, spheres.period ? *spheres.period : bounds(spheres.position));
+    visit([&](auto& search) { search.find(*exec_, spheres); });
+  }
+
+  std::vector<Pair> pairs() override {
+    std::vector<Pair> result;
+    visit([&](auto& search) { result = exec_->download(search.pairs()); });
+    return result;
+  }
+
+  SearchReport report() override {
+    SearchReport report;
+    visit([&](auto& search) {
+      report.method = search.choice().method;
+      report.reason = search.choice().reason;
+      report.candidates = search.detector().candidates(*exec_);
+      report.contacts = search.detector().pairs().size();
+      report.searches = searches_ + search.detector().searches();
+      report.bytes = search.bytes();
+    });
+    report.stages = exec_->stage_times().stages();
+    return report;
+  }
+
+  std::vector<int> work_per_thread() override {
+    std::vector<int> work;
+    visit([&](auto& search) { work = search.detector().work_per_thread(*exec_); });
+    return work;
+  }
+
+ private:
+  static Box<Vec3> bounds(Span<const Vec3> position) {
+    Box<Vec3> box;
+    box.boundary = Boundary::walls;
+    if (position.empty()) return box;
+    box.min = box.max = position[0];
+    for (const Vec3& p : position) {
+      box.min = glm::min(box.min, p);
+      box.max = glm::max(box.max, p);
+    }
+    return box;
+  }
+
+  static bool is_in_a_plane(Span<const Vec3> position) {
+    return std::all_of(position.begin(), position.end(), [&](const Vec3& p) { return p.z == position[0].z; });
+  }
+
+  /// Whether the grid of the last search may serve for these spheres: with a skin, while their sizes are the same. Spheres that
+  /// have left its box count to the cells at its border, which is right but slow: so now and then there is a new box.
+  bool may_go_on(const SphereArrays& spheres) {
+    if (*settings_.skin == 0 || spheres.period || count_ != spheres.position.size()) return false;
+    if (!std::equal(spheres.radius.begin(), spheres.radius.end(), radius_.begin(), radius_.end())) return false;
+    int64_t searches = 0;
+    visit([&](auto& search) { searches = search.detector().searches(); });
+    return searches < kSearchesInABox;
+  }
+
+  void start(const SphereArrays& spheres, const Box<Vec3>& box) {
+    visit([&](auto& search) { searches_ += search.detector().searches(); });
+    count_ = spheres.position.size();
+    if (*settings_.skin > 0) radius_.assign(spheres.radius.begin(), spheres.radius.end());
+    const bool is_planar = count_ > 0 && is_in_a_plane(spheres.position) && settings_.axis != "z";
+    if (is_planar && *settings_.skin == 0) {  // with a skin, they may leave the plane
+      spatial_.reset();
+      if (!planar_) planar_.emplace();
+      planar_->plan(*exec_, settings_, Box<Vec2>{Vec2(box.min), Vec2(box.max), box.boundary}, spheres);
+    } else {
+      planar_.reset();
+      if (!spatial_) spatial_.emplace();
+      spatial_->plan(*exec_, settings_, box, spheres);
+    }
+  }
+
+  template <class Visit>
+  void visit(Visit&& visit) {
+    if (planar_) visit(*planar_);
+    if (spatial_) visit(*spatial_);
+  }
+
+  static constexpr int64_t kSearchesInABox = 8;
+
+  std::unique_ptr<Exec> exec_;
+  Settings settings_;
+  int64_t count_ = -1;
+  std::vector<float> radius_;  // of the last start, where there is a skin
+  int64_t searches_ = 0;
+  std::optional<SearchOn<Vec2, Exec>> planar_;
+  std::optional<SearchOn<Vec3, Exec>> spatial_;
+};
+
+}  // namespace ballpit

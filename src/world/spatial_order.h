@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// The order in which a world keeps its bodies in memory: now and then they are sorted by cells, so that spheres near each
+// other in space are near each other in memory, and what a kernel reads of its neighbours lies in a cache.
+//
+//     id     0 1 2 3 4      as the scene counts them, and as everyone outside the world sees them
+//     place  3 0 4 1 2      where a body is kept
+//     id_at  1 3 4 0 2      who is kept there
+//
+// The order follows from positions and ids alone: not from the broad phase, the number of threads or earlier orders, so
+// that the same scene moves by the same bits whichever are chosen. Measured: a quarter off the step of a settled heap of
+// 20 000 spheres. Small scenes, which fit a cache anyway, keep the scene's order and pay nothing.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "bodies/box.h"
+#include "bodies/pair.h"
+#include "broad_phase/grid.h"
+#include "broad_phase/inspection.h"
+#include "core/span.h"
+#include "world/inspection.h"
+
+namespace ballpit {
+
+template <class V>
+struct CellOfId {
+  Grid<V> grid;
+  Span<const V> position;
+  Span<const int> place;
+  HOST_DEVICE int operator()(int id) const { return grid.index(grid.cell_of(position[place[id]])); }
+};
+
+/// Kernel: to[k] = from[the place where the k-th body in order is kept].
+template <class T>
+struct Rearrange {
+  Span<const T> from;
+  Span<const int> order, place;
+  Span<T> to;
+  HOST_DEVICE void operator()(int k) const { to[k] = from[place[order[k]]]; }
+};
+
+struct NotePlaces {
+  Span<const int> order;
+  Span<int> place;
+  HOST_DEVICE void operator()(int k) const { place[order[k]] = k; }
+};
+
+struct CountUp {
+  Span<int> values;
+  HOST_DEVICE void operator()(int i) const { values[i] = i; }
+};
+
+/// A dense grid of one body a cell, on average, unless cells are to be larger [m].
+template <class V>
+Grid<V> grid_of_one_each(const Box<V>& box, int64_t count, Scalar<V> least_edge = 0) {
+  BroadPhaseParameters<V> parameters;
+  parameters.box = box;
+  parameters.count = count;
+  double volume = 1;
+  for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= double(box.max[axis]) - double(box.min[axis]);
+  const double edge = std::pow(volume / static_cast<double>(count), 1.0 / kDimensions<V>);
+  return make_grid(parameters, SizeClass<V>{0, count}, V(std::max(least_edge, static_cast<Scalar<V>>(edge))), false);
+}
+
+template <class V, class Exec>
+class SpatialOrder {
+ public:
+  SpatialOrder(const Box<V>& box, int64_t count) : count_(count) {
+    if (!is_used()) return;
+    grid_ = grid_of_one_each(box, count);
+  }
+
+  /// Whether step `step` is one before which the bodies are sorted.
+  bool is_due(int64_t step) const { return is_used() && step % kSteps == 0; }
+
+  /// Sorts the bodies; then rearrange() each of their arrays, and commit().
+  void sort(Exec& exec, Span<const V> position) {
+    if (place_.size() == 0) {
+      place_.resize(count_);
+      exec.parallel_for("number bodies", count_, CountUp{place_.span()});
+    }
+    cells_.resize(grid_.size() + 1);
+    order_.resize(count_);
+    exec.bin("sort bodies", CellOfId<V>{grid_, position, place_.span()}, cells_.span(), order_.span());
+  }
+
+  template <class Buffer>
+  void rearrange(Exec& exec, Buffer& values, Buffer& scratch) {
+    if (values.size() != count_) return;  // one value for all, or none yet
+    scratch.resize(count_);
+    using T = std::remove_reference_t<decltype(values.span()[0])>;
+    exec.parallel_for("rearrange bodies", count_,
+                      Rearrange<T>{values.span(), order_.span(), place_.span(), scratch.span()});
+    std::swap(values, scratch);
+  }
+
+  void commit(Exec& exec) {
+    exec.parallel_for("note places", count_, NotePlaces{order_.span(), place_.span()});
+    id_at_ = order_.span();
+  }
+
+  /// Calls visit(values) for what a snapshot holds; restored() is to follow where it was put back.
+  template <class Visit>
+  void for_each_saved(const Visit& visit) {
+    visit(order_);
+  }
+  void restored(Exec& exec) {
+    place_.resize(order_.size());  // 0 before the first sorting
+    id_at_ = {};
+    if (order_.size() > 0) commit(exec);
+  }
+
+  /// Ids by place; empty where each body is kept at its id.
+  Span<const int> id_at() const { return id_at_; }
+  int64_t bytes() const { return place_.bytes() + order_.bytes() + cells_.bytes(); }
+
+ private:
+  static constexpr int64_t kFewest = 4096;  // bodies
+  static constexpr int64_t kSteps = 64;     // between sorting
+
+  bool is_used() const { return count_ >= kFewest; }
+
+  int64_t count_;
+  Grid<V> grid_;
+  typename Exec::template Buffer<int> place_, order_, cells_;
+  Span<const int> id_at_;
+};
+
+/// Puts ids into pairs of places.
+inline void name_by_id(std::vector<Pair>& pairs, const std::vector<int>& id_at) {
+  for (Pair& pair : pairs) {
+    const int a = id_at[static_cast<size_t>(pair.i)], b = id_at[static_cast<size_t>(pair.j)];
+    pair = {std::min(a, b), std::max(a, b)};
+  }
+  std::sort(pairs.begin(), pairs.end());
+}
+
+/// Puts ids where an inspection names bodies by their places: pairs and lists; bodies are in the order of ids already.
+inline void name_by_id(Inspection& inspection, const std::vector<int>& id_at) {
+  const auto id = [&](int place) { return place < 0 ? place : id_at[static_cast<size_t>(place)]; };
+  for (auto* const pairs : {&inspection.contacts, &inspection.candidates, &inspection.missed})
+    name_by_id(*pairs, id_at);
+  for (Endpoint& endpoint : inspection.endpoints) endpoint.body = id(endpoint.body);
+  for (int32_t& body : inspection.worker) body = id(body);
+  for (GridInspection& grid : inspection.grids) {
+    for (int32_t& head : grid.head) head = id(head);
+    const auto name_lists = [&](std::vector<int32_t>& lists) {
+      std::vector<int32_t> next(lists.size());
+      for (size_t place = 0; place < next.size(); ++place) next[static_cast<size_t>(id_at[place])] = id(lists[place]);
+      lists = std::move(next);
+    };
+    name_lists(grid.next);
+    if (!grid.arrays) continue;
+    if (grid.arrays->is_sorted) {
+      for (int32_t& body : grid.arrays->bodies) body = id(body);
+    } else {
+      for (int32_t& head : grid.arrays->cells) head = id(head);
+      name_lists(grid.arrays->bodies);
+    }
+  }
+}
+
+/// Values by id from values by place.
+template <class T>
+std::vector<T> by_id(const std::vector<T>& values, const std::vector<int>& id_at) {
+  if (id_at.empty() || values.size() != id_at.size()) return values;
+  std::vector<T> result(values.size());
+  for (size_t place = 0; place < values.size(); ++place) result[static_cast<size_t>(id_at[place])] = values[place];
+  return result;
+}
+
+}  // namespace ballpit

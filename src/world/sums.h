@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// What a report tells of a state: sums over bodies and contacts in double precision, in an order fixed by the indices.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/pair.h"
+#include "core/span.h"
+#include "exec/reduce.h"
+#include "world/world.h"
+
+namespace ballpit {
+
+struct Largest {
+  HOST_DEVICE double operator()(double a, double b) const { return a < b ? b : a; }
+};
+struct Smallest {
+  HOST_DEVICE int64_t operator()(int64_t a, int64_t b) const { return b < a ? b : a; }
+};
+
+/// Energy and momentum of one body, or of many.
+struct Motion {
+  double kinetic = 0, potential = 0, px = 0, py = 0, pz = 0;
+
+  HOST_DEVICE Motion operator+(const Motion& other) const {
+    return {kinetic + other.kinetic, potential + other.potential, px + other.px, py + other.py, pz + other.pz};
+  }
+};
+
+template <class V>
+struct MotionOf {
+  BodiesView<V> bodies;
+  V gravity;
+  V zero{};  ///< [m] where potential energy is 0
+
+  HOST_DEVICE Motion operator()(int i) const {
+    const double mass = 1.0 / double(bodies.inverse_mass[i]);
+    const V v = bodies.velocity[i], x = bodies.position[i];
+    double squared = 0, height = 0, p[3] = {0, 0, 0};
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      squared += double(v[axis]) * double(v[axis]);
+      height -= double(gravity[axis]) * (double(x[axis]) - double(zero[axis]));
+      p[axis] = mass * double(v[axis]);
+    }
+    return {0.5 * mass * squared, mass * height, p[0], p[1], p[2]};
+  }
+};
+
+template <class V, class Exec>
+void measure_motion(Exec& exec, const BodiesView<V>& bodies, const V& gravity, Report& report) {
+  const Motion motion = reduce(exec, "sum motion", bodies.size(), Motion{}, MotionOf<V>{bodies, gravity}, Sum{});
+  report.kinetic_energy = motion.kinetic;
+  report.potential_energy = motion.potential;
+  report.momentum = {motion.px, motion.py, motion.pz};
+}
+
+/// Map: how much pair k overlaps, as a fraction of the smaller radius; −1 where they do not touch.
+template <class V>
+struct PairOverlap {
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const Pair> pairs;
+
+  HOST_DEVICE double operator()(int k) const {
+    const Pair pair = pairs[k];
+    const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
+    if (!in_contact(d, bodies.radius[pair.i] + bodies.radius[pair.j])) return -1;
+    const double ri = double(bodies.radius[pair.i]), rj = double(bodies.radius[pair.j]);
+    return (ri + rj - std::sqrt(double(dot(d, d)))) / (ri < rj ? ri : rj);
+  }
+};
+
+template <class V>
+struct WallOverlap {
+  BodiesView<V> bodies;
+  Box<V> box;
+
+  HOST_DEVICE double operator()(int i) const {
+    double largest = 0;
+    box.for_each_wall(bodies.position[i], bodies.radius[i], [&](int, int, Scalar<V> overlap) {
+      const double fraction = double(overlap) / double(bodies.radius[i]);
+      if (fraction > largest) largest = fraction;
+    });
+    return largest;
+  }
+};
+
+/// The largest overlap of two spheres, or of a sphere and a wall, as a fraction of the smaller radius.
+template <class V, class Exec>
+double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs) {
+  const double spheres =
+      reduce(exec, "largest overlap", pairs.size(), 0.0, PairOverlap<V>{bodies, box, pairs}, Largest{});
+  const double walls = reduce(exec, "largest overlap", bodies.size(), 0.0, WallOverlap<V>{bodies, box}, Largest{});
+  return spheres < walls ? walls : spheres;
+}
+
+/// Predicate: body i is outside the domain or not finite.
+template <class V>
+struct IsOutside {
+  BodiesView<V> bodies;
+  Box<V> box;
+
+  HOST_DEVICE bool operator()(int i) const {
+    const V v = bodies.velocity[i];
+    return !(box.holds(bodies.position[i]) & (dot(v, v) < Scalar<V>(1e30)));  // false for NaN
+  }
+};
+
+template <class V>
+struct IdIfOutside {
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const int> id_at;
+
+  HOST_DEVICE int64_t operator()(int i) const {
+    if (!IsOutside<V>{bodies, box}(i)) return bodies.size();
+    return id_at.empty() ? i : id_at[i];
+  }
+};
+
+/// The lowest id of a body that is outside the domain or not finite; −1 if there is none.
+template <class V, class Exec>
+int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const int> id_at) {
+  const int64_t n = bodies.size();
+  if (!any(exec, "check bodies", n, IsOutside<V>{bodies, box})) return -1;
+  return reduce(exec, "find body", n, n, IdIfOutside<V>{bodies, box, id_at}, Smallest{});
+}
+
+/// Mixes 64 bits so that each decides about all (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195: splitmix64).
+HOST_DEVICE inline uint64_t mix_bits(uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return x ^ (x >> 31);
+}
+
+/// A hash of the bits of body `id`. Their sum over all bodies is the state's: in whatever order they are kept, by however
+/// many threads, and on either processor.
+template <class V>
+HOST_DEVICE uint64_t hash_body(int64_t id, const V& position, const V& velocity) {
+  uint64_t hash = mix_bits(static_cast<uint64_t>(id) + 0x9E3779B97F4A7C15u);
+  for (const V& v : {position, velocity}) {
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      uint64_t bits = 0;
+      std::memcpy(&bits, &v[axis], sizeof(v[axis]));
+      hash = mix_bits(hash ^ bits);
+    }
+  }
+  return hash;
+}
+
+/// Map: the hash of the body that is kept at a place.
+template <class V>
+struct HashOfBody {
+  BodiesView<V> bodies;
+  Span<const int> id_at;
+
+  HOST_DEVICE uint64_t operator()(int place) const {
+    return hash_body(id_at.empty() ? place : id_at[place], bodies.position[place], bodies.velocity[place]);
+  }
+};
+
+}  // namespace ballpit

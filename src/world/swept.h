@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: MIT
+// Contacts along the step: a sphere that would pass another, or a wall, within one step is stopped where they meet.
+//
+//      ╭───────────────╮       the broad phase sees the sphere around each way: its middle, radius r + |way|/2
+//      │ ○╌╌╌╌╌╌╌╌╌▸○  │       |d + v·t| = r_i + r_j,  d, v relative:  t = c / (−b + √(b² − a·c)) with
+//      ╰───────────────╯       a = v·v, b = d·v, c = d·d − (r_i + r_j)²  – no difference of like numbers
+//
+// A pair with t in [0, dt] is a contact, with the normal that it has at t. Each body moves on its parabola up to its first
+// contact. There the response takes the velocity that it has by then, v + t·g·dt: from before the kick, a ball would lose
+// g·dt with each bounce. It moves on with the velocity that the response gives it and what is left of the kick. So the
+// first hit of a body in a step cannot be missed, and no body leaves through a wall; a second hit in the same step is
+// found by the next one, if the bodies still overlap then. Bodies that meet walls alone bounce exactly: between_walls.h.
+//
+// A body that lies on a wall is not kicked against it: otherwise what strikes it would seem slower than it is.
+// Cost: the broad phase among larger spheres, O(candidates + n). Source: Ericson, "Real-Time Collision Detection" (2005),
+// section 5.5.5.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "bodies/bodies_view.h"
+#include "bodies/box.h"
+#include "bodies/contacts.h"
+#include "bodies/pair.h"
+#include "core/error.h"
+#include "core/span.h"
+#include "exec/reduce.h"
+#include "narrow_phase/contact_list.h"
+#include "response/impulse_notes.h"
+#include "response/walls_view.h"
+#include "world/between_walls.h"
+#include "world/step_state.h"
+#include "world/sums.h"
+
+namespace ballpit {
+
+/// Kernel: the velocity of body i before and after the kick. Where it lies on a wall, both are 0.
+template <class V>
+struct KickUnlessHeld {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;
+  Box<V> box;
+  V change;  ///< g·dt [m/s]
+  Real dt;
+  Span<V> start, kick, kicked;
+
+  HOST_DEVICE void operator()(int i) const {
+    V own = change, velocity = bodies.velocity[i];
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      if (change[axis] != 0 && is_held(i, axis)) own[axis] = velocity[axis] = 0;
+    }
+    start[i] = velocity;
+    kick[i] = own;
+    kicked[i] = velocity + own;
+  }
+
+ private:
+  static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // not called on a device
+
+  /// A body lies on a wall where a hop would bring it back within the step, or is less than rounding.
+  HOST_DEVICE bool is_held(int i, int axis) const {
+    if (box.is_periodic() || (axis == 1 && change[axis] > 0 && box.boundary == Boundary::open_top)) return false;
+    const Real p = bodies.position[i][axis], v = bodies.velocity[i][axis], radius = bodies.radius[i];
+    const Real wall = change[axis] < 0 ? box.min[axis] : box.max[axis];
+    const Real gap = std::fabs(p - wall) - radius, pressed = std::fabs(change[axis]) * dt;
+    const Real rounded = 8 * kEpsilon * (std::fabs(wall) + radius);
+    const Real height = (gap > 0 ? gap : Real(0)) + v * v * dt * dt / (2 * pressed);
+    return height <= (pressed / 8 > rounded ? pressed / 8 : rounded);
+  }
+};
+
+/// Kernel: the way of body i, and the sphere around it.
+template <class V>
+struct SweepBody {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const V> kick;  ///< empty without gravity
+  Real dt;
+  Span<V> way, middle;
+  Span<Real> reach;
+
+  HOST_DEVICE void operator()(int i) const {
+    V w = bodies.velocity[i] * dt;
+    if (!kick.empty()) w += kick[i] * (dt / 2);
+    way[i] = w;
+    middle[i] = box.wrap(bodies.position[i] + w / Real(2));
+    reach[i] = bodies.radius[i] + std::sqrt(dot(w, w)) / 2 * Real(1.00001);  // rounding must not shorten it
+  }
+};
+
+/// Map: the largest reach.
+template <class Real>
+struct ReachAt {
+  Span<const Real> reach;
+  HOST_DEVICE double operator()(int i) const { return double(reach[i]); }
+};
+
+/// When and how two bodies meet.
+template <class V>
+struct Impact {
+  Scalar<V> time;  ///< as a fraction of the step; above 1: not in this one
+  V apart;         ///< from i to j, then [m]
+};
+
+/// The first time in the step at which two bodies touch.
+template <class V>
+struct FindImpact {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;
+  Box<V> box;
+  Span<const V> way, middle;
+
+  HOST_DEVICE Impact<V> operator()(const Pair& pair) const {
+    const V w = way[pair.j] - way[pair.i];
+    const V d = box.displacement(middle[pair.i], middle[pair.j]) - w / Real(2);  // the images that meet
+    const Real radii = bodies.radius[pair.i] + bodies.radius[pair.j];
+    const Real c = dot(d, d) - radii * radii;
+    if (c <= 0) return {Real(0), d};
+    const Real a = dot(w, w), b = dot(d, w), root = b * b - a * c;
+    if (!(b < 0) || root < 0) return {Real(2), d};
+    const Real t = c / (-b + std::sqrt(root));
+    return {t, d + w * t};
+  }
+};
+
+/// Kernel: 1 for pairs that meet in the step.
+template <class V>
+struct MarkImpact {
+  FindImpact<V> find;
+  Span<const Pair> pairs;
+  Span<int> is_hit;
+  HOST_DEVICE void operator()(int k) const { is_hit[k] = find(pairs[k]).time <= 1; }
+};
+
+/// Kernel: keeps the pairs that are marked, in their order.
+struct KeepMarked {
+  Span<const Pair> pairs;
+  Span<const int> place;  ///< one more than pairs
+  Span<Pair> kept;
+  HOST_DEVICE void operator()(int k) const {
+    if (place[k + 1] > place[k]) kept[place[k]] = pairs[k];
+  }
+};
+
+/// Kernel: where the kept pairs of body i begin.
+struct KeepRows {
+  Span<const int> first, place;
+  Span<int> kept;
+  HOST_DEVICE void operator()(int i) const { kept[i] = place[first[i]]; }
+};
+
+/// Kernel: contact c as it is when its bodies meet.
+template <class V>
+struct MeasureImpact {
+  using Real = Scalar<V>;
+  FindImpact<V> find;
+  Span<const V> kick;
+  Span<const Pair> pairs;
+  Span<ContactGeometry<V>> geometry;
+  Span<Real> time;
+
+  HOST_DEVICE void operator()(int c) const {
+    const Pair pair = pairs[c];
+    const Impact<V> impact = find(pair);
+    time[c] = impact.time;
+    if (impact.time <= 0) return;  // they overlap already, and were measured so
+    const V normal = impact.apart / std::sqrt(dot(impact.apart, impact.apart));
+    V parting = find.bodies.velocity[pair.j] - find.bodies.velocity[pair.i];
+    if (!kick.empty()) parting += (kick[pair.j] - kick[pair.i]) * impact.time;
+    geometry[c] = {normal, Real(0), dot(parting, normal)};
+  }
+};
+
+/// Kernel: when body i meets its first contact.
+template <class V>
+struct FindFirst {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;
+  Box<V> box;
+  ContactsView<V> contacts;
+  Span<const V> way;
+  Span<const Real> time;  ///< of each contact
+  Span<Real> first;
+
+  HOST_DEVICE void operator()(int i) const {
+    const V p = bodies.position[i];
+    const Real radius = bodies.radius[i];
+    Real earliest = 1;
+    contacts.for_each_of(i, [&](int c, int, int) {
+      if (time[c] < earliest) earliest = time[c];
+    });
+    box.for_each_wall_on_way(p, p + way[i], radius, [&](int axis, int side, Real overlap) {
+      const Real gap = (side < 0 ? p[axis] - box.min[axis] : box.max[axis] - p[axis]) - radius;
+      const Real met = overlap > 0 || gap <= 0 ? Real(0) : gap / std::fabs(way[i][axis]);
+      if (met < earliest) earliest = met;
+    });
+    first[i] = earliest;
+  }
+};
+
+/// Kernel: where body i is after the step, and with which velocity: on its parabola up to its first contact, then with
+/// the velocity that the response gives it, and not through a wall. One that meets walls alone bounces exactly.
+template <class V>
+struct SweptDrift {
+  using Real = Scalar<V>;
+  BodiesView<V> bodies;  ///< before the step
+  Box<V> box;
+  ContactsView<V> contacts;
+  Sweep<V> sweep;
+  Span<const V> responded;   ///< velocities by the response
+  Span<const V> correction;  ///< [m]
+  Span<const V> kicked;      ///< velocities after the kick
+  V change;                  ///< g·dt [m/s]
+  Real dt, wall_restitution;
+  Span<V> position, velocity;
+  ImpulseNotes<V> notes;
+
+  HOST_DEVICE void operator()(int i) const {
+    if (!box.is_periodic() && contacts.count_of(i) == 0 && is_inside(i)) {
+      bounce(i);
+      return;
+    }
+    const V p = bodies.position[i], kick = sweep.kick_of(i), after = responded[i];
+    const Real before = sweep.first[i], rest = 1 - before;
+    V end = p + sweep.way[i] * before + after * (rest * dt) + correction[i];
+    if (!sweep.kick.empty()) {
+      end -= kick * (before * rest * dt / 2);  // from the chord to the parabola
+      if (is_flying(i)) end -= kick * (rest * rest * dt / 2);
+    }
+    if (!box.is_periodic()) keep_inside(p, bodies.radius[i], end);
+    position[i] = end;
+    velocity[i] = after;
+    if (notes.are_kept() && !box.is_periodic() && change[1] < 0) {  // what lies on the floor was not kicked
+      notes.floor[i] += (kicked[i] - bodies.velocity[i] - change)[1] / bodies.inverse_mass[i];
+    }
+  }
+
+ private:
+  static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // not called on a device
+
+  /// Whether body i is between the walls, but for rounding.
+  HOST_DEVICE bool is_inside(int i) const {
+    bool is_held = true;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      const Real p = bodies.position[i][axis], low = low_of(i, axis), high = high_of(i, axis);
+      const Real rounded = 8 * kEpsilon * (std::fabs(box.min[axis]) + bodies.radius[i]);
+      is_held = is_held & (low <= high) & (p >= low - rounded) & (p <= high + rounded);
+    }
+    return is_held;
+  }
+
+  HOST_DEVICE Real low_of(int i, int axis) const { return box.min[axis] + bodies.radius[i]; }
+  HOST_DEVICE Real high_of(int i, int axis) const {
+    return axis == 1 && box.boundary == Boundary::open_top ? box.kFar : box.max[axis] - bodies.radius[i];
+  }
+
+  HOST_DEVICE void bounce(int i) const {
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      Real p = bodies.position[i][axis], v = bodies.velocity[i][axis];
+      const BetweenWalls<Real> walls{low_of(i, axis), high_of(i, axis), change[axis] / dt, wall_restitution};
+      const Real given = walls.fly(p, v, dt);
+      if (notes.are_kept() && axis == 1) notes.floor[i] = given / bodies.inverse_mass[i];
+      position[i][axis] = p;
+      velocity[i][axis] = v;
+    }
+  }
+
+  /// Whether body i parts from all that it meets: what does not part is held, and does not fall in the rest of the step.
+  HOST_DEVICE bool is_flying(int i) const {
+    const V own = responded[i];
+    const Real least = Real(0.01) * std::sqrt(dot(change, change));
+    bool is_free = true;
+    contacts.for_each_of(i, [&](int c, int other, int side) {
+      is_free = is_free & (dot(responded[other] - own, contacts.geometry[c].normal) * Real(side) > least);
+    });
+    const V p = bodies.position[i];
+    box.for_each_wall_on_way(p, p + sweep.way[i], bodies.radius[i],
+                             [&](int axis, int side, Real) { is_free = is_free & (-Real(side) * own[axis] > least); });
+    return is_free;
+  }
+
+  /// A sphere that did not overlap a wall does not after its way, either.
+  HOST_DEVICE void keep_inside(const V& p, Real radius, V& end) const {
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      const Real low = box.min[axis] + radius, high = box.max[axis] - radius;
+      const Real least = p[axis] < low ? p[axis] : low, most = p[axis] > high ? p[axis] : high;
+      if (end[axis] < least) end[axis] = least;
+      if (end[axis] > most && !(axis == 1 && box.boundary == Boundary::open_top)) end[axis] = most;
+    }
+  }
+};
+
+template <class V, class Exec>
+class SweptContacts {
+  using Real = Scalar<V>;
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+ public:
+  /// The contacts of a step of dt that begins at the state's positions and velocities.
+  ContactsView<V> find(StepState<V, Exec>& state, Real dt) {
+    Exec& exec = state.exec();
+    const Box<V>& box = state.box();
+    kick(exec, state, dt);
+    const BodiesView<V> bodies = this->bodies(state);
+    cover_ways(exec, bodies, box, dt);
+    search(state);
+    keep_impacts(exec, bodies, box);
+    list_.build(exec, pairs_.span(), first_.span(), bodies, box);
+    time_.resize(pairs_.size());
+    exec.parallel_for(
+        "measure impacts", pairs_.size(),
+        MeasureImpact<V>{finder(bodies, box), kick_.span(), pairs_.span(), list_.geometry(), time_.span()});
+    met_.resize(bodies.size());
+    exec.parallel_for("find first impacts", bodies.size(),
+                      FindFirst<V>{bodies, box, list_.view(), way_.span(), time_.span(), met_.span()});
+    return list_.view();
+  }
+
+  /// The bodies with the velocities that they begin the step with: what lies on a wall has none against it. After find().
+  BodiesView<V> bodies(const StepState<V, Exec>& state) const {
+    BodiesView<V> bodies = state.bodies();
+    if (kick_.size() > 0) bodies.velocity = start_.span();
+    return bodies;
+  }
+
+  /// How bodies move and when contacts are met; after find().
+  Sweep<V> sweep() const { return {way_.span(), kick_.span(), met_.span(), time_.span()}; }
+
+  /// Velocities after the kick; those of the state without gravity. After find().
+  Span<const V> kicked(const StepState<V, Exec>& state) const {
+    return kick_.size() > 0 ? kicked_.span() : state.bodies().velocity;
+  }
+
+  int64_t bytes() const {
+    return way_.bytes() + middle_.bytes() + start_.bytes() + kick_.bytes() + kicked_.bytes() + reach_.bytes() +
+           met_.bytes() + is_hit_.bytes() + place_.bytes() + first_.bytes() + pairs_.bytes() + time_.bytes() +
+           detector_.bytes();
+  }
+
+ private:
+  FindImpact<V> finder(const BodiesView<V>& bodies, const Box<V>& box) const {
+    return {bodies, box, way_.span(), middle_.span()};
+  }
+
+  void kick(Exec& exec, StepState<V, Exec>& state, Real dt) {
+    if (!state.has_gravity()) return;
+    const int64_t n = state.count();
+    for (Buffer<V>* buffer : {&start_, &kick_, &kicked_}) buffer->resize(n);
+    exec.parallel_for("kick", n,
+                      KickUnlessHeld<V>{state.bodies(), state.box(), state.gravity() * dt, dt, start_.span(),
+                                        kick_.span(), kicked_.span()});
+  }
+
+  void cover_ways(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Real dt) {
+    const int64_t n = bodies.size();
+    way_.resize(n);
+    middle_.resize(n);
+    reach_.resize(n);
+    exec.parallel_for("sweep bodies", n,
+                      SweepBody<V>{bodies, box, kick_.span(), dt, way_.span(), middle_.span(), reach_.span()});
+  }
+
+  void search(StepState<V, Exec>& state) {
+    Exec& exec = state.exec();
+    BroadPhaseParameters<V> parameters = state.parameters();
+    const double reach = reduce(exec, "largest reach", reach_.size(), 0.0, ReachAt<Real>{reach_.span()}, Largest{});
+    check_period(state.box(), reach);
+    parameters.classes = {{static_cast<Real>(reach), reach_.size()}};
+    detector_.plan(state.choice().method, parameters, 0);
+    BodiesView<V> swept = state.bodies();
+    swept.position = middle_.span();
+    swept.radius = {reach_.span().data(), 1};
+    detector_.find(exec, swept);
+  }
+
+  /// A pair must meet across one border of a periodic domain only.
+  static void check_period(const Box<V>& box, double reach) {
+    for (int axis = 0; box.is_periodic() && axis < kDimensions<V>; ++axis) {
+      const double period = double(box.max[axis]) - double(box.min[axis]);
+      if (4 * reach <= period) continue;
+      std::ostringstream message;
+      message << "a sphere and its way in a step reach over " << 2 * reach << " m, allowed in a periodic domain of "
+              << period << " m is half of that";
+      throw RunError("--swept", message.str(), "a smaller --dt helps");
+    }
+  }
+
+  void keep_impacts(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
+    const Span<const Pair> candidates = detector_.pairs();
+    is_hit_.resize(candidates.size());
+    place_.resize(candidates.size() + 1);
+    exec.parallel_for("find impacts", candidates.size(),
+                      MarkImpact<V>{finder(bodies, box), candidates, is_hit_.span()});
+    pairs_.resize(exec.exclusive_scan("scan impacts", is_hit_.span(), place_.span()));
+    exec.parallel_for("keep impacts", candidates.size(), KeepMarked{candidates, place_.span(), pairs_.span()});
+    first_.resize(bodies.size() + 1);
+    exec.parallel_for("keep impacts", first_.size(), KeepRows{detector_.first(), place_.span(), first_.span()});
+  }
+
+  Detector<V, Exec> detector_;
+  ContactList<V, Exec> list_;
+  Buffer<V> way_, middle_, start_, kick_, kicked_;
+  Buffer<Real> reach_, time_;
+  Buffer<Real> met_;  // when each body meets its first contact
+  Buffer<int> is_hit_, place_, first_;
+  Buffer<Pair> pairs_;
+};
+
+}  // namespace ballpit

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Writes bodies as the vertex shader reads them, in the order of their ids, by the processor that steps them: where that is the one
+// that draws, no place of a sphere ever leaves its memory.
+#pragma once
+
+#include "bodies/bodies_view.h"
+#include "bodies/body_snapshot.h"
+#include "bodies/pair.h"
+#include "core/span.h"
+#include "exec/atomics.h"
+#include "world/step_state.h"
+
+namespace ballpit {
+
+template <class V>
+HOST_DEVICE void write_body(const BodyTarget& target, int64_t id, const V& position, double radius) {
+  constexpr int d = kDimensions<V>;
+  for (int axis = 0; axis < d; ++axis) target.position[id * d + axis] = static_cast<float>(position[axis]);
+  if (!target.radius.empty()) target.radius[id] = static_cast<float>(radius);
+}
+
+/// Kernel: the bodies of pair k touch.
+struct NoteTouching {
+  Span<const Pair> pairs;
+  Span<int> touching;  // by place
+  HOST_DEVICE void operator()(int k) const {
+    atomic_exchange(&touching[pairs[k].i], 1);
+    atomic_exchange(&touching[pairs[k].j], 1);
+  }
+};
+
+/// Kernel: the body that is kept at a place.
+template <class V>
+struct WriteBody {
+  BodiesView<V> bodies;
+  Span<const int> id_at, touching;
+  BodyTarget target;
+
+  HOST_DEVICE void operator()(int place) const {
+    const int id = id_at.empty() ? place : id_at[place];
+    write_body(target, id, bodies.position[place], double(bodies.radius[place]));
+    target.touching[id] = static_cast<uint8_t>(touching[place]);
+  }
+};
+
+template <class V, class Exec>
+void write_bodies(StepState<V, Exec>& state, const BodyTarget& target) {
+  Exec& exec = state.exec();
+  const Span<const Pair> pairs = state.pairs();
+  const Span<int> touching = exec.template scratch<int>(0, state.count());
+  exec.fill("write bodies", touching, 0);
+  exec.parallel_for("write bodies", pairs.size(), NoteTouching{pairs, touching});
+  exec.parallel_for("write bodies", state.count(),
+                    WriteBody<V>{state.bodies(), state.order().id_at(), touching, target});
+}
+
+}  // namespace ballpit

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Going back and forward again: by every response, to the same bits.
+#include <catch2/catch.hpp>
+
+#include "tests/support/timeline_run.h"
+
+using namespace ballpit;
+
+TEST_CASE("by every response, in both precisions, what was is there again to the bit, and goes on by the same bits") {
+  int turn = 0;
+  for (const Kind& kind : kinds()) {
+    for (const char* const precision : {"float", "double"}) {
+      for (const double skin : {0.0, 0.1}) {
+        const int dimensions = 2 + turn % 2;
+        const Boundary boundary = turn / 2 % 2 == 0 ? Boundary::walls : Boundary::periodic;
+        const Scene scene = crowd(dimensions, dimensions == 2 ? 8 : 4, kind, boundary);
+        Settings settings = settings_of(kind, turn++);
+        settings.precision = precision;
+        settings.skin = skin;
+        INFO(kind << ", " << precision << ", skin " << skin << ", " << settings.broadphase);
+        for (const int64_t budget : {Timeline::kBudget, int64_t(0)}) {  // each step is kept, or none but the first
+          Run run(scene, settings, budget);
+          run.first_time(40);
+          CHECK(run.seen.at(40).collisions > 0);
+          for (const int64_t step : {39, 38, 17, 0, 16, 40, 1}) run.check_from(step, step == 0 ? 40 : 3);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("so many spheres that they are sorted in memory are there again in their order") {
+  // Sorted before steps 1 and 65. Between, positions and velocities alone would not do: forces are summed in their order.
+  int turn = 0;
+  for (const Kind& kind : keepers()) {
+    const Scene scene = crowd(2, 65, kind);
+    REQUIRE(scene.bodies.size() >= 4096);
+    Settings settings = settings_of(kind, turn);
+    settings.broadphase = "sorted-grid";
+    settings.precision = turn % 2 == 0 ? "float" : "double";
+    settings.skin = turn++ % 3 * 0.05;
+    Run run(scene, settings, turn % 2 == 0 ? Timeline::kBudget : 2'000'000);
+    run.first_time(72, {0, 1, 40, 60, 64, 65, 70, 72});
+    INFO(kind << ", " << settings.precision << ", bytes " << run.timeline.bytes());
+    for (const int64_t step : {70, 58, 63, 39, 0}) run.check_from(step, step == 58 ? 14 : 2);
+  }
+}
+
+TEST_CASE("what is ahead is stepped on as if nobody had gone back") {
+  for (const Kind& kind : keepers()) {
+    const Scene scene = crowd(3, 4, kind);
+    Run back(scene, settings_of(kind), 30'000), ahead(scene, settings_of(kind));
+    for (int k = 0; k < 30; ++k) back.timeline.step();
+    for (const int64_t step : {3, 25, 8}) back.timeline.go_to(step);
+    while (back.timeline.step_now() < 80) back.timeline.step();
+    ahead.first_time(80);
+    INFO(kind);
+    CHECK(back.timeline.furthest() == 80);
+    CHECK(moment_of(*back.world) == ahead.seen.at(80));
+  }
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+#include "tests/support/scenes.h"
+
+namespace ballpit {
+
+namespace {
+
+bool comes_before(const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
+
+template <class Real>
+std::vector<Pair> pairs_in(const Scene& scene) {
+  const bool is_periodic = scene.domain.boundary == Boundary::periodic;
+  const size_t n = scene.bodies.position.size();
+  std::vector<glm::vec<3, Real>> position;
+  for (const Vec3d& p : scene.bodies.position) position.emplace_back(p);
+  const std::vector<Real> radius(scene.bodies.radius.begin(), scene.bodies.radius.end());
+  Real period[3];
+  for (int axis = 0; axis < 3; ++axis) period[axis] = Real(scene.domain.max[axis]) - Real(scene.domain.min[axis]);
+  std::vector<Pair> pairs;
+  for (size_t i = 0; i < n; ++i) {
+    for (size_t j = i + 1; j < n; ++j) {
+      Real squared = 0;
+      for (int axis = 0; axis < scene.domain.dimensions; ++axis) {
+        Real d = position[j][axis] - position[i][axis];
+        if (is_periodic) d -= period[axis] * std::round(d / period[axis]);
+        squared += d * d;
+      }
+      const Real radii = radius[i] + radius[j];
+      if (squared <= radii * radii) pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<Pair> pairs_by_definition(const Scene& scene) { return pairs_in<float>(scene); }
+
+std::vector<Pair> pairs_by_definition_in_double(const Scene& scene) { return pairs_in<double>(scene); }
+
+std::vector<Pair> pairs_by_sweep(const Spheres& spheres) {
+  std::vector<Pair> pairs;
+  if (spheres.position.empty()) return pairs;
+  Vec3 low = spheres.position[0], high = low;
+  for (const Vec3& p : spheres.position) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const Vec3 size = high - low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  std::vector<int> order(spheres.position.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return spheres.position[static_cast<size_t>(a)][axis] < spheres.position[static_cast<size_t>(b)][axis];
+  });
+  struct Sphere {
+    double x, y, z, radius;
+    int body;
+  };
+  std::vector<Sphere> sorted;
+  double largest = 0;
+  for (const int body : order) {
+    const Vec3d p(spheres.position[static_cast<size_t>(body)]);
+    sorted.push_back({p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3], spheres.radius_of(body), body});
+    largest = std::max(largest, sorted.back().radius);
+  }
+  for (size_t a = 0; a < sorted.size(); ++a) {
+    const Sphere& s = sorted[a];
+    for (size_t b = a + 1; b < sorted.size() && sorted[b].x - s.x <= s.radius + largest; ++b) {
+      const Sphere& t = sorted[b];
+      const double dx = t.x - s.x, dy = t.y - s.y, dz = t.z - s.z, radii = s.radius + t.radius;
+      if (dx * dx + dy * dy + dz * dz <= radii * radii) {
+        pairs.push_back({std::min(s.body, t.body), std::max(s.body, t.body)});
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(), comes_before);
+  return pairs;
+}
+
+std::string difference(const std::vector<Pair>& found, const std::vector<Pair>& expected) {
+  if (found == expected) return "";
+  std::vector<Pair> a = found, b = expected, missing, extra;
+  std::sort(a.begin(), a.end(), comes_before);
+  std::sort(b.begin(), b.end(), comes_before);
+  std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(missing), comes_before);
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(extra), comes_before);
+  std::ostringstream text;
+  text << "of " << expected.size() << " pairs, ";
+  for (const auto& [what, pairs] : {std::pair{"missing", &missing}, std::pair{"too many", &extra}}) {
+    text << pairs->size() << ' ' << what;
+    for (size_t k = 0; k < std::min<size_t>(3, pairs->size()); ++k) {
+      text << " (" << (*pairs)[k].i << ", " << (*pairs)[k].j << ')';
+    }
+    text << "; ";
+  }
+  if (missing.empty() && extra.empty()) text << "but not in canonical order";
+  return text.str();
+}
+
+Scene scene_of(const Spheres& spheres, int dimensions) {
+  Scene scene;
+  Vec3d low(0.0), high(1.0);
+  if (!spheres.position.empty()) low = high = Vec3d(spheres.position[0]);
+  for (int64_t i = 0; i < spheres.count(); ++i) {
+    const Vec3d p(spheres.position[static_cast<size_t>(i)]);
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+    add_sphere(scene, dimensions == 2 ? Vec3d(p.x, p.y, 0) : p, Vec3d(0.0), spheres.radius_of(i));
+  }
+  scene.domain = {low - 1.0, high + 1.0, Boundary::walls, dimensions};
+  if (dimensions == 2) scene.domain.min.z = scene.domain.max.z = 0;
+  return scene;
+}
+
+Spheres spheres_of(const Scene& scene) {
+  Spheres spheres;
+  for (const Vec3d& p : scene.bodies.position) spheres.position.emplace_back(p);
+  spheres.radius.assign(scene.bodies.radius.begin(), scene.bodies.radius.end());
+  const std::vector<float>& radius = spheres.radius;
+  if (std::all_of(radius.begin(), radius.end(), [&](float r) { return r == radius[0]; }) && !radius.empty()) {
+    spheres.radius.resize(1);
+  }
+  return spheres;
+}
+
+}  // namespace ballpit

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Scenes made in code for the tests, and worlds on the CPU.
+#pragma once
+
+#include <cmath>
+#include <memory>
+
+#include "core/random.h"
+#include "scene/scene.h"
+#include "world/world.h"
+
+namespace ballpit {
+
+/// Spheres dropped at random into [low, high], overlaps and all: what a broad phase must cope with.
+struct Cloud {
+  int count = 300;
+  int dimensions = 3;
+  double low = -1.0, high = 1.0;           ///< [m] the domain, along each axis
+  double smallest = 0.05, largest = 0.05;  ///< [m] radii
+  double snap = 0.0;                       ///< centres lie on multiples of it, where above 0
+  int clusters = 0;                        ///< where above 0, centres gather around as many points
+  Boundary boundary = Boundary::walls;
+  Vec3d stretch{1.0};           ///< the domain's length along each axis, as a factor
+  double scatter = 0.1;         ///< distance from a cluster's point, as a fraction of the domain
+  double huge = 0.0;            ///< [m] radius of the first sphere, where above 0
+  double above = 0.0;           ///< [m] how far above the domain's top centres may lie
+  bool is_log_uniform = false;  ///< radii are spread evenly by their logarithm
+};
+
+inline void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity = Vec3d(0.0), double radius = 0.05,
+                       double mass = 1.0) {
+  scene.bodies.position.push_back(position);
+  scene.bodies.velocity.push_back(velocity);
+  scene.bodies.radius.push_back(radius);
+  scene.bodies.mass.push_back(mass);
+}
+
+inline Scene make_cloud(const Cloud& cloud, uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  const Vec3d low(cloud.low), high = low + (cloud.high - cloud.low) * cloud.stretch;
+  const Vec3d top = high + Vec3d(0, cloud.above, 0);
+  scene.domain = {low, high, cloud.boundary, cloud.dimensions};
+  std::vector<Vec3d> centers;
+  for (int k = 0; k < cloud.clusters; ++k) centers.push_back(random.uniform(low, top));
+  for (int i = 0; i < cloud.count; ++i) {
+    double radius = random.uniform(cloud.smallest, cloud.largest);
+    if (cloud.is_log_uniform) {
+      radius = cloud.smallest * std::pow(cloud.largest / cloud.smallest, random.uniform());
+    }
+    if (cloud.huge > 0 && i == 0) radius = cloud.huge;
+    Vec3d p = random.uniform(low, top);
+    if (!centers.empty()) {
+      p = centers[static_cast<size_t>(i % cloud.clusters)] +
+          cloud.scatter * (cloud.high - cloud.low) * random.direction(3);
+    }
+    if (cloud.snap > 0) p = glm::round(p / cloud.snap) * cloud.snap;
+    p = glm::clamp(p, low, top);
+    if (cloud.dimensions == 2) p.z = 0;
+    add_sphere(scene, p, random.uniform() * random.direction(cloud.dimensions), radius);
+  }
+  return scene;
+}
+
+inline std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settings = {}) {
+  return cpu_backend().make_world(scene, settings);
+}
+
+}  // namespace ballpit

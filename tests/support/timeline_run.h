@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Worlds with timelines for the tests, and what is to be the same after going back.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "show/timeline.h"
+#include "tests/support/hits.h"
+
+namespace ballpit {
+
+/// A response with what it goes by.
+struct Kind {
+  std::string response;
+  std::string integrator = "auto";
+  double restitution = 0.7;
+  bool is_swept = false;
+  std::string solver = "jacobi";
+};
+
+/// Without losses velocity Verlet keeps accelerations from step to step; event-driven spheres keep their latest events.
+inline std::vector<Kind> kinds() {
+  return {{"kinematic"},
+          {"kinematic", "auto", 0.9, true},
+          {"impulse"},
+          {"impulse", "auto", 0.7, false, "gauss-seidel"},
+          {"impulse", "auto", 0.7, true},
+          {"penalty", "velocity-verlet"},
+          {"penalty", "velocity-verlet", 1.0},
+          {"penalty", "symplectic-euler"},
+          {"penalty", "explicit-euler"},
+          {"penalty", "rk4"},
+          {"position-based"},
+          {"event-driven"}};
+}
+
+/// One of its kind for each thing that a world may keep for each body.
+inline std::vector<Kind> keepers() {
+  return {{"kinematic"}, {"impulse"}, {"penalty", "velocity-verlet", 1.0}, {"penalty", "rk4"}, {"position-based"}};
+}
+
+inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
+  return out << kind.response << ", integrator " << kind.integrator << ", e = " << kind.restitution
+             << (kind.is_swept ? ", swept, " : ", ") << kind.solver;
+}
+
+inline Settings settings_of(const Kind& kind, int turn = 0) {
+  constexpr const char* kBroadPhases[] = {"linked-cell", "sort-and-sweep", "sorted-grid", "brute-force", "auto"};
+  Settings settings = settings_of(kind.response, 1.0 / 480, kind.integrator);
+  settings.solver = kind.solver;
+  settings.is_swept = kind.is_swept;
+  settings.broadphase = kBroadPhases[turn % 5];
+  settings.threads = 1 + turn % 2;
+  settings.max_energy = 1e15;  // explicit Euler gains it
+  settings.keeps_tally = true;
+  return settings;
+}
+
+/// Spheres of various sizes and masses about a lattice, all moving, so close that some soon touch: in a box with gravity,
+/// or in a periodic one without.
+inline Scene crowd(int dimensions, int side, const Kind& kind, Boundary boundary = Boundary::walls) {
+  constexpr double kPitch = 0.13;
+  const double largest = kind.response == "event-driven" ? 0.05 : 0.07;  // there none may overlap
+  Random random(7);
+  Scene scene;
+  scene.domain = {Vec3d(0.0), Vec3d(side * kPitch), boundary, dimensions};
+  if (boundary != Boundary::periodic) scene.physics.gravity = {0, -9.81, 0};
+  scene.physics.restitution = scene.physics.wall_restitution = kind.restitution;
+  scene.physics.stiffness = 1e4;  // about 20 steps a contact
+  for (int k = 0; k < side * side * (dimensions == 2 ? 1 : side); ++k) {
+    const Vec3d cell(k % side, k / side % side, dimensions == 2 ? -0.5 : k / side / side);
+    const double radius = random.uniform(0.04, largest);
+    Vec3d p = kPitch * (cell + 0.5);
+    for (int axis = 0; axis < dimensions; ++axis) p[axis] += random.uniform(-0.01, 0.01);
+    add_sphere(scene, p, random.uniform(0.0, 2.0) * random.direction(dimensions), radius, std::pow(radius / 0.06, 3));
+  }
+  return scene;
+}
+
+/// What is to be the same again.
+struct Moment {
+  uint64_t state_hash;
+  int64_t steps, collisions, events;
+  double virial, floor_impulse, good_time;
+  std::vector<Vec3d> good_position;
+
+  /// Sums over contacts may be bracketed otherwise: the candidate list, of which the penalty response sums up all pairs, may
+  /// be another. All else is the same to the bit.
+  bool operator==(const Moment& other) const {
+    return state_hash == other.state_hash && steps == other.steps && collisions == other.collisions &&
+           events == other.events && virial == Approx(other.virial).epsilon(1e-12) &&
+           floor_impulse == other.floor_impulse && good_time == other.good_time && good_position == other.good_position;
+  }
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Moment& moment) {
+  return out << "hash " << moment.state_hash << ", steps " << moment.steps << ", collisions " << moment.collisions
+             << ", events " << moment.events << ", virial " << moment.virial << ", last good at " << moment.good_time;
+}
+
+inline Moment moment_of(World& world) {
+  const Report report = world.report();
+  return {
+      report.state_hash,          report.steps,           report.tally.collisions,   report.events, report.tally.virial,
+      report.tally.floor_impulse, world.last_good_time(), world.last_good().position};
+}
+
+/// A world with its timeline, and the moments that were seen when it first was there.
+struct Run {
+  std::unique_ptr<World> world;
+  Timeline timeline;
+  std::map<int64_t, Moment> seen;
+
+  Run(const Scene& scene, const Settings& settings, int64_t budget = Timeline::kBudget)
+      : world(make_cpu_world(scene, settings)), timeline(*world, settings.dt, budget) {}
+
+  /// Steps so far, and looks at those that are to be compared; at all if none is named.
+  void first_time(int64_t steps, const std::set<int64_t>& looked_at = {}) {
+    for (int64_t k = 0;; ++k) {
+      if (looked_at.empty() || looked_at.contains(k)) seen.emplace(k, moment_of(*world));
+      if (k == steps) return;
+      timeline.step();
+    }
+  }
+
+  void check_now() {
+    const auto then = seen.find(timeline.step_now());
+    if (then != seen.end()) CHECK(moment_of(*world) == then->second);
+  }
+
+  /// Goes there, and on for some steps.
+  void check_from(int64_t step, int64_t more) {
+    const int64_t furthest = timeline.furthest();
+    CHECK(timeline.go_to(step));
+    INFO("at step " << step);
+    REQUIRE(timeline.step_now() == step);
+    check_now();
+    for (int64_t k = 0; k < more && timeline.step_now() < furthest; ++k) {
+      INFO("and " << k + 1 << " steps");
+      timeline.step();
+      check_now();
+    }
+    CHECK(timeline.furthest() == furthest);
+  }
+};
+
+}  // namespace ballpit

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Thousands of keys, clicks, drags, turns of the wheel, letters and sizes at random: whatever hands do, the demonstration goes on. The
+// acts are the same each time; how many steps a world makes between them depends on the machine, as it does in a window.
+#include <algorithm>
+#include <array>
+#include <ctime>
+
+#include <catch2/catch.hpp>
+
+#include "core/random.h"
+#include "tests/support/desk.h"
+#include "tests/support/run_program.h"
+#include "window/saver.h"
+
+using namespace ballpit;
+
+namespace {
+
+/// Those that are filled within a moment.
+constexpr std::array kScenes{"lecture-grid", "lecture-sweep", "two-spheres", "oblique-pair", "bouncing-ball",
+                             "cradle",       "stack",         "mass-ratio",  "bullet",       "open-box"};
+constexpr std::array kEditing{256, 257, 258, 259, 261, 262, 263, 268, 269};  // Escape, Enter, Tab, Backspace, Delete, …
+
+class Monkey {
+ public:
+  explicit Monkey(uint64_t seed) : random_(seed) {}
+
+  void act() {
+    static constexpr std::array kActions{&Monkey::press, &Monkey::click,  &Monkey::click,  &Monkey::drag,
+                                         &Monkey::drag,  &Monkey::type,   &Monkey::scroll, &Monkey::turn,
+                                         &Monkey::pick,  &Monkey::resize, &Monkey::scrub,  &Monkey::restage,
+                                         &Monkey::play,  &Monkey::play};
+    (this->*kActions[below(kActions.size())])();
+    fulfil();
+    desk_.demo.advance(0.01, 0.002);
+  }
+
+  Desk& desk() { return desk_; }
+
+ private:
+  double uniform() { return random_.uniform(0, 1); }
+  size_t below(size_t count) { return std::min(static_cast<size_t>(uniform() * double(count)), count - 1); }
+  float part() { return static_cast<float>(uniform()); }
+  Vec2 anywhere() {
+    return Vec2(1.2f * part() - 0.1f, 1.2f * part() - 0.1f) * Vec2(desk_.renderer.width(), desk_.renderer.height());
+  }
+
+  /// An item of the panel, in view; scenes are restage()'s.
+  std::optional<ItemRect> any_item() {
+    const auto& items = desk_.panel.items();
+    if (items.empty()) return std::nullopt;
+    const std::string name = std::next(items.begin(), static_cast<std::ptrdiff_t>(below(items.size())))->first;
+    if (name.rfind("scene", 0) == 0) return std::nullopt;
+    desk_.panel.reveal(name);
+    desk_.rest();
+    if (!desk_.has(name)) return std::nullopt;
+    return desk_.panel.items().at(name);
+  }
+  Vec2 within(const ItemRect& rect) { return rect.low + Vec2(part(), part()) * (rect.high - rect.low); }
+
+  void move(Vec2 at, bool is_down) { desk_.frame(PanelInput{.mouse = at, .is_down = is_down}); }
+
+  void press() {
+    const auto keys = key_table();
+    desk_.demo.perform(keys[below(keys.size())]);
+    desk_.frame(PanelInput{});
+  }
+  void click() {
+    const auto item = any_item();
+    const Vec2 at = item ? within(*item) : anywhere();
+    for (const bool is_down : {false, true, false}) move(at, is_down);
+  }
+  void drag() {
+    const auto item = any_item();
+    Vec2 at = item ? within(*item) : anywhere();
+    move(at, false);
+    move(at, true);
+    for (size_t k = below(4); k > 0; --k) move(at = item && uniform() < 0.7 ? within(*item) : anywhere(), true);
+    move(at, false);
+  }
+  /// A double click on a slider or a field selects what is in it; letters go wherever the cursor is.
+  void type() {
+    if (const auto item = any_item()) {
+      const Vec2 at = within(*item);
+      for (const bool is_down : {false, true, false, true, false}) move(at, is_down);
+    }
+    static constexpr std::array kTexts{U"1", U"0",     U"-1",   U"1e9", U"nan",
+                                       U"",  U"0.001", U"much", U"ü→😀", U"999999999999999999999"};
+    for (size_t k = below(4); k > 0; --k) {
+      desk_.frame(PanelInput{.typed = kTexts[below(kTexts.size())]});
+      const int key = kEditing[below(kEditing.size())];
+      for (const bool is_down : {true, false}) desk_.frame(PanelInput{.keys = {{key, is_down}}});
+    }
+    for (const bool is_down : {true, false}) desk_.frame(PanelInput{.keys = {{257, is_down}}});
+  }
+  void scroll() {
+    desk_.frame(PanelInput{.mouse = anywhere(), .wheel = 20 * part() - 10});
+    desk_.demo.view.zoom_by(40 * part() - 20);
+    desk_.demo.touch();
+  }
+  void turn() {
+    desk_.demo.view.orbit(8 * part() - 4, 8 * part() - 4);
+    desk_.demo.touch();
+  }
+  void pick() {
+    const FrameView view = desk_.demo.frame_view(1.5f);
+    desk_.demo.view.selected = body_at(view.camera, view.inspection.bodies, {2 * part() - 1, 2 * part() - 1});
+    desk_.demo.touch();
+  }
+  void resize() {
+    const bool is_tiny = uniform() < 0.2;
+    const auto side = [&](int most) { return 16 + static_cast<int>(part() * static_cast<float>(is_tiny ? 30 : most)); };
+    const int width = side(700);
+    desk_.renderer.resize(width, side(500));
+  }
+  void scrub() {
+    const Timeline& timeline = *desk_.demo.timeline;
+    desk_.demo.go_to(timeline.first() + static_cast<int64_t>(1.1 * uniform() * double(timeline.furthest())) - 5);
+  }
+  void restage() {
+    if (uniform() < 0.3) desk_.demo.load(kScenes[below(kScenes.size())]);
+  }
+  void play() {
+    if (uniform() < 0.1) desk_.demo.player.is_running = true;
+    desk_.demo.advance(0.05, 0.005);
+    desk_.frame(PanelInput{});
+  }
+
+  /// Small pictures and short films in place of what was wished.
+  void fulfil() {
+    PanelWishes& wishes = desk_.panel.wishes;
+    if (wishes.picture) saver_.save_picture({64, 48});
+    if (wishes.state) saver_.save_state();
+    if (wishes.film) saver_.is_filming() ? saver_.stop_film() : saver_.start_film({64, 48}, 5);
+    wishes.picture = wishes.state = wishes.film = false;
+    saver_.go_on();
+    desk_.panel.is_filming = saver_.is_filming();
+  }
+
+  Random random_;
+  Desk desk_{"lecture-grid", 480, 270};
+  Saver saver_{desk_.demo};
+};
+
+}  // namespace
+
+TEST_CASE("three thousand acts at random end no demonstration, and none takes long") {
+  constexpr int kActs = 3000;
+  constexpr double kLongest = 20;  // [s] of processors for one act, also under sanitizers; a fiftieth is usual
+  const Scratch scratch;
+  const Within within(scratch.path());
+  Monkey monkey(7);
+  for (int k = 0; k < kActs; ++k) {
+    const std::clock_t start = std::clock();
+    CAPTURE(k, monkey.desk().demo.message(), monkey.desk().demo.session.scene().name);
+    REQUIRE_NOTHROW(monkey.act());
+    REQUIRE(double(std::clock() - start) / CLOCKS_PER_SEC < kLongest);
+  }
+  Desk& desk = monkey.desk();
+  desk.demo.view.ui_scale = 1;
+  desk.renderer.resize(Desk::kWidth, Desk::kHeight);
+  desk.demo.load("lecture-grid");
+  desk.click_at({1200, 700});  // beside whatever list is open
+  const bool was_running = desk.demo.player.is_running;
+  desk.click("pause");
+  CHECK(desk.demo.player.is_running != was_running);
+}
