@@ -11,8 +11,8 @@
 #pragma once
 
 #include "core/host_device.h"
-#include "core/math.h"
 #include "core/span.h"
+#include "integrate/force_integrator.h"
 
 namespace ballpit {
 
@@ -30,24 +30,18 @@ struct ExplicitEulerStep {
 };
 
 template <class V, class Exec>
-class ExplicitEuler {
+class ExplicitEuler : public ForceIntegrator<V, Exec> {
  public:
-  /// Moves `state` by dt. forces.at(state, duration, counts, acceleration) evaluates them at its present positions.
-  template <class State, class Forces>
-  void step(State& state, Forces& forces, Scalar<V> dt) {
-    acceleration_.resize(state.count());
-    forces.at(state, dt, true, acceleration_.span());
-    state.exec().parallel_for(
-        "drift and kick", state.count() * kDimensions<V>,
-        ExplicitEulerStep<Scalar<V>>{dt, components(Span<const V>(acceleration_.span())),
-                                     components(state.position.span()), components(state.velocity.span())});
-    state.moved();
+  using ForceIntegrator<V, Exec>::ForceIntegrator;
+
+  template <class Bodies>
+  bool after_forces(Bodies& bodies, Scalar<V> dt, int) {
+    bodies.exec().parallel_for(
+        "drift and kick", bodies.count() * kDimensions<V>,
+        ExplicitEulerStep<Scalar<V>>{dt, this->accelerations(), components(bodies.position.span()),
+                                     components(bodies.velocity.span())});
+    return true;
   }
-
-  int64_t bytes() const { return acceleration_.bytes(); }
-
- private:
-  typename Exec::template Buffer<V> acceleration_;
 };
 
 }  // namespace ballpit

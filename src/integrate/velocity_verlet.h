@@ -14,8 +14,8 @@
 #pragma once
 
 #include "core/host_device.h"
-#include "core/math.h"
 #include "core/span.h"
+#include "integrate/force_integrator.h"
 
 namespace ballpit {
 
@@ -43,38 +43,41 @@ struct HalfKick {
   HOST_DEVICE void operator()(int k) const { velocity[k] += acceleration[k] * (dt / 2); }
 };
 
+/// Pass 0 evaluates the forces at the start, where those of the step before do not serve; pass 1 moves the bodies, and evaluates
+/// the forces at the end.
 template <class V, class Exec>
-class VelocityVerlet {
-  using Buffer = typename Exec::template Buffer<V>;
+class VelocityVerlet : public ForceIntegrator<V, Exec> {
+  using Real = Scalar<V>;
 
  public:
-  /// Moves `state` by dt. forces.at(state, duration, counts, acceleration) evaluates them at its present positions.
-  template <class State, class Forces>
-  void step(State& state, Forces& forces, Scalar<V> dt) {
-    Exec& exec = state.exec();
-    const int64_t n = state.count();
-    const Scalar<V> half = dt / 2;
-    if (forces.depend_on_velocity() || acceleration_.size() != n) {
-      acceleration_.resize(n);
-      forces.at(state, half, false, acceleration_.span());
-    }
-    const Span<const V> acceleration = acceleration_.span();
-    exec.parallel_for("half kick and drift", n * kDimensions<V>,
-                      HalfKickAndDrift<Scalar<V>>{dt, components(acceleration), components(state.position.span()),
-                                                  components(state.velocity.span())});
-    state.moved();
-    forces.at(state, forces.depend_on_velocity() ? half : dt, true, acceleration_.span());
-    exec.parallel_for("half kick", n * kDimensions<V>,
-                      HalfKick<Scalar<V>>{dt, components(acceleration), components(state.velocity.span())});
+  using ForceIntegrator<V, Exec>::ForceIntegrator;
+
+  static constexpr int kPasses = 2;
+  static constexpr int kCollisionPass = 1;
+
+  int first_pass(int64_t bodies) const {
+    return this->forces_depend_on_velocity_ || this->acceleration_.size() != bodies ? 0 : 1;
+  }
+  Real duration(Real dt, int pass) const { return pass == 0 || this->forces_depend_on_velocity_ ? dt / 2 : dt; }
+
+  template <class Bodies>
+  bool before_forces(Bodies& bodies, Real dt, int pass) {
+    if (pass == 0) return false;
+    bodies.exec().parallel_for("half kick and drift", bodies.count() * kDimensions<V>,
+                               HalfKickAndDrift<Real>{dt, this->accelerations(), components(bodies.position.span()),
+                                                      components(bodies.velocity.span())});
+    return true;
   }
 
-  /// What is kept for each body.
-  Buffer* kept() { return &acceleration_; }
+  template <class Bodies>
+  bool after_forces(Bodies& bodies, Real dt, int pass) {
+    if (pass == 0) return false;
+    bodies.exec().parallel_for("half kick", bodies.count() * kDimensions<V>,
+                               HalfKick<Real>{dt, this->accelerations(), components(bodies.velocity.span())});
+    return false;
+  }
 
-  int64_t bytes() const { return acceleration_.bytes(); }
-
- private:
-  Buffer acceleration_;
+  auto* kept() { return &this->acceleration_; }
 };
 
 }  // namespace ballpit

@@ -76,6 +76,13 @@ struct HasLeftSkin {
   }
 };
 
+/// What a candidate list is for the present positions.
+enum class ListState {
+  fresh,  ///< it holds every pair that may be in contact
+  due,    ///< it is to be made anew
+  off,    ///< there is none: no skin, or bodies are too fast for it
+};
+
 template <class V, class Exec>
 class CandidateList {
   using Real = Scalar<V>;
@@ -90,13 +97,40 @@ class CandidateList {
   void plan(double skin, double guard) {
     skin_ = static_cast<Real>(skin);
     guard_ = static_cast<Real>(guard);
+    pause_ = 0;
     discard();
   }
 
   bool is_used() const { return skin_ > 0; }
-  void discard() { is_valid_ = false; }
 
-  /// Whether the list still holds every pair that may be in contact.
+  /// Call after exchanging bodies, or sorting them in memory.
+  void discard() {
+    is_valid_ = false;
+    uses_ = kWorthwhile;
+  }
+
+  /// Call after changing positions.
+  void moved() { is_checked_ = false; }
+
+  /// Whether the list serves these bodies, whose radii include `margin` [m].
+  ListState state(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Real margin) {
+    if (!is_used()) return ListState::off;
+    if (margin_ < margin) discard();
+    if (pause_ > 0) {
+      --pause_;
+      return ListState::off;
+    }
+    if (is_valid(exec, bodies, box)) {
+      ++uses_;
+      return ListState::fresh;
+    }
+    if (uses_ >= kWorthwhile) return ListState::due;
+    pause_ = kPause;
+    uses_ = kWorthwhile;
+    return ListState::off;
+  }
+
+  /// Whether every body is still within its skin, so that the list holds every pair that may be in contact.
   bool is_valid(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
     if (!is_valid_ || start_.size() != bodies.size()) return false;
     if (is_checked_) return true;
@@ -104,11 +138,10 @@ class CandidateList {
     return is_checked_ = is_valid_;
   }
 
-  /// To be called by whoever has moved the bodies.
-  void moved() { is_checked_ = false; }
-
-  /// Whether a list that is valid shows that all bodies are inside the domain and finite.
-  bool shows_all_inside() const { return is_clear_; }
+  /// Whether a fresh list shows that all bodies are finite and inside the domain.
+  bool shows_all_inside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
+    return is_used() && pause_ == 0 && is_clear_ && is_valid(exec, bodies, box);
+  }
 
   /// The bodies as the search for the list is to see them.
   BodiesView<V> grown(Exec& exec, const BodiesView<V>& bodies) {
@@ -124,7 +157,9 @@ class CandidateList {
 
   /// Where that search is to leave its rows; start() then notes where the bodies are.
   ContactRows<Exec>& rows() { return rows_; }
-  void start(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
+  void start(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Real margin = 0) {
+    margin_ = margin;
+    uses_ = 1;
     start_.resize(bodies.size());
     exec.parallel_for("note positions", bodies.size(), CopyValues<V>{bodies.position, start_.span()});
     is_clear_ = !any(exec, "check border", bodies.size(), IsNearBorder<V>{bodies, box, skin_});
@@ -135,7 +170,14 @@ class CandidateList {
   int64_t bytes() const { return start_.bytes() + grown_.bytes() + rows_.bytes(); }
 
  private:
+  // Making a list costs about two searches; where one served fewer positions than this, the next is made after a pause.
+  static constexpr int kWorthwhile = 3;
+  static constexpr int kPause = 30;
+
   Real skin_ = 0, guard_ = 0;
+  Real margin_ = 0;         // [m] for which the list was made
+  int uses_ = kWorthwhile;  // positions that it has served
+  int pause_ = 0;           // positions until the next is made
   bool is_valid_ = false;
   bool is_checked_ = false;  // for these positions
   bool is_clear_ = false;    // no skin reaches out of the domain

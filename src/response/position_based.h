@@ -220,7 +220,6 @@ class PositionBasedResponse {
     colours_.build(exec, contacts, n);
     for (int k = 0; k < parameters_.iterations; ++k) move_apart(state, view);
     exec.parallel_for("take velocities", n, TakeVelocity<V>{h, shift_.span(), state.velocity.span()});
-    state.moved();
     if (!state.box().is_periodic()) {
       exec.parallel_for(
           "rebound from walls", n,
@@ -241,7 +240,7 @@ class PositionBasedResponse {
  private:
   template <class State>
   PositionBasedView<V> view_of(State& state, const ContactsView<V>& contacts, Real h, Real push_steps) {
-    const BodiesView<V> bodies = state.bodies();
+    const BodiesView<V> bodies = state.view();
     const auto& p = parameters_;
     return {bodies.radius,
             bodies.inverse_mass,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "response/impulse.h"
-#include "world/velocity_substepper.h"
+#include "world/velocity_motion.h"
 
 namespace ballpit {
 
@@ -28,10 +28,10 @@ inline ImpulseParameters impulse_parameters(const Physics& physics, const Settin
 }
 
 template <class V, class Exec>
-std::unique_ptr<Substepper<V, Exec>> make_impulse_substepper(const Scene& scene, const Settings& settings) {
+std::unique_ptr<Motion<V, Exec>> make_impulse_motion(const Scene& scene, const Settings& settings) {
   using Response = ImpulseResponse<V, Exec>;
-  return std::make_unique<VelocitySubstepper<V, Exec, Response>>(Response(impulse_parameters(scene.physics, settings)),
-                                                                 settings.is_swept, scene.physics.wall_restitution);
+  return std::make_unique<VelocityMotion<V, Exec, Response>>(Response(impulse_parameters(scene.physics, settings)),
+                                                             settings.is_swept, scene.physics.wall_restitution);
 }
 
 }  // namespace ballpit

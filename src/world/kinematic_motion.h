@@ -3,14 +3,14 @@
 #pragma once
 
 #include "response/kinematic.h"
-#include "world/velocity_substepper.h"
+#include "world/velocity_motion.h"
 
 namespace ballpit {
 
 template <class V, class Exec>
-std::unique_ptr<Substepper<V, Exec>> make_kinematic_substepper(const Scene& scene, const Settings& settings) {
+std::unique_ptr<Motion<V, Exec>> make_kinematic_motion(const Scene& scene, const Settings& settings) {
   using Response = KinematicResponse<V, Exec>;
-  return std::make_unique<VelocitySubstepper<V, Exec, Response>>(
+  return std::make_unique<VelocityMotion<V, Exec, Response>>(
       Response(scene.physics.restitution, scene.physics.wall_restitution), settings.is_swept,
       scene.physics.wall_restitution);
 }
