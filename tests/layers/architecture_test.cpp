@@ -33,7 +33,7 @@ const std::string kType = R"([A-Z][a-z]\w+(?:::\w+)*)";
 /// Files are named from the root of the repository. What the build makes is not in it.
 bool exists(const std::string& file) { return fs::exists(fs::path(BALLPIT_SOURCE_DIR) / file); }
 
-bool is_made(const std::string& file) { return file.rfind("build/", 0) == 0 || file.rfind("out/", 0) == 0; }
+bool is_made(const std::string& file) { return std::regex_search(file, std::regex("^(build|out|golden-failures)/")); }
 
 using Words = std::set<std::string>;
 
