@@ -72,13 +72,13 @@ class Detector {
 
  public:
   Detector() = default;  ///< to be planned
-  Detector(const std::string& method, const BroadPhaseParameters<V>& parameters, double skin) {
+  Detector(ballpit::BroadPhase method, const BroadPhaseParameters<V>& parameters, double skin) {
     plan(method, parameters, skin);
   }
 
-  /// Starts anew, in the memory held. `method` is a broad phase by name, no longer "auto"; `parameters` are those of the
+  /// Starts anew, in the memory held. `method` is no longer automatic; `parameters` are those of the
   /// bodies without skins.
-  void plan(const std::string& method, BroadPhaseParameters<V> parameters, double skin);
+  void plan(ballpit::BroadPhase method, BroadPhaseParameters<V> parameters, double skin);
 
   /// Finds all contacts among the bodies.
   void find(Exec& exec, const BodiesView<V>& bodies);
@@ -197,14 +197,14 @@ class Detector {
 };
 
 template <class V, class Exec>
-void Detector<V, Exec>::plan(const std::string& method, BroadPhaseParameters<V> parameters, double skin) {
+void Detector<V, Exec>::plan(ballpit::BroadPhase method, BroadPhaseParameters<V> parameters, double skin) {
   box_ = parameters.box;
   list_.plan(skin, 2 * rounding_guard(parameters.box));
   for (SizeClass<V>& spheres : parameters.classes) spheres.largest *= list_.factor();
-  if (method == "brute-force") use<BruteForce<V, Exec>>(parameters);
-  if (method == "sort-and-sweep") use<SortAndSweep<V, Exec>>(parameters);
-  if (method == "linked-cell") use<LinkedCell<V, Exec>>(parameters);
-  if (method == "sorted-grid") use<SortedGrid<V, Exec>>(parameters);
+  if (method == ballpit::BroadPhase::brute_force) use<BruteForce<V, Exec>>(parameters);
+  if (method == ballpit::BroadPhase::sort_and_sweep) use<SortAndSweep<V, Exec>>(parameters);
+  if (method == ballpit::BroadPhase::linked_cell) use<LinkedCell<V, Exec>>(parameters);
+  if (method == ballpit::BroadPhase::sorted_grid) use<SortedGrid<V, Exec>>(parameters);
   is_list_last_ = false;
   list_uses_ = kWorthwhile;
   pause_ = 0;

@@ -68,7 +68,8 @@ class ForceSubstepper final : public Substepper<V, Exec> {
 template <class Real>
 PenaltyLaw<Real> penalty_law(const Scene& scene, const Settings& settings) {
   const Physics& physics = scene.physics;
-  const bool ends_with_force = settings.contact_end == "force", has_walls = scene.domain.boundary != Boundary::periodic;
+  const bool ends_with_force = settings.contact_end == ContactEnd::force,
+             has_walls = scene.domain.boundary != Boundary::periodic;
   return {static_cast<Real>(physics.stiffness),
           static_cast<Real>(damping_of(physics.restitution, ends_with_force)),
           has_walls ? static_cast<Real>(damping_of(physics.wall_restitution, ends_with_force)) : Real(0),
@@ -80,11 +81,12 @@ PenaltyLaw<Real> penalty_law(const Scene& scene, const Settings& settings) {
 template <class V, class Exec>
 std::unique_ptr<Substepper<V, Exec>> make_penalty_substepper(const Scene& scene, const Settings& settings) {
   const PenaltyLaw<Scalar<V>> law = penalty_law<Scalar<V>>(scene, settings);
-  const std::string integrator = integrator_of(settings);
-  if (integrator == "explicit-euler") return std::make_unique<ForceSubstepper<V, Exec, ExplicitEuler<V, Exec>>>(law);
-  if (integrator == "symplectic-euler")
+  const Integrator integrator = integrator_of(settings);
+  if (integrator == Integrator::explicit_euler)
+    return std::make_unique<ForceSubstepper<V, Exec, ExplicitEuler<V, Exec>>>(law);
+  if (integrator == Integrator::symplectic_euler)
     return std::make_unique<ForceSubstepper<V, Exec, SymplecticEuler<V, Exec>>>(law);
-  if (integrator == "rk4") return std::make_unique<ForceSubstepper<V, Exec, RungeKutta4<V, Exec>>>(law);
+  if (integrator == Integrator::rk4) return std::make_unique<ForceSubstepper<V, Exec, RungeKutta4<V, Exec>>>(law);
   return std::make_unique<ForceSubstepper<V, Exec, VelocityVerlet<V, Exec>>>(law);
 }
 

@@ -19,7 +19,7 @@ namespace ballpit {
 /// Contacts by brute force that are not among those found.
 template <class V, class Exec>
 std::vector<Pair> missed_pairs(StepState<V, Exec>& state, const std::vector<Pair>& found) {
-  Detector<V, Exec> oracle("brute-force", state.parameters(), 0);
+  Detector<V, Exec> oracle(BroadPhase::brute_force, state.parameters(), 0);
   oracle.find(state.exec(), state.bodies());
   const std::vector<Pair> all = state.exec().download(oracle.pairs());
   std::vector<Pair> missed;

@@ -9,9 +9,9 @@ namespace ballpit {
 
 template <class V, class Exec>
 std::unique_ptr<Substepper<V, Exec>> make_kinematic_substepper(const Scene& scene, const Settings& settings) {
-  using Response = KinematicResponse<V, Exec>;
-  return std::make_unique<VelocitySubstepper<V, Exec, Response>>(
-      Response(scene.physics.restitution, scene.physics.wall_restitution), settings.is_swept,
+  using Law = KinematicResponse<V, Exec>;
+  return std::make_unique<VelocitySubstepper<V, Exec, Law>>(
+      Law(scene.physics.restitution, scene.physics.wall_restitution), settings.is_swept,
       scene.physics.wall_restitution);
 }
 

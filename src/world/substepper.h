@@ -50,9 +50,9 @@ std::unique_ptr<Substepper<V, Exec>> make_position_based_substepper(const Scene&
 
 template <class V, class Exec>
 std::unique_ptr<Substepper<V, Exec>> make_substepper(const Scene& scene, const Settings& settings) {
-  if (settings.response == "kinematic") return make_kinematic_substepper<V, Exec>(scene, settings);
-  if (settings.response == "position-based") return make_position_based_substepper<V, Exec>(scene, settings);
-  if (settings.response == "penalty") return make_penalty_substepper<V, Exec>(scene, settings);
+  if (settings.response == Response::kinematic) return make_kinematic_substepper<V, Exec>(scene, settings);
+  if (settings.response == Response::position_based) return make_position_based_substepper<V, Exec>(scene, settings);
+  if (settings.response == Response::penalty) return make_penalty_substepper<V, Exec>(scene, settings);
   return make_impulse_substepper<V, Exec>(scene, settings);
 }
 

@@ -78,7 +78,7 @@ class WorldOn final : public World {
     Exec& exec = state_.exec();
     Report report;
     report.contacts = state_.pairs().size();
-    report.broadphase = state_.choice().method;
+    report.broadphase = name_of(state_.choice().method);
     report.broadphase_reason = state_.choice().reason;
     report.count = state_.count();
     report.steps = steps_;
@@ -130,7 +130,7 @@ class WorldOn final : public World {
  private:
   /// [m] that spheres may be apart and be contacts for the position-based response: part of a radius, and what gravity does.
   static double margin_of(const Scene& scene, const Settings& settings) {
-    if (settings.response != "position-based" || scene.bodies.size() == 0) return 0;
+    if (settings.response != Response::position_based || scene.bodies.size() == 0) return 0;
     const double h = settings.dt / settings.substeps;
     const auto& radius = scene.bodies.radius;
     return 0.01 * *std::max_element(radius.begin(), radius.end()) + length(scene.physics.gravity) * h * h;
@@ -138,7 +138,7 @@ class WorldOn final : public World {
 
   /// What helps against overlap: where springs are resolved by the steps, only stiffer ones do.
   static std::string hint_of(const Scene& scene, const Settings& settings) {
-    if (settings.response != "penalty" || scene.bodies.size() == 0) return kSmallerSteps;
+    if (settings.response != Response::penalty || scene.bodies.size() == 0) return kSmallerSteps;
     const double radius = *std::min_element(scene.bodies.radius.begin(), scene.bodies.radius.end());
     const double mass = *std::min_element(scene.bodies.mass.begin(), scene.bodies.mass.end());
     // Hertz's springs grow stiffer with overlap: at the largest that is allowed.
@@ -146,7 +146,7 @@ class WorldOn final : public World {
         scene.physics.stiffness *
         (scene.physics.law == "hertz" ? 1.5 * std::sqrt(std::fmin(settings.max_overlap, 1.0) * radius) : 1.0);
     const bool is_resolved = settings.dt / settings.substeps < kResolved * std::sqrt(mass / stiffness);
-    if (is_resolved && integrator_of(settings) != "explicit-euler") {
+    if (is_resolved && integrator_of(settings) != Integrator::explicit_euler) {
       return "a larger [physics] stiffness may help (and the smaller --dt that it needs)";
     }
     return kSmallerSteps;

@@ -36,7 +36,7 @@ struct Stirred {
 template <class V>
 Detector<V, CpuExecutor> detector(const Way& way, const BodyArrays<V>& bodies) {
   const Settings settings = settings_of(way);
-  return {way.broadphase, bodies.parameters(settings), way.skin};
+  return {named<BroadPhase>(way.broadphase), bodies.parameters(settings), way.skin};
 }
 
 std::vector<Pair> listed(Span<const Pair> pairs) { return {pairs.begin(), pairs.end()}; }
