@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "bodies/box.h"
 #include "broad_phase/grid.h"
@@ -25,7 +26,7 @@ constexpr double kLink = 90.0;        // a body linked, and the cells around it 
 constexpr double kCell = 0.6;         // a cell cleared and read
 
 struct Prediction {
-  const char* method;
+  BroadPhase method;
   double nanoseconds;
 };
 
@@ -55,7 +56,7 @@ Prediction predict_sorted_grid(const BroadPhaseParameters<V>& p) {
     time += coarser * kShortTest * expected(p.box, n, block_volume(p.box, 4 * double(spheres.largest)));
     coarser += n;
   }
-  return {"sorted-grid", time};
+  return {BroadPhase::sorted_grid, time};
 }
 
 template <class V>
@@ -66,37 +67,35 @@ Prediction predict_sweep(const BroadPhaseParameters<V>& p) {
     longest = std::max(longest, double(p.box.max[axis]) - double(p.box.min[axis]));
   }
   for (const SizeClass<V>& spheres : p.classes) diameter += 1.5 * double(spheres.largest) * double(spheres.count) / n;
-  return {"sort-and-sweep", n * (kSort + 40) + kVectorTest * n * std::min(n / 2, n * diameter / longest)};
+  return {BroadPhase::sort_and_sweep, n * (kSort + 40) + kVectorTest * n * std::min(n / 2, n * diameter / longest)};
 }
 
 template <class V>
 Prediction predict_linked_cell(const BroadPhaseParameters<V>& p) {
   const double n = double(p.count), edge = 2 * double(p.largest_radius()) * p.cell_size.value_or(1.0);
-  return {"linked-cell", n * kLink + n * kListTest * expected(p.box, n, block_volume(p.box, edge))};
+  return {BroadPhase::linked_cell, n * kLink + n * kListTest * expected(p.box, n, block_volume(p.box, edge))};
 }
 
 template <class V>
 Prediction predict_brute_force(const BroadPhaseParameters<V>& p) {
   const double n = double(p.count);
-  return {"brute-force", n * 10 + kVectorTest * n * n / 2};
+  return {BroadPhase::brute_force, n * 10 + kVectorTest * n * n / 2};
 }
 
 }  // namespace
 
 template <class V>
 BroadPhaseChoice choose_broad_phase(const Settings& settings, const BroadPhaseParameters<V>& parameters) {
-  if (settings.broadphase != "auto") return {settings.broadphase, ""};
-  if (parameters.count < 2) return {"brute-force", "fewer than two spheres"};
+  if (settings.broadphase != BroadPhase::automatic) return {settings.broadphase, ""};
+  if (parameters.count < 2) return {BroadPhase::brute_force, "fewer than two spheres"};
   std::array predictions{predict_sorted_grid(parameters), predict_sweep(parameters), predict_linked_cell(parameters),
                          predict_brute_force(parameters)};
   std::sort(predictions.begin(), predictions.end(),
             [](const Prediction& a, const Prediction& b) { return a.nanoseconds < b.nanoseconds; });
   std::string reason = "predicted for " + std::to_string(parameters.count) + " spheres, ms on one core: ";
   for (const Prediction& prediction : predictions) {
-    char text[64];
-    std::snprintf(text, sizeof(text), "%s%s %.2g", &prediction == predictions.data() ? "" : ", ", prediction.method,
-                  prediction.nanoseconds * 1e-6);
-    reason += text;
+    if (&prediction != predictions.data()) reason += ", ";
+    reason += fmt::format("{} {:.2g}", name_of(prediction.method), prediction.nanoseconds * 1e-6);
   }
   return {predictions.front().method, reason};
 }
@@ -109,10 +108,9 @@ BroadPhaseParameters<V> broad_phase_parameters(const Settings& settings, const B
   parameters.count = count;
   parameters.classes = size_classes<V>(radius, count);
   parameters.cell_size = settings.cell_size;
-  if (settings.table == "dense") parameters.table = CellTable::dense;
-  if (settings.table == "hashed") parameters.table = CellTable::hashed;
-  if (settings.axis != "auto") {
-    parameters.axis = settings.axis[0] - 'x';
+  parameters.table = settings.table;
+  if (settings.axis != SweepAxis::automatic) {
+    parameters.axis = static_cast<int>(settings.axis) - static_cast<int>(SweepAxis::x);
     if (parameters.axis >= kDimensions<V>) throw UserError("--axis", "z", "auto, x, y in a planar scene");
   }
   return parameters;

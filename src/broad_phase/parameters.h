@@ -23,11 +23,9 @@
 
 #include "bodies/box.h"
 #include "core/span.h"
+#include "methods/choices.h"
 
 namespace ballpit {
-
-/// Where a grid keeps its cells: in an array with a place for each, or in one whose places are shared by hashing.
-enum class CellTable { automatic, dense, hashed };
 
 /// Spheres of like size: at most the largest's radius, more than the next class's.
 template <class V>

@@ -48,7 +48,8 @@ class Collider {
   using Real = Scalar<V>;
 
  public:
-  using BroadPhase = std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
+  using AnyBroadPhase =
+      std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
 
   Collider() = default;  ///< call plan() before use
 
@@ -109,10 +110,10 @@ class Collider {
   const Box<V>& box() const { return parameters_.box; }
 
   /// The broad phase, prepared for these positions also where the candidate list made that unnecessary.
-  BroadPhase& prepared(Exec& exec, const BodiesView<V>& bodies);
+  AnyBroadPhase& prepared(Exec& exec, const BodiesView<V>& bodies);
 
   /// The broad phase as the last search has left it, and what each of its list-walking threads has tested.
-  const BroadPhase& broad_phase() const { return broad_phase_; }
+  const AnyBroadPhase& broad_phase() const { return broad_phase_; }
   Span<const int> tested() const { return list_search_.tested(); }
 
   int64_t bytes() const;
@@ -138,7 +139,7 @@ class Collider {
 
   BroadPhaseChoice choice_;
   BroadPhaseParameters<V> parameters_, planned_;  // without and with skins
-  BroadPhase broad_phase_{BruteForce<V, Exec>(BroadPhaseParameters<V>{})};
+  AnyBroadPhase broad_phase_{BruteForce<V, Exec>(BroadPhaseParameters<V>{})};
   CandidateList<V, Exec> list_;
   ListSearch<V, Exec> list_search_;
   RangeSearch<V, Exec> range_search_;
@@ -161,10 +162,10 @@ void Collider<V, Exec>::plan(BroadPhaseChoice choice, BroadPhaseParameters<V> pa
   planned_ = parameters_ = std::move(parameters);
   list_.plan(skin, 2 * rounding_guard(box()));
   for (SizeClass<V>& spheres : planned_.classes) spheres.largest *= list_.factor();
-  if (choice_.method == "brute-force") use<BruteForce<V, Exec>>();
-  if (choice_.method == "sort-and-sweep") use<SortAndSweep<V, Exec>>();
-  if (choice_.method == "linked-cell") use<LinkedCell<V, Exec>>();
-  if (choice_.method == "sorted-grid") use<SortedGrid<V, Exec>>();
+  if (choice_.method == BroadPhase::brute_force) use<BruteForce<V, Exec>>();
+  if (choice_.method == BroadPhase::sort_and_sweep) use<SortAndSweep<V, Exec>>();
+  if (choice_.method == BroadPhase::linked_cell) use<LinkedCell<V, Exec>>();
+  if (choice_.method == BroadPhase::sorted_grid) use<SortedGrid<V, Exec>>();
   source_ = Source::none;
   linked_search_ = -1;
   searches_ = 0;
@@ -213,7 +214,7 @@ int64_t Collider<V, Exec>::tests(Exec& exec) const {
 }
 
 template <class V, class Exec>
-auto Collider<V, Exec>::prepared(Exec& exec, const BodiesView<V>& bodies) -> BroadPhase& {
+auto Collider<V, Exec>::prepared(Exec& exec, const BodiesView<V>& bodies) -> AnyBroadPhase& {
   if (list_.is_used()) {
     if (source_ == Source::broad_phase) test_candidates(exec);  // before its structure changes
     std::visit([&](auto& method) { method.prepare(exec, list_.grown(exec, bodies)); }, broad_phase_);

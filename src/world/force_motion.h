@@ -74,7 +74,8 @@ class ForceMotion final : public Motion<V, Exec> {
 template <class Real>
 PenaltyLaw<Real> penalty_law(const Scene& scene, const Settings& settings) {
   const Physics& physics = scene.physics;
-  const bool ends_with_force = settings.contact_end == "force", has_walls = scene.domain.boundary != Boundary::periodic;
+  const bool ends_with_force = settings.contact_end == ContactEnd::force,
+             has_walls = scene.domain.boundary != Boundary::periodic;
   return {static_cast<Real>(physics.stiffness),
           static_cast<Real>(damping_of(physics.restitution, ends_with_force)),
           has_walls ? static_cast<Real>(damping_of(physics.wall_restitution, ends_with_force)) : Real(0),
@@ -86,13 +87,13 @@ PenaltyLaw<Real> penalty_law(const Scene& scene, const Settings& settings) {
 template <class V, class Exec>
 std::unique_ptr<Motion<V, Exec>> make_penalty_motion(const Scene& scene, const Settings& settings) {
   const PenaltyLaw<Scalar<V>> law = penalty_law<Scalar<V>>(scene, settings);
-  const auto make = [&]<class Integrator>() -> std::unique_ptr<Motion<V, Exec>> {
-    return std::make_unique<ForceMotion<V, Exec, Integrator>>(law, settings.keeps_tally);
+  const auto make = [&]<class Method>() -> std::unique_ptr<Motion<V, Exec>> {
+    return std::make_unique<ForceMotion<V, Exec, Method>>(law, settings.keeps_tally);
   };
-  const std::string integrator = integrator_of(settings);
-  if (integrator == "explicit-euler") return make.template operator()<ExplicitEuler<V, Exec>>();
-  if (integrator == "symplectic-euler") return make.template operator()<SymplecticEuler<V, Exec>>();
-  if (integrator == "rk4") return make.template operator()<RungeKutta4<V, Exec>>();
+  const Integrator integrator = integrator_of(settings);
+  if (integrator == Integrator::explicit_euler) return make.template operator()<ExplicitEuler<V, Exec>>();
+  if (integrator == Integrator::symplectic_euler) return make.template operator()<SymplecticEuler<V, Exec>>();
+  if (integrator == Integrator::rk4) return make.template operator()<RungeKutta4<V, Exec>>();
   return make.template operator()<VelocityVerlet<V, Exec>>();
 }
 

@@ -69,7 +69,7 @@ template <class V, class Exec>
 std::vector<Pair> missed_pairs(const BodyStore<V, Exec>& bodies, const BroadPhaseParameters<V>& parameters,
                                const std::vector<Pair>& found) {
   Collider<V, Exec> oracle;
-  oracle.plan({"brute-force", ""}, parameters, 0);
+  oracle.plan({BroadPhase::brute_force, ""}, parameters, 0);
   const std::vector<Pair> all = bodies.exec().download(oracle.pairs(bodies.exec(), bodies.view()));
   std::vector<Pair> missed;
   std::set_difference(all.begin(), all.end(), found.begin(), found.end(), std::back_inserter(missed));

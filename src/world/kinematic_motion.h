@@ -9,10 +9,9 @@ namespace ballpit {
 
 template <class V, class Exec>
 std::unique_ptr<Motion<V, Exec>> make_kinematic_motion(const Scene& scene, const Settings& settings) {
-  using Response = KinematicResponse<V, Exec>;
-  return std::make_unique<VelocityMotion<V, Exec, Response>>(
-      Response(scene.physics.restitution, scene.physics.wall_restitution), settings.is_swept,
-      scene.physics.wall_restitution);
+  using Law = KinematicResponse<V, Exec>;
+  return std::make_unique<VelocityMotion<V, Exec, Law>>(Law(scene.physics.restitution, scene.physics.wall_restitution),
+                                                        settings.is_swept, scene.physics.wall_restitution);
 }
 
 }  // namespace ballpit

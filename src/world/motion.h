@@ -87,9 +87,9 @@ std::unique_ptr<Motion<V, Exec>> make_position_based_motion(const Scene& scene, 
 
 template <class V, class Exec>
 std::unique_ptr<Motion<V, Exec>> make_motion(const Scene& scene, const Settings& settings) {
-  if (settings.response == "kinematic") return make_kinematic_motion<V, Exec>(scene, settings);
-  if (settings.response == "position-based") return make_position_based_motion<V, Exec>(scene, settings);
-  if (settings.response == "penalty") return make_penalty_motion<V, Exec>(scene, settings);
+  if (settings.response == Response::kinematic) return make_kinematic_motion<V, Exec>(scene, settings);
+  if (settings.response == Response::position_based) return make_position_based_motion<V, Exec>(scene, settings);
+  if (settings.response == Response::penalty) return make_penalty_motion<V, Exec>(scene, settings);
   return make_impulse_motion<V, Exec>(scene, settings);
 }
 

@@ -66,7 +66,7 @@ class SearchOn {
     collider_.plan(choose_broad_phase(settings, parameters), parameters, skin_of(settings));
     exec.upload(radius_, spheres.radius.data(), spheres.radius.size());
     order_.resize(0);
-    if (collider_.choice().method == "linked-cell" && spheres.position.size() >= kFewestToOrder) {
+    if (collider_.choice().method == BroadPhase::linked_cell && spheres.position.size() >= kFewestToOrder) {
       upload_positions(exec, spheres);
       sort_by_cells(exec, grid_of_one_each(box, parameters.count, 2 * parameters.largest_radius()));
     }
@@ -155,7 +155,7 @@ class PairSearchOn final : public PairSearch {
   SearchReport report() override {
     SearchReport report;
     visit([&](auto& search) {
-      report.method = search.collider().choice().method;
+      report.method = name_of(search.collider().choice().method);
       report.reason = search.collider().choice().reason;
       report.candidates = search.collider().tests(*exec_);
       report.contacts = search.collider().pairs().size();
@@ -203,7 +203,7 @@ class PairSearchOn final : public PairSearch {
     visit([&](auto& search) { searches_ += search.collider().searches(); });
     count_ = spheres.position.size();
     if (*settings_.skin > 0) radius_.assign(spheres.radius.begin(), spheres.radius.end());
-    const bool is_planar = count_ > 0 && is_in_a_plane(spheres.position) && settings_.axis != "z";
+    const bool is_planar = count_ > 0 && is_in_a_plane(spheres.position) && settings_.axis != SweepAxis::z;
     if (is_planar && *settings_.skin == 0) {  // with a skin, they may leave the plane
       spatial_.reset();
       if (!planar_) planar_.emplace();

@@ -88,7 +88,7 @@ class WorldOn final : public World {
     const BodiesView<V> bodies = bodies_.view();
     Report report;
     report.contacts = pairs().size();
-    report.broadphase = world_.collider.choice().method;
+    report.broadphase = name_of(world_.collider.choice().method);
     report.broadphase_reason = world_.collider.choice().reason;
     report.count = bodies_.count();
     report.steps = steps_;
@@ -164,7 +164,7 @@ class WorldOn final : public World {
 
   /// What helps against overlap: where springs are resolved by the steps, only stiffer ones do.
   static std::string hint_of(const Scene& scene, const Settings& settings) {
-    if (settings.response != "penalty" || scene.bodies.size() == 0) return kSmallerSteps;
+    if (settings.response != Response::penalty || scene.bodies.size() == 0) return kSmallerSteps;
     const double radius = *std::min_element(scene.bodies.radius.begin(), scene.bodies.radius.end());
     const double mass = *std::min_element(scene.bodies.mass.begin(), scene.bodies.mass.end());
     // Hertz's springs grow stiffer with overlap: at the largest that is allowed.
@@ -172,7 +172,7 @@ class WorldOn final : public World {
         scene.physics.stiffness *
         (scene.physics.law == "hertz" ? 1.5 * std::sqrt(std::fmin(settings.max_overlap, 1.0) * radius) : 1.0);
     const bool is_resolved = settings.dt / settings.substeps < kResolved * std::sqrt(mass / stiffness);
-    if (is_resolved && integrator_of(settings) != "explicit-euler") {
+    if (is_resolved && integrator_of(settings) != Integrator::explicit_euler) {
       return "a larger [physics] stiffness may help (and the smaller --dt that it needs)";
     }
     return kSmallerSteps;

@@ -17,7 +17,7 @@ template <class V>
 Collider<V, CpuExecutor> collider(const Way& way, const BodyArrays<V>& bodies) {
   const Settings settings = settings_of(way);
   Collider<V, CpuExecutor> collider;
-  collider.plan({way.broadphase, ""}, bodies.parameters(settings), way.skin);
+  collider.plan({named<BroadPhase>(way.broadphase), ""}, bodies.parameters(settings), way.skin);
   return collider;
 }
 
