@@ -16,7 +16,7 @@ namespace ballpit {
 
 namespace {
 
-// Nanoseconds on one core, fitted to `ballpit pairs` on uniform spheres; only their ratios matter, and those roughly.
+// Nanoseconds on one core, fitted to `ballpit pairs` on equal spheres. Only their rough ratios matter.
 constexpr double kVectorTest = 0.35;  // a test in a long range
 constexpr double kShortTest = 2.0;    // a test in a range of a few slots
 constexpr double kListTest = 4.0;     // a test in a linked list
@@ -30,11 +30,11 @@ struct Prediction {
   double nanoseconds;
 };
 
-/// Spheres whose centres lie in `volume`, out of `count` spread evenly over the box.
+/// The expected number of centres in `volume`, of `count` spheres spread evenly over the box.
 template <class V>
 double expected(const Box<V>& box, double count, double volume) {
   double whole = 1;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) whole *= std::max(1e-30, double(box.max[axis]) - box.min[axis]);
+  for (int axis = 0; axis < kDimensions<V>; ++axis) whole *= std::max(1e-30, box.extent(axis));
   return std::min(count, count * volume / whole);
 }
 
@@ -42,7 +42,7 @@ double expected(const Box<V>& box, double count, double volume) {
 template <class V>
 double block_volume(const Box<V>& box, double edge) {
   double volume = 1;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= std::min(3 * edge, double(box.max[axis]) - box.min[axis]);
+  for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= std::min(3 * edge, box.extent(axis));
   return volume;
 }
 
@@ -63,9 +63,7 @@ template <class V>
 Prediction predict_sweep(const BroadPhaseParameters<V>& p) {
   const double n = double(p.count);
   double longest = 0, diameter = 0;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) {
-    longest = std::max(longest, double(p.box.max[axis]) - double(p.box.min[axis]));
-  }
+  for (int axis = 0; axis < kDimensions<V>; ++axis) longest = std::max(longest, p.box.extent(axis));
   for (const SizeClass<V>& spheres : p.classes) diameter += 1.5 * double(spheres.largest) * double(spheres.count) / n;
   return {BroadPhase::sort_and_sweep, n * (kSort + 40) + kVectorTest * n * std::min(n / 2, n * diameter / longest)};
 }
@@ -92,12 +90,10 @@ BroadPhaseChoice choose_broad_phase(const Settings& settings, const BroadPhasePa
                          predict_brute_force(parameters)};
   std::sort(predictions.begin(), predictions.end(),
             [](const Prediction& a, const Prediction& b) { return a.nanoseconds < b.nanoseconds; });
-  std::string reason = "predicted for " + std::to_string(parameters.count) + " spheres, ms on one core: ";
-  for (const Prediction& prediction : predictions) {
-    if (&prediction != predictions.data()) reason += ", ";
-    reason += fmt::format("{} {:.2g}", name_of(prediction.method), prediction.nanoseconds * 1e-6);
-  }
-  return {predictions.front().method, reason};
+  std::vector<std::string> times;
+  for (const Prediction& p : predictions) times.push_back(fmt::format("{} {:.2g}", name_of(p.method), p.nanoseconds * 1e-6));
+  return {predictions.front().method,
+          fmt::format("predicted for {} spheres, ms on one core: {}", parameters.count, fmt::join(times, ", "))};
 }
 
 template <class V>

@@ -30,14 +30,11 @@ class ForceIntegrator {
     return acceleration_.span();
   }
 
-  // Both return whether they have changed positions. dt [s].
+  /// Returns whether it has changed positions, as after_forces() does, which each integrator has of its own. dt [s].
   template <class Bodies>
   bool before_forces(Bodies&, Real /*dt*/, int /*pass*/) {
     return false;
   }
-  template <class Bodies>
-  bool after_forces(Bodies&, Real dt, int pass) = delete;  // each integrator's own
-
   /// What is kept for each body from step to step, or null.
   typename Exec::template Buffer<V>* kept() { return nullptr; }
 
@@ -48,6 +45,21 @@ class ForceIntegrator {
 
   bool forces_depend_on_velocity_;
   typename Exec::template Buffer<V> acceleration_;
+};
+
+/// An integrator of one pass and one kernel, `Step<Real>`, whose launch is named Step<Real>::kName.
+template <class V, class Exec, template <class Real> class Step>
+class OnePass : public ForceIntegrator<V, Exec> {
+ public:
+  using ForceIntegrator<V, Exec>::ForceIntegrator;
+
+  template <class Bodies>
+  bool after_forces(Bodies& bodies, Scalar<V> dt, int) {
+    bodies.exec().parallel_for(Step<Scalar<V>>::kName, bodies.count() * kDimensions<V>,
+                               Step<Scalar<V>>{dt, this->accelerations(), components(bodies.position.span()),
+                                               components(bodies.velocity.span())});
+    return true;
+  }
 };
 
 }  // namespace ballpit

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The classical Runge–Kutta method: four evaluations of the forces, at the begin, twice in the middle and at the end of the step.
+// The classical Runge–Kutta method evaluates the forces four times: at the start, twice in the middle and at the end of
+// a step.
 //
 //     k₁ = f(y)   k₂ = f(y + dt/2·k₁)   k₃ = f(y + dt/2·k₂)   k₄ = f(y + dt·k₃)       y = (x, v), f = (v, a)
 //     y ← y + dt/6 · (k₁ + 2k₂ + 2k₃ + k₄)
 //
-// Fourth order where forces are smooth; contacts are not, so it earns little (docs/responses.md). Stable for springs while ω·dt < 2.83; loses
-// energy slowly. Contacts are found four times a step. Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations
-// I" (1993), section II.1. Its siblings: explicit_euler.h, symplectic_euler.h, velocity_verlet.h.
+// Fourth order for smooth forces; those of contacts are not smooth, so it gains little (docs/responses.md). Stable for
+// springs if ω·dt < 2.83; loses energy slowly. Cost: four searches for contacts and evaluations of the forces a step.
+// Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I" (1993), section II.1. Its siblings:
+// explicit_euler.h, symplectic_euler.h, velocity_verlet.h.
 #pragma once
 
 #include "bodies/bodies_view.h"
@@ -15,7 +17,7 @@
 
 namespace ballpit {
 
-/// Kernel: Σ += weight·k, then y ← start + reach·k, or after the last stage start + Σ. k is the rate at the present y.
+/// Kernel: Σ += weight·k, then y ← start + reach·k, after the last stage start + Σ, where k is the derivative at y.
 template <class Real>
 struct RungeKuttaStage {
   int stage;

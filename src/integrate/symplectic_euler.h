@@ -2,11 +2,11 @@
 // Symplectic Euler: velocities first, then positions with the new velocities.
 //
 //     v ← v + dt · a         kick     (impulses: a = g, skipped in scenes without gravity)
-//     v ← response(v)                 (impulses alone)
+//     v ← response(v)                 (only impulses)
 //     x ← x + dt · v         drift
 //
-// First order; the energy error stays bounded, for springs while ω·dt < 2. Cost: one evaluation of the forces. Source: Hairer,
-// Lubich, Wanner, "Geometric Numerical Integration" (2006), section I.1. Its siblings: explicit_euler.h,
+// First order; the energy error stays bounded, for springs if ω·dt < 2. Cost: one evaluation of the forces. Source:
+// Hairer, Lubich, Wanner, "Geometric Numerical Integration" (2006), section I.1. Its siblings: explicit_euler.h,
 // velocity_verlet.h, rk4.h.
 #pragma once
 
@@ -31,7 +31,7 @@ template <class Real>
 struct Drift {
   Real dt;  ///< [s]
   Span<const Real> velocity;
-  Span<const Real> correction;  ///< [m] empty where the response needs none
+  Span<const Real> correction;  ///< [m] empty if the response needs none
   Span<Real> position;
 
   HOST_DEVICE void operator()(int k) const {
@@ -41,9 +41,10 @@ struct Drift {
   }
 };
 
-/// Kernel: kick and drift of one component by its own acceleration.
+/// Kernel: kick and drift of one component.
 template <class Real>
 struct SymplecticEulerStep {
+  static constexpr const char* kName = "kick and drift";
   Real dt;
   Span<const Real> acceleration;
   Span<Real> position, velocity;
@@ -57,18 +58,6 @@ struct SymplecticEulerStep {
 
 /// For responses that are forces.
 template <class V, class Exec>
-class SymplecticEuler : public ForceIntegrator<V, Exec> {
- public:
-  using ForceIntegrator<V, Exec>::ForceIntegrator;
-
-  template <class Bodies>
-  bool after_forces(Bodies& bodies, Scalar<V> dt, int) {
-    bodies.exec().parallel_for(
-        "kick and drift", bodies.count() * kDimensions<V>,
-        SymplecticEulerStep<Scalar<V>>{dt, this->accelerations(), components(bodies.position.span()),
-                                       components(bodies.velocity.span())});
-    return true;
-  }
-};
+using SymplecticEuler = OnePass<V, Exec, SymplecticEulerStep>;
 
 }  // namespace ballpit

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Velocity Verlet: half a kick, a drift, half a kick by the forces at the new place.
+// Velocity Verlet: half a kick, a drift, and half a kick by the forces at the new positions.
 //
 //     v½ ← v + dt/2 · forces(x, v) / m
 //     x  ← x + dt · v½
 //     v  ← v½ + dt/2 · forces(x, v½) / m
 //
-// Second order, symplectic, stable for springs while ω·dt < 2; where a dashpot makes the force jump at the begin of a contact, of
-// first order alone. The first forces are evaluated with the present velocities, not taken from the step before, so a state is
-// positions and velocities and nothing else: saved, it goes on by the same bits (docs/model.md tells where bodies are sorted). Where forces do not depend on
-// velocities, both are the same, and evaluated once. Cost: one search for contacts; one evaluation of the forces, or two.
-// Source: Swope, Andersen, Berens, Wilson (1982), doi 10.1063/1.442716. Its siblings: explicit_euler.h,
-// symplectic_euler.h, rk4.h.
+// Second order, symplectic, stable for springs if ω·dt < 2; only first order if a dashpot makes the force jump at the
+// start of a contact. The first forces are evaluated with the present velocities instead of reusing those of the
+// previous step. So a state consists of positions and velocities only, and a saved state continues bit-identically
+// (docs/model.md: where bodies are sorted). If forces do not depend on velocities, both evaluations are equal, and one
+// suffices. Cost: one search for contacts; one evaluation of the forces, or two. Source: Swope, Andersen, Berens,
+// Wilson (1982), doi 10.1063/1.442716. Its siblings: explicit_euler.h, symplectic_euler.h, rk4.h.
 #pragma once
 
 #include "core/host_device.h"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A candidate list with a skin (Verlet list): a search among spheres larger by a skin finds pairs that may come into
-// contact soon; as long as no sphere has moved by its skin, only these are tested.
+// A candidate list with a skin (Verlet list): a search among spheres enlarged by a skin finds all pairs that may come
+// into contact soon. Until a sphere has moved farther than its skin, only these pairs are tested.
 //
 //        ╭╌╌╌╌╌╮          sphere i with its skin: radius r·(1 + skin)
-//       ╎ ╭───╮ ╎         pairs whose skins overlap are kept, row by row, as contacts are
-//       ╎ │ i │ ╎         valid while |x − x₀| ≤ skin·r for every sphere: two spheres whose skins were apart then
-//       ╎ ╰───╯ ╎         still are
+//       ╎ ╭───╮ ╎         pairs whose skins overlap are stored row by row, like contacts
+//       ╎ │ i │ ╎         valid while |x − x₀| ≤ skin·r for every sphere: spheres whose skins did not overlap then
+//       ╎ ╰───╯ ╎         cannot be in contact now
 //        ╰╌╌╌╌╌╯
 //
-// Cost: the broad phase's once in a while; in between O(n + candidates), about six candidates a sphere in a dense heap.
-// Memory: 12 or 8 bytes a body and 8 a candidate. Source: Verlet, "Computer Experiments on Classical Fluids" (1967),
-// doi 10.1103/PhysRev.159.98.
+// Cost: a broad phase each time the list is made; otherwise O(n + candidates), about six candidates a sphere in a dense
+// heap. Memory: 12 or 8 bytes a body and 8 a candidate. Source: Verlet, "Computer Experiments on Classical Fluids"
+// (1967), doi 10.1103/PhysRev.159.98.
 #pragma once
 
 #include "bodies/bodies_view.h"
@@ -36,21 +36,21 @@ struct ListedCandidates {
   }
 };
 
-/// Predicate: body i could leave the domain without leaving its skin.
+/// Predicate: body i could leave the domain while the list stays valid.
 template <class V>
 struct IsNearBorder {
   BodiesView<V> bodies;
   Box<V> box;
-  Scalar<V> skin;  ///< of a radius
+  Scalar<V> skin;  ///< fraction of the radius
 
   HOST_DEVICE bool operator()(int i) const {
-    if (box.is_periodic()) return !box.holds(bodies.position[i]);  // no border to leave by
+    if (box.is_periodic()) return !box.holds(bodies.position[i]);  // there is no border to cross
     const V reach(skin * bodies.radius[i]);
     return !(box.holds(bodies.position[i] - reach) & box.holds(bodies.position[i] + reach));
   }
 };
 
-/// Kernel: radii with skins.
+/// Kernel: radii enlarged by the skin.
 template <class Real>
 struct GrowRadius {
   PerBody<Real> radius;
@@ -59,15 +59,15 @@ struct GrowRadius {
   HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] * factor; }
 };
 
-/// Predicate: body i has left its skin.
+/// Predicate: body i has moved farther than its skin.
 template <class V>
 struct HasLeftSkin {
   using Real = Scalar<V>;
   BodiesView<V> bodies;
   Box<V> box;
   Span<const V> start;
-  Real skin;   ///< of a radius
-  Real guard;  ///< what rounding may hide [m]
+  Real skin;   ///< fraction of the radius
+  Real guard;  ///< bound on the rounding error [m]
 
   HOST_DEVICE bool operator()(int i) const {
     const V moved = box.displacement(start[i], bodies.position[i]);
@@ -90,8 +90,8 @@ class CandidateList {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  /// `skin` is a fraction of each radius, 0 for none; `guard` is what rounding may hide of a distance [m].
-  CandidateList() = default;  ///< not used
+  CandidateList() = default;  ///< an unused list
+  /// `skin` is a fraction of each radius, 0: no list. `guard` bounds the rounding error of a distance [m].
   CandidateList(double skin, double guard) { plan(skin, guard); }
 
   void plan(double skin, double guard) {
@@ -143,7 +143,7 @@ class CandidateList {
     return is_used() && pause_ == 0 && is_clear_ && is_valid(exec, bodies, box);
   }
 
-  /// The bodies as the search for the list is to see them.
+  /// The bodies with enlarged radii, for the search that makes the list.
   BodiesView<V> grown(Exec& exec, const BodiesView<V>& bodies) {
     grown_.resize(bodies.radius.is_uniform() ? 1 : bodies.size());
     if (bodies.size() > 0) {
@@ -155,7 +155,7 @@ class CandidateList {
   }
   Real factor() const { return 1 + skin_; }
 
-  /// Where that search is to leave its rows; start() then notes where the bodies are.
+  /// The output of that search. Call start() after it, to store the positions.
   ContactRows<Exec>& rows() { return rows_; }
   void start(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Real margin = 0) {
     margin_ = margin;
@@ -179,8 +179,8 @@ class CandidateList {
   int uses_ = kWorthwhile;  // positions that it has served
   int pause_ = 0;           // positions until the next is made
   bool is_valid_ = false;
-  bool is_checked_ = false;  // for these positions
-  bool is_clear_ = false;    // no skin reaches out of the domain
+  bool is_checked_ = false;  // for the present positions
+  bool is_clear_ = false;    // no skin extends beyond the domain
   Buffer<V> start_;
   Buffer<Real> grown_;
   ContactRows<Exec> rows_;

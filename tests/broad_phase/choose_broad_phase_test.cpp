@@ -89,7 +89,7 @@ TEST_CASE("settings and radii make parameters") {
   CHECK(parameters.axis == 1);
   CHECK(parameters.largest_radius() == *std::max_element(planar.radius.begin(), planar.radius.end()));
   CHECK(planar.parameters({}).table == CellTable::automatic);
-  CHECK(planar.parameters({}).axis == kLargestAxis);
+  CHECK(planar.parameters({}).axis == kAutoAxis);
   CHECK(planar.parameters(settings_of({.table = "dense"})).table == CellTable::dense);
 }
 
