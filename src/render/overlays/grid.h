@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The linked-cell grid: occupied cells only, stronger where more bodies are.
+// Draws the cells of a grid that hold bodies, stronger the more bodies they hold.
 //
 //     spatial: edges of occupied cells        planar: tinted squares, and
-//     (each edge once, however many           thin lines of all cells
-//     cells share it); of thousands of          ┌──┬──┬──┐
-//     cells their floors alone                  │  │▒▒│  │
+//     (an edge of several cells               thin lines of all cells
+//     is drawn once); for thousands             ┌──┬──┬──┐
+//     of cells only their floors                │  │▒▒│  │
 //        ┌──┬──┐                                ├──┼──┼──┤
 //        ├──┼──┘                                │░░│  │▓▓│
 //        └──┘                                   └──┴──┴──┘
@@ -14,17 +14,14 @@
 #include <vector>
 
 #include "broad_phase/inspection.h"
-#include "render/line_renderer.h"
-#include "render/overlays/overlay.h"
+#include "render/frame_view.h"
+#include "render/painter.h"
 
 namespace ballpit {
 
-/// The number of bodies in every cell, found from head along next.
+/// The number of bodies in every cell: the length of its list.
 std::vector<int> count_per_cell(const GridInspection& grid);
 
-class GridOverlay : public Overlay {
- public:
-  void draw(const FrameView& view, Painter& painter, Layer layer) override;
-};
+void draw_grid(const FrameView& view, Painter& painter);
 
 }  // namespace ballpit

@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Sort and sweep (slides 2 to 4): the axis under the scene, where each sphere begins and ends on it, the sorted list,
-// and one thread's walk along that list.
+// Shows sort and sweep (slides 2 to 4): the axis beside the scene, the begin and end of each sphere on it, the sorted list
+// and the walk of one thread along that list.
 //
 //          ( 0 )  ( 1 )
 //          ⋮   ⋮  ⋮   ⋮                dotted: from a sphere's ends to the axis
 //     ─────[───]──[───]─────▶ x        begin: a filled bracket; end: a hollow one
 //          b0  e0 b1  e1
 //     ┌──┬──┬──┬──┐
-//     │b0│e0│b1│e1│                    the list: what the walk meets is sky, ends are grey with a stub
+//     │b0│e0│b1│e1│                    the list: begins that the walk meets are sky, ends are grey
 //     └──┴──┴──┴──┘
 //
-// With many spheres there is room for the brackets only. Cost: proportional to the number of spheres.
+// With many spheres there is only room for the brackets. Cost: proportional to the number of spheres.
 #pragma once
 
-#include "render/overlays/overlay.h"
+#include "render/frame_view.h"
+#include "render/painter.h"
 #include "world/inspection.h"
 
 namespace ballpit {
 
+/// The part of the picture's height that axis and list fill.
 float intervals_room(const Inspection& inspection);
 
-class IntervalsOverlay : public Overlay {
- public:
-  void draw(const FrameView& view, Painter& painter, Layer layer) override;
-};
+void draw_intervals(const FrameView& view, Painter& painter);
 
 }  // namespace ballpit

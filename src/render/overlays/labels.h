@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Numbers: of each sphere at its centre, where it is large enough and not hidden; of each cell in its lower left corner,
-// in planar scenes of few cells (slide 8), or in another corner if a sphere lies there.
+// Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with few
+// cells also the number of each cell: in its lower left corner (slide 8), or in another one if a sphere lies there.
 #pragma once
 
-#include "render/overlays/overlay.h"
+#include "render/frame_view.h"
+#include "render/painter.h"
 
 namespace ballpit {
 
-class LabelsOverlay : public Overlay {
- public:
-  void draw(const FrameView& view, Painter& painter, Layer layer) override;
-};
+void draw_labels(const FrameView& view, Painter& painter);
 
 }  // namespace ballpit

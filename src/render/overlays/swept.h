@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The way that each sphere takes until contacts are sought again: what it sweeps over, and where it arrives.
+// Draws the path of each sphere until the next search for contacts: the space that it sweeps over, and where it arrives.
 //
 //       ╭────────────────────╮
 //     ( o )· · · · · · · · ·( )     two sides, tinted between them, and a ring at the end
 //       ╰────────────────────╯
 //
-// Contacts are found where spheres are, at both ends; what lies between is met by swept contacts alone. Velocities are those of
-// now: what forces change on the way is left out.
+// A search finds contacts at both ends of the path; only swept contacts are found in between. The velocity is the present
+// one: forces during the step are ignored.
 #pragma once
 
-#include "render/overlays/overlay.h"
+#include "render/frame_view.h"
+#include "render/painter.h"
 
 namespace ballpit {
 
-/// The longest way of all, in diameters of its sphere: above 1 spheres may pass through each other. 0 without velocities.
+/// The longest path, in diameters of its sphere: above 1, spheres may pass through each other. 0 without velocities.
 float longest_way(const FrameView& view);
 
-class SweptOverlay : public Overlay {
- public:
-  void draw(const FrameView& view, Painter& painter, Layer layer) override;
-};
+void draw_swept(const FrameView& view, Painter& painter);
 
 }  // namespace ballpit

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How spheres move: an arrow along each velocity, from the centre. The fastest one's is a twelfth of the picture long;
-// a note tells its speed.
+// Draws an arrow along each velocity, from the centre of the sphere. The longest arrow is a twelfth of the picture's height;
+// a note gives its speed.
 #pragma once
 
-#include "render/overlays/overlay.h"
+#include "render/frame_view.h"
+#include "render/painter.h"
 
 namespace ballpit {
 
-/// [s] How long a sphere flies along its arrow; 0 where all are at rest.
+/// [s] How long a sphere needs for the length of its arrow; 0 if all are at rest.
 float arrow_time(const FrameView& view);
 
-class VelocityOverlay : public Overlay {
- public:
-  void draw(const FrameView& view, Painter& painter, Layer layer) override;
-};
+void draw_velocities(const FrameView& view, Painter& painter);
 
 }  // namespace ballpit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The axis of the sweep as it is drawn: beside an edge of the domain, like a staff under a melody.
+// The drawn axis of sort and sweep, beside an edge of the domain.
 #pragma once
 
 #include "render/frame_view.h"
@@ -8,18 +8,18 @@
 
 namespace ballpit {
 
-class Staff {
+class SweepAxis {
  public:
-  /// Below the domain for x and z, left of it for y; spatial: along the lower edge nearest to the viewer. It stays above
-  /// `bottom` [pixel].
-  Staff(const FrameView& view, const Projection& projection, float bottom, float unit);
+  /// Below the domain for x and z, left of it for y; in spatial scenes along the lower edge nearest to the viewer. It stays
+  /// above `bottom` [pixel].
+  SweepAxis(const FrameView& view, const Projection& projection, float bottom, float unit);
 
-  Vec2 at(float value) const;                ///< [pixel] where a coordinate lies on the axis
+  Vec2 at(float value) const;                ///< [pixel] of a coordinate on the axis
   Vec2 along() const { return along_; }      ///< unit vector towards larger coordinates
   Vec2 outward() const { return outward_; }  ///< unit vector away from the domain
   bool is_upright() const { return axis_ == 1; }
 
-  /// The line itself with its arrow and name.
+  /// Draws the line with its arrow and name.
   void draw(Painter& painter) const;
 
  private:

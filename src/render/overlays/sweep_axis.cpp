@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/staff.h"
+#include "render/overlays/sweep_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,16 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kDistance = 34;  // of the axis from the domain's edge, in 1/1080 of the picture's height
-constexpr float kBeyond = 26;    // that it runs on at both ends
+// [1/1080 of the picture's height]
+constexpr float kDistance = 34;  // from the domain's edge to the axis
+constexpr float kBeyond = 26;    // by how much the axis is longer at both ends
 
-/// How far to the outside an edge of the domain lies in the picture: the staff is beside the outermost.
+/// How far outside an edge of the domain lies in the picture: the axis is drawn beside the outermost one.
 float outwardness(const Vec2& middle, bool is_upright) { return is_upright ? -middle.x : middle.y; }
 
 }  // namespace
 
-Staff::Staff(const FrameView& view, const Projection& projection, float bottom, float unit)
+SweepAxis::SweepAxis(const FrameView& view, const Projection& projection, float bottom, float unit)
     : projection_(projection), axis_(view.inspection.axis) {
   const DomainBox& domain = view.domain;
   low_ = domain.min[axis_];
@@ -43,13 +44,13 @@ Staff::Staff(const FrameView& view, const Projection& projection, float bottom, 
   if (excess > 0 && !is_upright()) offset_.y -= excess;
 }
 
-Vec2 Staff::at(float value) const {
+Vec2 SweepAxis::at(float value) const {
   Vec3 point = edge_;
   point[axis_] = value;
   return projection_.at(point) + offset_;
 }
 
-void Staff::draw(Painter& painter) const {
+void SweepAxis::draw(Painter& painter) const {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit();
   const char* name = axis_ == 0 ? "x" : axis_ == 1 ? "y" : "z";
