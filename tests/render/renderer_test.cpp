@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "render/gl_context.h"
+#include "render/gl_debug.h"
 #include "render/overlays/overlay.h"
 #include "render/shader.h"
 #include "tests/support/test_scenes.h"
