@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/grid.h"
-
+// Draws the cells of a grid that hold bodies, stronger the more bodies they hold.
+//
+//     spatial: edges of occupied cells        planar: tinted squares, and
+//     (an edge of several cells               thin lines of all cells
+//     is drawn once); for thousands             ┌──┬──┬──┐
+//     of cells only their floors                │  │▒▒│  │
+//        ┌──┬──┐                                ├──┼──┼──┤
+//        ├──┼──┘                                │░░│  │▓▓│
+//        └──┘                                   └──┴──┴──┘
+// Cost: proportional to the number of cells and bodies.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 
 #include "broad_phase/inspection.h"
+#include "render/overlays/overlay.h"
 #include "render/overlays/selection.h"
 #include "render/painter.h"
 #include "render/projection.h"

@@ -1,22 +1,106 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/intervals.h"
-
+// Shows sort and sweep (slides 2 to 4): the axis beside the scene, the begin and end of each sphere on it, the sorted list
+// and the walk of one thread along that list.
+//
+//          ( 0 )  ( 1 )
+//          ⋮   ⋮  ⋮   ⋮                dotted: from a sphere's ends to the axis
+//     ─────[───]──[───]─────▶ x        begin: a filled bracket; end: a hollow one
+//          b0  e0 b1  e1
+//     ┌──┬──┬──┬──┐
+//     │b0│e0│b1│e1│                    the list: begins that the walk meets are sky, ends are grey
+//     └──┴──┴──┴──┘
+//
+// With many spheres there is only room for the brackets. Cost: proportional to the number of spheres.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "broad_phase/inspection.h"
 #include "render/overlays/interval_list.h"
-#include "render/overlays/sweep_axis.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
+#include "render/projection.h"
 #include "world/inspection.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr float kBracket = 16, kSerif = 8, kLabels = 20;  // on the axis [1/1080 of the picture's height]
-constexpr float kRows = 3;                                // of labels
+// [1/1080 of the picture's height]
+constexpr float kBracket = 16, kSerif = 8, kLabels = 20;  // on the axis
+constexpr float kDistance = 34;                           // from the domain's edge to the axis
+constexpr float kBeyond = 26;                             // by how much the axis is longer at both ends
+
+constexpr float kRows = 3;  // of labels
+
+/// How far outside an edge of the domain lies in the picture: the axis is drawn beside the outermost one.
+float outwardness(const Vec2& middle, bool is_upright) { return is_upright ? -middle.x : middle.y; }
+
+/// The drawn axis, beside an edge of the domain.
+class SweepAxis {
+ public:
+  /// Below the domain for x and z, left of it for y; in spatial scenes along the lower edge nearest to the viewer. It stays
+  /// above `bottom` [pixel].
+  SweepAxis(const FrameView& view, const Projection& projection, float bottom, float unit);
+
+  Vec2 at(float value) const;                ///< [pixel] of a coordinate on the axis
+  Vec2 along() const { return along_; }      ///< unit vector towards larger coordinates
+  Vec2 outward() const { return outward_; }  ///< unit vector away from the domain
+  bool is_upright() const { return axis_ == 1; }
+
+  /// Draws the line with its arrow and name.
+  void draw(Painter& painter) const;
+
+ private:
+  const Projection& projection_;
+  int axis_;
+  Vec3 edge_;  ///< a point of the domain's edge
+  float low_, high_;
+  Vec2 along_, outward_, offset_;
+};
+
+SweepAxis::SweepAxis(const FrameView& view, const Projection& projection, float bottom, float unit)
+    : projection_(projection), axis_(view.inspection.axis) {
+  const DomainBox& domain = view.domain;
+  low_ = domain.min[axis_];
+  high_ = domain.max[axis_];
+  float best = -std::numeric_limits<float>::infinity();
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 point(corner & 1 ? domain.max.x : domain.min.x, corner & 2 ? domain.max.y : domain.min.y,
+               corner & 4 ? domain.max.z : domain.min.z);
+    point[axis_] = (low_ + high_) / 2;
+    if (!projection.sees(point)) continue;
+    const float out = outwardness(projection.at(point), is_upright());
+    if (out <= best) continue;
+    best = out;
+    edge_ = point;
+  }
+  offset_ = Vec2(0);
+  const Vec2 from = at(low_), to = at(high_);
+  along_ = length(to - from) > 1 ? normalize(to - from) : Vec2(1, 0);
+  outward_ = Vec2(-along_.y, along_.x);
+  if (outwardness(outward_, is_upright()) < 0) outward_ = -outward_;
+  offset_ = kDistance * unit * outward_;
+  const float excess = std::max(from.y, to.y) + offset_.y - bottom;
+  if (excess > 0 && !is_upright()) offset_.y -= excess;
+}
+
+Vec2 SweepAxis::at(float value) const {
+  Vec3 point = edge_;
+  point[axis_] = value;
+  return projection_.at(point) + offset_;
+}
+
+void SweepAxis::draw(Painter& painter) const {
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit();
+  const char* name = axis_ == 0 ? "x" : axis_ == 1 ? "y" : "z";
+  const Vec2 end = at(high_) + kBeyond * u * along_;
+  sheet.arrow(at(low_) - kBeyond * u * along_, end, painter.ink(0.8f), 3 * u);
+  sheet.text(end + 16 * u * (is_upright() ? -outward_ : along_), kCentre, painter.ink(), name);
+}
 
 /// A bracket at the endpoint: [ filled, ] hollow.
 void draw_bracket(const Endpoint& endpoint, const SweepAxis& axis, Painter& painter) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/labels.h"
-
+// Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with few
+// cells also the number of each cell: in its lower left corner (slide 8), or in another one if a sphere lies there.
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -10,6 +10,7 @@
 #include "bodies/body_snapshot.h"
 #include "broad_phase/inspection.h"
 #include "render/body_buffer.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "render/projection.h"
 

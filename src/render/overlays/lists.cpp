@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/lists.h"
-
+// Shows the arrays in which a method stores its cells. Linked lists (slides 12 to 15): per cell the first body, per body the
+// next one.
+//
+//             0    1    2    3    4
+//     head  │ −1 │  2 │ −1 │ −1 │ −1 │      cell 1 holds bodies 2 and 0
+//                  │
+//             0    ▼ 1    2
+//     next  │ −1 │ −1 │  0 │                drawn: head[1] → 2, and 2 → 0 in an arc below
+//             ▲─────────╯
+//
+// Sorted by cell: per cell the begin of its range of bodies; the last entry is the end of the last range.
+//
+//               0    1    2    3
+//     offsets │  0 │  0 │  2 │  3 │         cell 1 holds bodies 4 and 0
+//                     │
+//               0     ▼ 1    2
+//     bodies  │  4 │  0 │  7 │
+//              └───────┘
+//
+// A hashed grid has buckets instead of cells. If there are more entries or bodies than fit in a row, a histogram
+// shows the lengths of the lists or ranges instead.
 #include <algorithm>
 
 #include "broad_phase/inspection.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "world/inspection.h"
 
@@ -34,7 +54,7 @@ struct Arrays {
   const char* name_of_cells() const { return is_sorted ? "offsets" : "head"; }
   const char* name_of_bodies() const { return is_sorted ? "bodies" : "next"; }
 
-  /// Visits the bodies of one cell or place, in the order of memory.
+  /// Visits the bodies of one cell or bucket, in the order of memory.
   template <class Visit>
   void for_each_body(size_t entry, Visit&& visit) const {
     if (is_sorted) {
@@ -142,7 +162,7 @@ void draw_histogram(const GridInspection& grid, Painter& painter) {
   const auto most = static_cast<float>(*std::max_element(counts.begin(), counts.end()));
 
   const Arrays arrays = arrays_of(grid);
-  const std::string title = std::string(arrays.is_hashed ? "places of the table" : "cells") +
+  const std::string title = std::string(arrays.is_hashed ? "buckets of the table" : "cells") +
                             " by the length of their " + (arrays.is_sorted ? "range" : "list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);

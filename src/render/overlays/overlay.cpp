@@ -3,14 +3,6 @@
 
 #include <algorithm>
 
-#include "render/overlays/grid.h"
-#include "render/overlays/intervals.h"
-#include "render/overlays/labels.h"
-#include "render/overlays/lists.h"
-#include "render/overlays/pairs.h"
-#include "render/overlays/swept.h"
-#include "render/overlays/velocity.h"
-
 namespace ballpit {
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Overlays show over the spheres what the simulation does. Each is a function that reads only the inspection, and one entry
-// of the table that command line, panel and tests use.
+// Overlays show over the spheres what the simulation does. Each is a function that reads only the inspection, in a file of
+// its own, and one entry of the table that command line, panel and tests use.
 #pragma once
 
 #include <string>
@@ -31,5 +31,37 @@ const std::vector<OverlayEntry>& overlay_table();
 
 /// The part of the picture's height that these overlays fill together at the lower edge, for leave_room_below().
 float room_below(const std::vector<std::string>& overlays, const Inspection& inspection);
+
+// The overlays; each file explains what it draws.
+void draw_grid(const FrameView& view, Painter& painter);
+void draw_pairs(const FrameView& view, Painter& painter);
+void draw_velocities(const FrameView& view, Painter& painter);
+void draw_swept(const FrameView& view, Painter& painter);
+void draw_labels(const FrameView& view, Painter& painter);
+void draw_lists(const FrameView& view, Painter& painter);
+void draw_intervals(const FrameView& view, Painter& painter);
+
+/// The parts of the picture's height that they fill.
+float lists_room(const Inspection& inspection);
+float intervals_room(const Inspection& inspection);
+
+/// The number of bodies in every cell: the length of its list.
+std::vector<int> count_per_cell(const GridInspection& grid);
+
+/// Entry k: the number of cells or buckets whose list or range has k bodies; entry `max` also counts longer ones.
+std::vector<int> count_lengths(const GridInspection& grid, size_t max);
+
+/// More candidates are only counted, not drawn.
+inline constexpr size_t kMaxCandidates = 20000;
+
+/// The candidates that are not contacts, each once.
+std::vector<Pair> candidates_apart(const Inspection& inspection);
+
+/// [s] How long a sphere needs for the length of its velocity arrow; 0 if all are at rest.
+float arrow_time(const FrameView& view);
+
+/// The longest path until the next search for contacts, in diameters of its sphere: above 1, spheres may pass through each
+/// other. 0 without velocities.
+float longest_way(const FrameView& view);
 
 }  // namespace ballpit

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/pairs.h"
-
+// Shows the candidates of the broad phase and which of them are contacts, as lines between centres.
+//
+//     o───────o   candidate that does not touch: thin, sky
+//     o━━━━━━━o   contact: bold, orange with a dark core
+//     ◎═══════◎   contact that the method missed: double, vermillion, a ring around both
+//
+// Lines of candidates and contacts are in front of their own two spheres and behind others; those of missed contacts are in
+// front of everything. Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <tuple>
 
 #include "bodies/body_snapshot.h"
-#include "render/overlays/line_scale.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "render/projection.h"
 #include "world/inspection.h"

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/swept.h"
-
+// Draws the path of each sphere until the next search for contacts: the space that it sweeps over, and where it arrives.
+//
+//       ╭────────────────────╮
+//     ( o )· · · · · · · · ·( )     two sides, tinted between them, and a ring at the end
+//       ╰────────────────────╯
+//
+// A search finds contacts at both ends of the path; only swept contacts are found in between. The velocity is the present
+// one: forces during the step are ignored.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "bodies/body_snapshot.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "render/projection.h"
 
