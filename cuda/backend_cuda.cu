@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Worlds and pair searches on an NVIDIA GPU.
+// The CUDA backend: worlds and pair searches on an NVIDIA GPU.
+#include <fmt/format.h>
+
 #include "cuda_executor.h"
 #include "methods/methods.h"
 #include "world/make_world.h"
@@ -9,8 +11,8 @@ namespace ballpit {
 
 namespace {
 
-/// Initialises the runtime and returns what it says. Without a driver it leaves the count as it was and keeps the error,
-/// so the returned code counts, and is cleared.
+/// Initializes the CUDA runtime; returns why it is unavailable, or nothing. Without a driver the runtime does not set
+/// the count and remembers the error, so this checks the returned code and clears the error.
 std::string why_unavailable() {
   int devices = 0;
   const cudaError_t status = cudaGetDeviceCount(&devices);
@@ -24,8 +26,7 @@ std::string why_unavailable() {
 std::string describe_device() {
   cudaDeviceProp properties{};
   BALLPIT_CUDA_CHECK(cudaGetDeviceProperties(&properties, 0));
-  return std::string(properties.name) + ", compute capability " + std::to_string(properties.major) + "." +
-         std::to_string(properties.minor);
+  return fmt::format("{}, compute capability {}.{}", properties.name, properties.major, properties.minor);
 }
 
 }  // namespace

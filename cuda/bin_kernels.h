@@ -8,11 +8,11 @@
 //     offsets  0  1  3  3  3  5       find bins       one thread for kBinsPerThread bins
 //     values   v₃ v₀ v₂ v₁ v₄         gather values   one thread an index
 //
-// Where the bins begin could be told by every thread that sees two neighbours in `keys` differ; but it must then fill
-// in the offsets of all empty bins between, and where bodies gather in a corner of the domain, one thread would write
-// almost all of them. A binary search for each bin is even, but costs log₂ n reads a bin, and most bins are empty.
-// So a thread searches once, for its first bin, and gallops from there: an empty bin costs no read, a full one as many
-// as its count has bits. Nobody waits for anybody, whatever the bins hold.
+// A thread for each key could find where a bin starts by comparing it with the key before. But it would have to write
+// the offsets of all empty bins in between: almost all of them if bodies gather in a corner of the domain. A binary
+// search for each bin distributes the work evenly, but costs log₂ n reads, and most bins are empty. So each thread
+// searches once, for its first bin, and gallops from there: an empty bin costs no read, a full one as many as its count
+// has bits. The work is even, whatever the bins contain.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct StoreKey {
   }
 };
 
-inline constexpr int kBinsPerThread = 8;  // their offsets are 32 bytes, which memory moves at once
+inline constexpr int kBinsPerThread = 8;  // their offsets take 32 bytes, which memory transfers at once
 
 /// Kernel: offsets[k] = the number of keys below k, for k = kBinsPerThread · t and those after it.
 struct FindBins {
@@ -52,7 +52,7 @@ struct FindBins {
   }
 
  private:
-  /// The first place in [low, high) whose key is not below `bin`; `high` if there is none.
+  /// The first index in [low, high) whose key is at least `bin`; `high` if there is none.
   HOST_DEVICE int64_t search(uint32_t bin, int64_t low, int64_t high) const {
     while (low < high) {
       const int64_t middle = low + (high - low) / 2;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every CUDA call is checked where it returns; the message names the expression that failed, or the stage whose launch did.
+// Checks every CUDA call when it returns. The message names the expression that failed, or the stage of a failed
+// launch.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The execution contract of exec/cpu_executor.h on a GPU: one stream, one thread per index, sort and scan by CUB.
+// The executor interface of exec/cpu_executor.h on a GPU: one stream, one thread per index, sort and scan by CUB.
 //
-// What a step needs is kept from step to step, since to allocate on a GPU is to wait for it. The host runs ahead of the
-// device, and waits only where it looks at a number: the total of a scan that sizes a buffer, a reduction, a download.
+// Memory is reused from step to step, since an allocation waits for the GPU. The host runs ahead of the device and
+// waits only where it reads a number: the total of a scan that sizes a buffer, a reduction, a download.
 #pragma once
 
 #include <bit>
@@ -41,7 +41,7 @@ struct AddInt64 {
   HOST_DEVICE int64_t operator()(int64_t a, int64_t b) const { return a + b; }
 };
 
-/// Takes the sums of a scan, in any order: as offsets, and the last one in 64 bits.
+/// Receives the sums of a scan, in any order: stores them as offsets, and the last one in 64 bits.
 struct StoreSum {
   int n;
   int* offsets;
@@ -71,7 +71,7 @@ class CudaExecutor {
   template <class T>
   using Buffer = DeviceBuffer<T>;
 
-  /// What a scan returns: a number for whoever asks, and waits for it. Whoever does not, does not wait.
+  /// The total of a scan. Converting it to a number waits for the device; callers that ignore it do not wait.
   class Total {
    public:
     Total(const CudaExecutor& exec, Span<const int64_t> total) : exec_(exec), total_(total) {}
@@ -79,7 +79,7 @@ class CudaExecutor {
 
    private:
     const CudaExecutor& exec_;
-    Span<const int64_t> total_;  // void after the next scan
+    Span<const int64_t> total_;  // invalid after the next scan
   };
 
   StageTimes& stage_times() { return timer_.times(); }
@@ -175,9 +175,9 @@ class CudaExecutor {
   }
 
  private:
-  /// Memory that the executor keeps, by what for.
+  /// The buffers that the executor reuses, by purpose.
   enum Memory { kScratch, kScratch1, kKeys, kOtherKeys, kValues, kOtherValues, kTotal, kCub, kMemories };
-  static constexpr int kDigitBits = 8;  // of CUB's radix sort; were it wrong, order would be copied once more
+  static constexpr int kDigitBits = 8;  // of CUB's radix sort; a wrong value would only cost one more copy
 
   template <class T>
   Span<T> memory(int index, int64_t n) {
@@ -193,7 +193,7 @@ class CudaExecutor {
     check_cuda(cudaGetLastError(), name);
   }
 
-  /// Calls a CUB algorithm twice, as it wants: for the size of its scratch memory, and to run.
+  /// Calls a CUB algorithm twice, as CUB requires: for the size of its scratch memory, and to run it.
   template <class Algorithm>
   void run_cub(const char* name, Algorithm&& algorithm) {
     size_t bytes = 0;
@@ -209,13 +209,13 @@ class CudaExecutor {
     });
   }
 
-  /// Sorted values lie in one of two buffers, by the number of passes.
+  /// Copies sorted values back if an odd number of passes has left them in the other buffer.
   template <class T>
   void move_back(Span<T> span, cub::DoubleBuffer<T>& buffers) {
     if (buffers.Current() != span.data()) copy(span.data(), buffers.Current(), span.size(), cudaMemcpyDeviceToDevice);
   }
 
-  /// The indices in the order of their keys, in `order` or beside it.
+  /// The indices in the order of their keys: in `order`, or in a buffer of the executor.
   template <class KeyOf>
   Span<int> bin_indices(const char* name, const KeyOf& key_of, Span<int> offsets, Span<int> order) {
     const int64_t n = order.size(), bins = offsets.size() - 1;
@@ -226,7 +226,8 @@ class CudaExecutor {
     const int bits = std::bit_width(static_cast<uint64_t>(bins - 1));
     cub::DoubleBuffer<uint32_t> keys(memory<uint32_t>(kKeys, n).data(), memory<uint32_t>(kOtherKeys, n).data());
     cub::DoubleBuffer<int> indices(order.data(), memory<int>(kOtherValues, n).data());
-    // Each pass goes from one buffer to the other: an odd number of them starts beside `order` to end there.
+    // Each pass sorts from one buffer into the other. With an odd number of passes, the other one comes first, so that
+    // the last pass ends in `order`.
     indices.selector = (bits + kDigitBits - 1) / kDigitBits % 2;
     launch(name, n, StoreKey<KeyOf>{key_of, {keys.Current(), n}, {indices.Current(), n}});
     radix_sort(name, keys, indices, n, bits);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stage times of a stream, by events recorded around each launch and read later: timing never makes a step wait.
+// Stage times of a stream: records events around each launch and reads them later, so that a step never waits for
+// timing.
 #pragma once
 
 #include <memory>
@@ -32,7 +33,7 @@ class CudaTimer {
  public:
   explicit CudaTimer(cudaStream_t stream) : stream_(stream) {}
 
-  /// Records the start of a stage; follow it by stop(), or by nothing where the launch failed.
+  /// Records the start of a stage. Call stop() next, unless the launch failed.
   void start(const char* name) {
     if (used_ == kPending) collect();
     if (used_ == pending_.size()) pending_.emplace_back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DeviceBuffer: an owned array of plain values in the GPU's memory; the sibling of HostBuffer, with its contract.
+// DeviceBuffer: an owned array of plain values in the GPU's memory; the sibling of HostBuffer, with the same interface.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class DeviceBuffer {
     return *this;
   }
 
-  /// Makes room for n values; the contents are undefined afterwards. Throws RunError where the device has no memory.
+  /// Makes room for n values; the contents are undefined afterwards. Throws RunError if the device is out of memory.
   void resize(int64_t n) {
     if (n > capacity_) {
       const int64_t capacity = std::max(n, capacity_ + capacity_ / 2);
@@ -37,7 +37,7 @@ class DeviceBuffer {
   }
 
   int64_t size() const { return size_; }
-  int64_t bytes() const { return capacity_ * int64_t(sizeof(T)); }  ///< held
+  int64_t bytes() const { return capacity_ * int64_t(sizeof(T)); }  ///< of memory held
   Span<T> span() { return {data_, size_}; }
   Span<const T> span() const { return {data_, size_}; }
 
@@ -48,7 +48,7 @@ class DeviceBuffer {
     std::swap(capacity_, other.capacity_);
   }
 
-  /// A failure to free is a failure of an earlier launch, which its own check reports.
+  /// If freeing fails, an earlier launch has failed, and its own check reports it.
   void release() {
     if (data_ != nullptr) (void)cudaFree(std::exchange(data_, nullptr));
     size_ = capacity_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenGL's buffers as CUDA memory: the step's processor writes what the vertex shader reads.
+// Maps OpenGL buffers as CUDA memory, so that the GPU that computes a step writes directly for the vertex shader.
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -19,7 +19,7 @@ namespace ballpit {
 
 namespace {
 
-/// A buffer that CUDA may write, until its end; it has to outlast this, or its name has to be new.
+/// Registers a buffer for CUDA. The buffer must outlive this object, unless its name is not used again.
 class Registered {
  public:
   explicit Registered(GLuint buffer) {
@@ -38,8 +38,8 @@ class Registered {
   cudaGraphicsResource_t resource_ = nullptr;
 };
 
-/// Buffers in CUDA's hands; OpenGL may not touch them as long. Both orders are on the legacy stream, for which the worlds'
-/// streams wait, and which waits for them.
+/// Maps buffers for CUDA; OpenGL must not use them meanwhile. Mapping and unmapping run on the legacy stream, which
+/// waits for the worlds' streams and makes them wait.
 class Mapped {
  public:
   explicit Mapped(const std::vector<Registered>& buffers) {
@@ -65,7 +65,7 @@ class Mapped {
   std::vector<cudaGraphicsResource_t> resources_;
 };
 
-/// Throws RunError where the current OpenGL context does not draw on the device that computes.
+/// Throws RunError if the current OpenGL context draws on another device than CUDA's.
 void check_same_device() {
   int own = 0;
   unsigned count = 0;
@@ -82,7 +82,7 @@ class CudaBodyWriter final : public BodyWriter {
   bool write(World& world, BodyBuffer& buffer) override {
     if (!trouble_.empty()) return false;
     const BodyShape shape = world.shape();
-    if (!buffer.fits(shape)) shared_.clear();  // CUDA lets go of buffers before OpenGL does
+    if (!buffer.fits(shape)) shared_.clear();  // CUDA releases buffers before OpenGL does
     buffer.resize(shape);
     try {
       share(buffer, shape);
@@ -120,7 +120,7 @@ class CudaBodyWriter final : public BodyWriter {
 
   std::string trouble_;
   std::vector<Registered> shared_;  // position, mark, radius where radii differ
-  int generation_ = -1;             // of the buffer whose buffers they are
+  int generation_ = -1;             // of the BodyBuffer that they belong to
 };
 
 }  // namespace

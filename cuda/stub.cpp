@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stands in for the CUDA backend in programs built without the CUDA Toolkit.
+// Replaces the CUDA backend in programs built without the CUDA Toolkit.
 #include "render/body_writer.h"
 #include "world/world.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Worlds on an NVIDIA GPU in double precision.
 #include "cuda_executor.h"
-#include "world/force_substepper.h"
-#include "world/impulse_substepper.h"
-#include "world/kinematic_substepper.h"
-#include "world/position_substepper.h"
+#include "world/force_motion.h"
+#include "world/impulse_motion.h"
+#include "world/kinematic_motion.h"
+#include "world/position_motion.h"
 #include "world/world_on.h"
 
 namespace ballpit {

@@ -143,10 +143,10 @@ Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle
 
 Settings bed_settings(double dt) {
   Settings settings;
-  settings.broadphase = "auto";
-  settings.response = "penalty";
-  settings.integrator = "symplectic-euler";
-  settings.backend = "cpu";
+  settings.broadphase = BroadPhase::automatic;
+  settings.response = Response::penalty;
+  settings.integrator = Integrator::symplectic_euler;
+  settings.backend = BackendName::cpu;
   settings.threads = 1;
   settings.dt = dt;
   return settings;

@@ -16,7 +16,7 @@ class OurPeer : public Peer {
  public:
   explicit OurPeer(const PeerOptions& options) {
     Settings settings;
-    settings.broadphase = options.broadphase;
+    settings.broadphase = named<BroadPhase>(options.broadphase);
     settings.threads = options.threads;
     settings.skin = options.skin;
     search_ = cpu_backend().make_pair_search(settings);

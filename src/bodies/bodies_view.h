@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bodies as kernels see them. V is Vec2 in planar scenes and Vec3 otherwise. The stages of a step meet here and in
-// contacts.h:
+// A view of the bodies for kernels. V is Vec2 in planar scenes and Vec3 otherwise. The stages of a step exchange their
+// data by this view and that of contacts.h:
 //
 //     position, velocity ──broad phase──▶ candidates ──narrow phase──▶ contacts ──response──▶ velocity ──▶ position
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies of the bodies on the host, for renderers and overlays.
+// Copies of the bodies on the host for renderers and overlays, and memory for a world to write them to.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace ballpit {
 
-/// The bodies as the vertex shader reads them: `dimensions` floats of position a body, missing coordinates are 0;
-/// one radius for all, or one each.
+/// The bodies in the layout of the vertex shader: `dimensions` floats of position a body (a missing z is 0), and one
+/// radius for all, or one each.
 struct BodySnapshot {
   int64_t count = 0;
   int dimensions = 3;
@@ -30,19 +30,19 @@ struct BodySnapshot {
   }
 };
 
-/// What of the bodies never changes while a world lives, but their places and velocities do.
+/// The properties of the bodies that never change in a world: all but positions and velocities.
 struct BodyShape {
   int64_t count = 0;
   int dimensions = 3;
   bool has_equal_radii = true;
-  float radius = 0;    ///< [m] of all, or the largest
+  float radius = 0;    ///< [m] of all bodies, or the largest
   float smallest = 0;  ///< [m] radius
 };
 
-/// Memory of a world's own processor that a vertex shader reads, for bodies in the order of their ids.
+/// Memory on the world's own processor that a vertex shader reads, for bodies in the order of their ids.
 struct BodyTarget {
   Span<float> position;    ///< [m] count × dimensions
-  Span<float> radius;      ///< [m] count values; none where all are equal
+  Span<float> radius;      ///< [m] count values; none if all are equal
   Span<uint8_t> touching;  ///< 1 for a body in contact, else 0
 };
 

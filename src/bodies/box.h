@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The domain as kernels see it: displacements, wrapping and walls.
+// The domain for kernels: displacements, wrapping and walls.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace ballpit {
 
-/// The domain, with the rules at its border.
+/// The domain and the rules at its border.
 template <class V>
 struct Box {
   using Real = Scalar<V>;
@@ -18,11 +18,15 @@ struct Box {
   V max{};
   Boundary boundary = Boundary::walls;
 
-  static constexpr Real kFar = Real(1e30);  ///< [m] above an open top
+  static constexpr Real kFar = Real(1e30);  ///< [m] upper limit of positions under an open top
 
   HOST_DEVICE bool is_periodic() const { return boundary == Boundary::periodic; }
 
-  /// From a to b; in a periodic domain to b's nearest image. displacement(a, b) = −displacement(b, a) to the bit.
+  /// Its length along an axis [m].
+  HOST_DEVICE double extent(int axis) const { return double(max[axis]) - double(min[axis]); }
+
+  /// From a to b; in a periodic domain to b's nearest image. displacement(a, b) and −displacement(b, a) are
+  /// bit-identical.
   HOST_DEVICE V displacement(const V& a, const V& b) const {
     V d = b - a;
     if (is_periodic()) {
@@ -34,8 +38,8 @@ struct Box {
     return d;
   }
 
-  /// The image of p inside a periodic domain, in [min, max) also where rounding is coarse; p itself in others. What is
-  /// not finite becomes NaN.
+  /// The image of p inside a periodic domain, always in [min, max) despite rounding; in other domains p itself.
+  /// Infinite coordinates become NaN.
   HOST_DEVICE V wrap(V p) const {
     if (is_periodic()) {
       for (int axis = 0; axis < kDimensions<V>; ++axis) {
@@ -43,7 +47,7 @@ struct Box {
         Real x = p[axis];
         if (x < low || x >= high) {
           x -= (high - low) * std::floor((x - low) / (high - low));
-          if (x < low || x >= high) x = low;  // rounded to the edge, or so far out that no digit is left
+          if (x < low || x >= high) x = low;  // rounded to the edge, or so far out that no digit is significant
         }
         p[axis] = x;
       }
@@ -51,8 +55,8 @@ struct Box {
     return p;
   }
 
-  /// Whether p is a place where a centre may be: finite, and inside all walls; of a periodic domain, inside after
-  /// wrap(). False for NaN.
+  /// Whether p is a valid position of a centre: finite and inside all walls (in a periodic domain, call wrap() first).
+  /// False for NaN.
   HOST_DEVICE bool holds(const V& p) const {
     bool is_held = true;
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
@@ -67,7 +71,7 @@ struct Box {
   template <class Visit>
   HOST_DEVICE void for_each_wall(const V& p, Real radius, Visit&& visit) const {
     if (is_periodic()) return;
-    bool is_near = false;  // one branch that is seldom taken, for six
+    bool is_near = false;  // one branch, seldom taken, instead of six
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       is_near = is_near | (p[axis] - min[axis] <= radius) | (max[axis] - p[axis] <= radius);
     }
@@ -79,7 +83,7 @@ struct Box {
     }
   }
 
-  /// The same for each wall that a sphere touches at p, or enters on its way from p to `end`: then without an overlap.
+  /// The same for each wall that a sphere touches at p, or enters on its way from p to `end`, then with overlap 0.
   template <class Visit>
   HOST_DEVICE void for_each_wall_on_way(const V& p, const V& end, Real radius, Visit&& visit) const {
     if (is_periodic()) return;
@@ -94,7 +98,7 @@ struct Box {
   }
 };
 
-/// Spheres that touch exactly are in contact: |d|² ≤ (r_i + r_j)².
+/// Whether two spheres are in contact; those that touch exactly are: |d|² ≤ (r_i + r_j)².
 template <class V>
 HOST_DEVICE bool in_contact(const V& d, Scalar<V> radii) {
   return dot(d, d) <= radii * radii;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts as the narrow phase gives them to a response.
+// The contacts that the narrow phase passes to a response.
 #pragma once
 
 #include "bodies/pair.h"
@@ -9,7 +9,7 @@
 
 namespace ballpit {
 
-/// What the narrow phase measures of a contact (i, j).
+/// The geometry of a contact (i, j), as the narrow phase measures it.
 template <class V>
 struct ContactGeometry {
   V normal;              ///< unit vector from i to j
@@ -17,15 +17,15 @@ struct ContactGeometry {
   Scalar<V> separation;  ///< speed at which the spheres part along the normal; negative while they approach [m/s]
 };
 
-/// A contact as its second body lists it.
+/// An entry of the contact list of a contact's second body.
 struct IncomingContact {
   int contact;
-  int body;  ///< the first body of that contact: held here, since looking it up would be one more jump in memory
+  int body;  ///< the first body of that contact; stored here to save one jump in memory
 };
 
-/// Contacts in canonical order (by i, then j), and for each body the contacts that it is part of:
-/// those with i = body are [first[body], first[body + 1]); those with j = body are listed in
-/// incoming[incoming_first[body]] … incoming[incoming_first[body + 1] − 1], ascending.
+/// Contacts in canonical order (by i, then j), and the contact list of each body. Contacts with i = body are
+/// [first[body], first[body + 1]); those with j = body are incoming[incoming_first[body]] …
+/// incoming[incoming_first[body + 1] − 1], ascending.
 template <class V>
 struct ContactsView {
   Span<const Pair> pairs;
@@ -38,8 +38,8 @@ struct ContactsView {
     return first[body + 1] - first[body] + incoming_first[body + 1] - incoming_first[body];
   }
 
-  /// Calls visit(contact, other body, side) in the order of contacts; side is +1 where the normal points away from `body`,
-  /// −1 where it points to it.
+  /// Calls visit(contact, other body, side) in the order of contacts. Side is +1 if the normal points away from `body`,
+  /// −1 if it points towards it.
   template <class Visit>
   HOST_DEVICE void for_each_of(int body, Visit&& visit) const {
     for (int k = incoming_first[body]; k < incoming_first[body + 1]; ++k) {

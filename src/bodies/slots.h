@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Slots: copies of the bodies in the order of a broad phase, coordinate by coordinate, so that the candidates of a body
-// are ranges of neighbours in memory and a processor tests many at once.
+// Slots: copies of the bodies in the order of a broad phase, one array per coordinate. The candidates of a body are
+// then ranges of neighbours in memory, and a processor tests several at once.
 //
-//     slot      0    1    2    3    4          range-based broad phases give, for each slot, ranges of slots:
+//     slot      0    1    2    3    4          range-based broad phases yield ranges of slots for each slot:
 //     body      4    0    3    1    2
-//     x         .1   .3   .3   .7   .9             slot 1:  [2, 4)        each pair in the range of one of the two
+//     x         .1   .3   .3   .7   .9             slot 1:  [2, 4)      each pair is in a range of one of its bodies
 //     y         .5   .2   .4   .1   .8
 //
 #pragma once
@@ -15,13 +15,13 @@
 
 namespace ballpit {
 
-/// Vector loads may run beyond the last slot; buffers of slots hold so many values more than slots.
+/// The number of unused values after the last slot: vector loads may read beyond it.
 inline constexpr int kSlotPadding = 16;
 
-/// Of a range that is meant whole; no slot has it.
+/// The tag of a range that includes all of its slots. No slot has this tag.
 inline constexpr unsigned kAnyTag = ~0u;
 
-/// Candidates in a row: slots first … last − 1, none where last ≤ first; where slots have tags, only those with this one.
+/// The slots first … last − 1; none if last ≤ first. If slots have tags, only those with this tag.
 struct SlotRange {
   int first;
   int last;
@@ -33,11 +33,11 @@ struct SlotRange {
 template <class V>
 struct SlotsView {
   using Real = Scalar<V>;
-  int count = 0;                                  ///< slots in use; the spans are longer by kSlotPadding
+  int count = 0;                                  ///< slots in use; the spans have kSlotPadding more
   Span<const Real> coordinate[kDimensions<V>]{};  ///< [m]
   PerBody<Real> radius;                           ///< [m]
-  Span<const int> body;                           ///< whose copy a slot holds
-  Span<const unsigned> tag;                       ///< of hashed grids: tells which cells a slot belongs to; or empty
+  Span<const int> body;                           ///< the body that a slot copies
+  Span<const unsigned> tag;  ///< only with hashed grids: identifies the cells of a slot; else empty
 
   HOST_DEVICE V position(int slot) const {
     V p{};
@@ -45,13 +45,13 @@ struct SlotsView {
     return p;
   }
 
-  /// Whether a slot that lies in a range is meant by it.
-  HOST_DEVICE bool is_meant(int slot, const SlotRange& range) const {
+  /// Whether a slot between a range's ends has its tag.
+  HOST_DEVICE bool matches_tag(int slot, const SlotRange& range) const {
     return tag.empty() || range.tag == kAnyTag || tag[slot] == range.tag;
   }
 };
 
-/// Whether a broad phase gives its candidates as ranges of slots.
+/// Whether a broad phase yields ranges of slots, not lists.
 template <class Candidates>
 concept GivesRanges = requires(const Candidates& candidates) {
   candidates.slots();
@@ -65,7 +65,7 @@ struct GatherSlot {
   PerBody<Real> from_radius;
   Span<const int> body;
   Span<Real> coordinate[kDimensions<V>];
-  Span<Real> radius;  ///< empty where all are equal
+  Span<Real> radius;  ///< empty if all are equal
 
   HOST_DEVICE void operator()(int slot) const {
     const int i = body[slot];
@@ -75,7 +75,7 @@ struct GatherSlot {
   }
 };
 
-/// The memory of slots, kept from search to search.
+/// The memory of the slots, reused by each search.
 template <class V, class Exec>
 class Slots {
   using Real = Scalar<V>;
@@ -83,7 +83,7 @@ class Slots {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  /// Makes room; fill body() next, then gather().
+  /// Makes room. Then fill body() and call gather().
   void resize(int64_t count) { body_.resize((count_ = count) + kSlotPadding); }
 
   Span<int> body() { return {body_.span().data(), count_}; }

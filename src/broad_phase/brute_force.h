@@ -4,7 +4,7 @@
 //          j 0 1 2 3
 //     i 0    · x x x      thread i tests all j > i: one range of slots, in the order of the bodies
 //       1    · · x x
-//       2    · · · x      cost: n(n−1)/2 tests, no structure; exact by construction, and so the oracle of the others
+//       2    · · · x      cost: n(n−1)/2 tests, no data structure; exact, so the other methods are tested against it
 //       3    · · · ·
 //
 // Source: slides 5 and 6. Siblings: sort_and_sweep.h, linked_cell.h, sorted_grid.h.
@@ -31,7 +31,7 @@ struct BruteForceCandidates {
     visit(SlotRange{slot + 1, slots_view.count});
   }
 
-  /// Tile by tile, so that each is read from memory once.
+  /// Tile by tile, so that all slots from … to − 1 test a tile while it is in the cache.
   template <class Visit>
   void for_each_range_of(int from, int to, Visit&& visit) const {
     for (int tile = from + 1; tile < slots_view.count; tile += kTile) {
@@ -41,10 +41,10 @@ struct BruteForceCandidates {
   }
 
  private:
-  static constexpr int kTile = 1024;
+  static constexpr int kTile = 1024;  // slots
 };
 
-/// Kernel: the body of a slot is the slot.
+/// Kernel: slot i holds body i.
 struct KeepOrder {
   Span<int> body;
   HOST_DEVICE void operator()(int slot) const { body[slot] = slot; }

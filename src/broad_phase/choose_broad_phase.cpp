@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "bodies/box.h"
 #include "broad_phase/grid.h"
@@ -15,7 +16,7 @@ namespace ballpit {
 
 namespace {
 
-// Nanoseconds on one core, fitted to `ballpit pairs` on uniform spheres; only their ratios matter, and those roughly.
+// Nanoseconds on one core, fitted to `ballpit pairs` on equal spheres. Only their rough ratios matter.
 constexpr double kVectorTest = 0.35;  // a test in a long range
 constexpr double kShortTest = 2.0;    // a test in a range of a few slots
 constexpr double kListTest = 4.0;     // a test in a linked list
@@ -25,15 +26,15 @@ constexpr double kLink = 90.0;        // a body linked, and the cells around it 
 constexpr double kCell = 0.6;         // a cell cleared and read
 
 struct Prediction {
-  const char* method;
+  BroadPhase method;
   double nanoseconds;
 };
 
-/// Spheres whose centres lie in `volume`, out of `count` spread evenly over the box.
+/// The expected number of centres in `volume`, of `count` spheres spread evenly over the box.
 template <class V>
 double expected(const Box<V>& box, double count, double volume) {
   double whole = 1;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) whole *= std::max(1e-30, double(box.max[axis]) - box.min[axis]);
+  for (int axis = 0; axis < kDimensions<V>; ++axis) whole *= std::max(1e-30, box.extent(axis));
   return std::min(count, count * volume / whole);
 }
 
@@ -41,7 +42,7 @@ double expected(const Box<V>& box, double count, double volume) {
 template <class V>
 double block_volume(const Box<V>& box, double edge) {
   double volume = 1;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= std::min(3 * edge, double(box.max[axis]) - box.min[axis]);
+  for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= std::min(3 * edge, box.extent(axis));
   return volume;
 }
 
@@ -55,50 +56,44 @@ Prediction predict_sorted_grid(const BroadPhaseParameters<V>& p) {
     time += coarser * kShortTest * expected(p.box, n, block_volume(p.box, 4 * double(spheres.largest)));
     coarser += n;
   }
-  return {"sorted-grid", time};
+  return {BroadPhase::sorted_grid, time};
 }
 
 template <class V>
 Prediction predict_sweep(const BroadPhaseParameters<V>& p) {
   const double n = double(p.count);
   double longest = 0, diameter = 0;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) {
-    longest = std::max(longest, double(p.box.max[axis]) - double(p.box.min[axis]));
-  }
+  for (int axis = 0; axis < kDimensions<V>; ++axis) longest = std::max(longest, p.box.extent(axis));
   for (const SizeClass<V>& spheres : p.classes) diameter += 1.5 * double(spheres.largest) * double(spheres.count) / n;
-  return {"sort-and-sweep", n * (kSort + 40) + kVectorTest * n * std::min(n / 2, n * diameter / longest)};
+  return {BroadPhase::sort_and_sweep, n * (kSort + 40) + kVectorTest * n * std::min(n / 2, n * diameter / longest)};
 }
 
 template <class V>
 Prediction predict_linked_cell(const BroadPhaseParameters<V>& p) {
   const double n = double(p.count), edge = 2 * double(p.largest_radius()) * p.cell_size.value_or(1.0);
-  return {"linked-cell", n * kLink + n * kListTest * expected(p.box, n, block_volume(p.box, edge))};
+  return {BroadPhase::linked_cell, n * kLink + n * kListTest * expected(p.box, n, block_volume(p.box, edge))};
 }
 
 template <class V>
 Prediction predict_brute_force(const BroadPhaseParameters<V>& p) {
   const double n = double(p.count);
-  return {"brute-force", n * 10 + kVectorTest * n * n / 2};
+  return {BroadPhase::brute_force, n * 10 + kVectorTest * n * n / 2};
 }
 
 }  // namespace
 
 template <class V>
 BroadPhaseChoice choose_broad_phase(const Settings& settings, const BroadPhaseParameters<V>& parameters) {
-  if (settings.broadphase != "auto") return {settings.broadphase, ""};
-  if (parameters.count < 2) return {"brute-force", "fewer than two spheres"};
+  if (settings.broadphase != BroadPhase::automatic) return {settings.broadphase, ""};
+  if (parameters.count < 2) return {BroadPhase::brute_force, "fewer than two spheres"};
   std::array predictions{predict_sorted_grid(parameters), predict_sweep(parameters), predict_linked_cell(parameters),
                          predict_brute_force(parameters)};
   std::sort(predictions.begin(), predictions.end(),
             [](const Prediction& a, const Prediction& b) { return a.nanoseconds < b.nanoseconds; });
-  std::string reason = "predicted for " + std::to_string(parameters.count) + " spheres, ms on one core: ";
-  for (const Prediction& prediction : predictions) {
-    char text[64];
-    std::snprintf(text, sizeof(text), "%s%s %.2g", &prediction == predictions.data() ? "" : ", ", prediction.method,
-                  prediction.nanoseconds * 1e-6);
-    reason += text;
-  }
-  return {predictions.front().method, reason};
+  std::vector<std::string> times;
+  for (const Prediction& p : predictions) times.push_back(fmt::format("{} {:.2g}", name_of(p.method), p.nanoseconds * 1e-6));
+  return {predictions.front().method,
+          fmt::format("predicted for {} spheres, ms on one core: {}", parameters.count, fmt::join(times, ", "))};
 }
 
 template <class V>
@@ -109,10 +104,9 @@ BroadPhaseParameters<V> broad_phase_parameters(const Settings& settings, const B
   parameters.count = count;
   parameters.classes = size_classes<V>(radius, count);
   parameters.cell_size = settings.cell_size;
-  if (settings.table == "dense") parameters.table = CellTable::dense;
-  if (settings.table == "hashed") parameters.table = CellTable::hashed;
-  if (settings.axis != "auto") {
-    parameters.axis = settings.axis[0] - 'x';
+  parameters.table = settings.table;
+  if (settings.axis != SweepAxis::automatic) {
+    parameters.axis = static_cast<int>(settings.axis) - static_cast<int>(SweepAxis::x);
     if (parameters.axis >= kDimensions<V>) throw UserError("--axis", "z", "auto, x, y in a planar scene");
   }
   return parameters;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --broadphase auto: the method whose predicted time is least, and the prediction as a reason.
+// --broadphase auto: the method with the shortest predicted time, and the predictions as the reason.
 #pragma once
 
 #include <string>
@@ -12,16 +12,15 @@
 namespace ballpit {
 
 struct BroadPhaseChoice {
-  std::string method;  ///< "sorted-grid"
-  std::string
-      reason;  ///< "predicted for 20000 spheres, ms on one core: sorted-grid 1.3, …"; empty where it was asked for
+  BroadPhase method;   ///< never automatic
+  std::string reason;  ///< "predicted for 20000 spheres, ms on one core: sorted-grid 1.3, …"; empty if it was asked for
 };
 
-/// The broad phase that `settings` ask for, or the one that takes the least time for spheres spread evenly over the box.
+/// The broad phase that `settings` ask for; for "auto" the one predicted to be fastest on spheres spread evenly.
 template <class V>
 BroadPhaseChoice choose_broad_phase(const Settings& settings, const BroadPhaseParameters<V>& parameters);
 
-/// What settings and radii (one for all, or one each) make of a box.
+/// The parameters for a box, settings and radii (one for all, or one each).
 template <class V>
 BroadPhaseParameters<V> broad_phase_parameters(const Settings& settings, const Box<V>& box,
                                                Span<const Scalar<V>> radius, int64_t count);

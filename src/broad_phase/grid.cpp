@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
-#include <sstream>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "broad_phase/inspection.h"
 #include "core/error.h"
@@ -15,67 +16,32 @@ namespace ballpit {
 
 namespace {
 
-constexpr double kCellsPerBody = 16;      // beyond that, clearing empty cells and holding them costs more than it saves
-constexpr double kLargestGrid = 1 << 30;  // cells; the index is an int
-constexpr double kClassRatio =
-    2.5;  // radii within a size class: fewer classes mean fewer rows, larger cells more tests
-constexpr double kLargestPicture = 1 << 22;  // cells of a grid that is looked at
+constexpr double kMaxCellsPerBody = 16;      // beyond that, clearing and storing empty cells costs more than it saves
+constexpr double kMaxCells = 1 << 30;        // the index is an int
+constexpr double kMaxListedCells = 1 << 22;  // of a grid that is shown
 
-/// Cells along one axis: enough to cover the domain, or as many as fit where it repeats.
+/// Cells along one axis: enough to cover the domain, or as many as fit into a periodic one.
 double cells_along(double extent, double edge, bool is_periodic) {
   const double cells = extent / edge;
   return std::max(1.0, is_periodic ? std::floor(cells) : std::ceil(cells));
 }
 
 template <class V>
-double extent_of(const Box<V>& box, int axis) {
-  return double(box.max[axis]) - double(box.min[axis]);
-}
-
-template <class V>
 V choose_edge(const BroadPhaseParameters<V>& parameters, const SizeClass<V>& spheres, V edge, bool is_hashed) {
   using Real = Scalar<V>;
   if (parameters.cell_size) edge = V(static_cast<Real>(2.0 * double(spheres.largest) * *parameters.cell_size));
-  // Rounding moves a coordinate counted in cells by its own unit in the last place, and by the guard.
+  // Rounding moves a coordinate in units of cells by its own unit in the last place, and by the guard.
   const bool is_unbounded = is_hashed && !parameters.box.is_periodic();
   edge *= is_unbounded ? Real(1.001) : Real(1) + 8 * std::numeric_limits<Real>::epsilon();
   edge += V(static_cast<Real>(2.0 * rounding_guard(parameters.box)));
   if (!parameters.cell_size && !is_unbounded) {
-    const double most = is_hashed ? kLargestGrid : kCellsPerBody * double(spheres.count) + 4096.0;
-    while (cell_count(parameters.box, edge) > most) edge *= Real(1.02);
+    const double limit = is_hashed ? kMaxCells : kMaxCellsPerBody * double(spheres.count) + 4096.0;
+    while (cell_count(parameters.box, edge) > limit) edge *= Real(1.02);
   }
   return edge;
 }
 
 }  // namespace
-
-template <class V>
-std::vector<SizeClass<V>> size_classes(Span<const Scalar<V>> radius, int64_t count) {
-  using Real = Scalar<V>;
-  if (count == 0) return {};
-  if (radius.size() == 1) return {{radius[0], count}};
-  Real largest = radius[0], smallest = radius[0];
-  for (const Real r : radius) {
-    largest = r > largest ? r : largest;
-    smallest = r < smallest ? r : smallest;
-  }
-  const double ratio = double(largest) / double(smallest);
-  const int wanted = std::clamp(int(std::lround(std::log(ratio) / std::log(kClassRatio))), 1, kMaxSizeClasses);
-  const double step = std::min(std::pow(ratio, 1.0 / wanted), kClassRatio * 1.5);
-  Real bounds[kMaxSizeClasses];  // radii up to bounds[k] belong to class k or a finer one
-  for (int k = 0; k < wanted; ++k)
-    bounds[k] = k == 0 ? largest : static_cast<Real>(double(largest) / std::pow(step, k));
-  std::vector<SizeClass<V>> classes(static_cast<size_t>(wanted));
-  for (const Real r : radius) {
-    int k = 0;
-    while (k + 1 < wanted && r <= bounds[k + 1]) ++k;
-    SizeClass<V>& spheres = classes[static_cast<size_t>(k)];
-    spheres.largest = std::max(spheres.largest, r);
-    ++spheres.count;
-  }
-  std::erase_if(classes, [](const SizeClass<V>& spheres) { return spheres.count == 0; });
-  return classes;
-}
 
 template <class V>
 double rounding_guard(const Box<V>& box) {
@@ -90,32 +56,9 @@ template <class V>
 double cell_count(const Box<V>& box, const V& edge) {
   double count = 1.0;
   for (int axis = 0; axis < kDimensions<V>; ++axis) {
-    count *= cells_along(extent_of(box, axis), double(edge[axis]), box.is_periodic());
+    count *= cells_along(box.extent(axis), double(edge[axis]), box.is_periodic());
   }
   return count;
-}
-
-template <class V>
-double occupied_volume(const Box<V>& box, Span<const Vec3> position) {
-  constexpr int kSide = kDimensions<V> == 3 ? 32 : 181;
-  constexpr int64_t kSample = 4096;
-  std::vector<int> counts(size_t(std::pow(kSide, kDimensions<V>)), 0);
-  const int64_t stride = std::max<int64_t>(1, position.size() / kSample);
-  double together = 0, sample = 0, volume = 1;
-  for (int64_t i = 0; i < position.size(); i += stride) {
-    size_t cell = 0;
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const double x = (double(position[i][axis]) - double(box.min[axis])) / std::max(1e-30, extent_of(box, axis));
-      cell = cell * kSide + static_cast<size_t>(std::clamp(int(x * kSide), 0, kSide - 1));
-    }
-    together += counts[cell]++;
-    ++sample;
-  }
-  for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= extent_of(box, axis);
-  if (sample < 2) return volume;
-  // Two of an even sample share a cell with a probability of one in the number of cells.
-  const double evenly = sample * (sample - 1) / 2 / double(counts.size());
-  return volume * std::min(1.0, (evenly + 1) / (together + 1));
 }
 
 template <class V>
@@ -128,36 +71,46 @@ Grid<V> make_grid(const BroadPhaseParameters<V>& parameters, const SizeClass<V>&
   if (spheres.count == 0) return grid;
   const V edge = choose_edge(parameters, spheres, wanted_edge, is_hashed);
   const double count = cell_count(box, edge);
-  if ((!is_hashed || grid.is_periodic) && !(count <= kLargestGrid)) {
-    std::ostringstream found, allowed;
-    found << parameters.cell_size.value_or(1.0) << ", which needs " << count << " cells";
-    allowed << "sizes that need at most " << kLargestGrid << " cells"
-            << (grid.is_periodic ? "" : ", or --table hashed");
-    throw UserError("--cell-size", found.str(), allowed.str());
+  if ((!is_hashed || grid.is_periodic) && !(count <= kMaxCells)) {
+    throw UserError(
+        "--cell-size", fmt::format("{:g}, which needs {:g} cells", parameters.cell_size.value_or(1.0), count),
+        fmt::format("sizes that need at most {:g} cells{}", kMaxCells, grid.is_periodic ? "" : ", or --table hashed"));
   }
   for (int axis = 0; axis < kDimensions<V>; ++axis) {
-    const double extent = extent_of(box, axis);
-    const double cells = std::min(cells_along(extent, double(edge[axis]), box.is_periodic()), kLargestGrid);
+    const double extent = box.extent(axis);
+    const double cells = std::min(cells_along(extent, double(edge[axis]), box.is_periodic()), kMaxCells);
     const double length = box.is_periodic() ? extent / cells : double(edge[axis]);
     grid.cells[axis] = static_cast<int>(cells);
     grid.edge[axis] = static_cast<Scalar<V>>(length);
     grid.inverse_edge[axis] = static_cast<Scalar<V>>(1.0 / length);
-    grid.farthest[axis] = static_cast<Scalar<V>>(std::min(2 * cells + 2048, kLargestGrid));
+    grid.farthest[axis] = static_cast<Scalar<V>>(std::min(2 * cells + 2048, kMaxCells));
   }
   if (is_hashed) {
     grid.is_hashed = true;
-    const int64_t places =
-        std::max<int64_t>(8, 2 * spheres.count);  // fewer, and the cells of a row of a block would share one
-    grid.mask = static_cast<unsigned>(std::bit_ceil(static_cast<uint64_t>(places))) - 1;
+    // With fewer than 8 buckets, the cells of a block's row would share one.
+    const int64_t buckets = std::max<int64_t>(8, 2 * spheres.count);
+    grid.mask = static_cast<unsigned>(std::bit_ceil(static_cast<uint64_t>(buckets))) - 1;
   }
   return grid;
+}
+
+template <class V>
+GridInspection describe_grid(const Grid<V>& grid) {
+  GridInspection result;
+  for (int axis = 0; axis < kDimensions<V>; ++axis) {
+    result.cells[axis] = grid.cells[axis] - 2 * grid.border;
+    result.origin[axis] = static_cast<float>(grid.origin[axis] + grid.edge[axis] * Scalar<V>(grid.border));
+    result.edge[axis] = static_cast<float>(grid.edge[axis]);
+  }
+  if constexpr (kDimensions<V> == 2) result.cells.z = 1;
+  return result;
 }
 
 template <class V>
 GridInspection list_cells(const Grid<V>& grid, const std::vector<V>& position, const std::vector<int>& bodies) {
   GridInspection result = describe_grid(grid);
   const IVec3& cells = result.cells;
-  if (double(cells.x) * cells.y * cells.z > kLargestPicture) return result;
+  if (double(cells.x) * cells.y * cells.z > kMaxListedCells) return result;
   IVec3 border(0);
   for (int axis = 0; axis < kDimensions<V>; ++axis) border[axis] = grid.border;
   result.head.assign(static_cast<size_t>(cells.x) * cells.y * cells.z, -1);
@@ -171,11 +124,10 @@ GridInspection list_cells(const Grid<V>& grid, const std::vector<V>& position, c
 }
 
 #define BALLPIT_INSTANTIATE(V)                                                                     \
-  template std::vector<SizeClass<V>> size_classes<V>(Span<const Scalar<V>>, int64_t);              \
   template double rounding_guard(const Box<V>&);                                                   \
   template double cell_count(const Box<V>&, const V&);                                             \
-  template double occupied_volume(const Box<V>&, Span<const Vec3>);                                \
   template Grid<V> make_grid(const BroadPhaseParameters<V>&, const SizeClass<V>&, const V&, bool); \
+  template GridInspection describe_grid(const Grid<V>&);                                           \
   template GridInspection list_cells(const Grid<V>&, const std::vector<V>&, const std::vector<int>&);
 BALLPIT_INSTANTIATE(Vec2)
 BALLPIT_INSTANTIATE(Vec3)

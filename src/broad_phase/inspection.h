@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a broad phase shows of its data structure: copies on the host, for overlays.
+// Copies of a broad phase's data structures on the host, for overlays.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace ballpit {
 
-/// Where a method keeps the bodies of its cells: in lists of its own (head and next), or sorted by cell. A hashed grid
-/// has an entry for each place of its table, which cells share, instead of one for each cell.
+/// How a method stores the bodies of its cells: in linked cell lists (head and next), or sorted by cell. A hashed grid
+/// has an entry for each bucket, which cells share, instead of one for each cell.
 struct CellArrays {
   bool is_sorted = false;
   bool is_hashed = false;
@@ -19,22 +19,21 @@ struct CellArrays {
   std::vector<int32_t> bodies;  ///< next; if sorted, the bodies of all ranges
 };
 
-/// A grid of cells: cell (x, y, z) has the index (z · cells.y + y) · cells.x + x, covers
-/// origin + (x, y, z) ∘ edge to origin + (x+1, y+1, z+1) ∘ edge, and lists its bodies from head[index] along next[],
-/// as the audience sees them: those of one cell, whatever the method keeps. In a sorted grid the last of the range
-/// comes first.
+/// A grid of cells for the audience. Cell (x, y, z) has the index (z · cells.y + y) · cells.x + x and covers origin +
+/// (x, y, z) ∘ edge to origin + (x+1, y+1, z+1) ∘ edge. Its cell list starts at head[index] and continues along next[],
+/// however the method stores its cells. In a sorted grid the last body of the range comes first.
 struct GridInspection {
   Vec3 origin{0.0f};
-  Vec3 edge{0.0f};  ///< [m] the same along every axis, unless a periodic domain stretches it to a whole number of cells
+  Vec3 edge{0.0f};  ///< [m] equal along all axes, unless a periodic domain stretches it to a whole number of cells
   IVec3 cells{0};   ///< z is 1 in planar scenes
-  std::vector<int32_t> head;  ///< one entry per cell: its first body, or −1; empty where there are too many cells
-  std::vector<int32_t> next;  ///< one entry per body: the one linked before it, or −1
-  std::optional<CellArrays> arrays;  ///< the method's own; none where those are head and next
+  std::vector<int32_t> head;         ///< one entry per cell: its first body, or −1; empty if there are too many cells
+  std::vector<int32_t> next;         ///< one entry per body: the one linked before it, or −1
+  std::optional<CellArrays> arrays;  ///< the method's own arrays; none if they are head and next
 
   bool is_sorted() const { return arrays && arrays->is_sorted; }
 };
 
-/// An entry of the list that sort-and-sweep sorts: where a sphere begins or ends along the axis, but for a guard against
+/// An entry of sort-and-sweep's sorted list: where a sphere begins or ends along the axis, up to a guard against
 /// rounding of about a millionth.
 struct Endpoint {
   float at = 0;  ///< [m]

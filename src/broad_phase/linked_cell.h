@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linked cells: a grid whose cells are linked lists in two arrays, built by all threads at once (slides 12 to 17).
+// Linked cells: a grid whose cells are linked lists in two arrays, built by all threads in parallel (slides 12 to 17).
 //
 //     cell   0   1   2   3   4   5           head[cell]: the body linked last, −1 where the cell is empty
 //     head  −1  −1  −1  −1   2  −1
@@ -7,15 +7,16 @@
 //     body   0   1   2 ◀─────┘   4   5   6   next[body]: the body linked before it in the same cell, or −1
 //     next           6 ──────────────────▶ −1
 //
-// Link: next[body] = atomic exchange(head[cell], body). The exchange hands each old entry to exactly one thread, so no
-// body is lost however many threads insert into one cell; only the order within a list depends on them, and what is
-// found is sorted afterwards.
+// Link: next[body] = atomic exchange(head[cell], body). The exchange returns each old entry to exactly one thread, so
+// no body is lost, however many threads insert into one cell. The order within a cell list depends on the threads; the
+// contacts are sorted afterwards.
 //
-// One thread alone links bodies in their order, so its lists fall: who looks for higher indices may leave a list early.
+// A single thread links bodies in the order of their indices, so its cell lists are in descending order, and a search
+// for j > i can stop early.
 //
 // Cost: O(n + cells) to build, then for each body the lists of its 3 × 3 (× 3) block: O(n) while cells hold O(1)
-// bodies. Memory: 4 bytes a cell, 4 bytes a body. Each pair is visited from its lower index alone. In a hashed grid a
-// list may hold bodies of several cells: those of the cell that is looked for are told by their positions.
+// bodies. Memory: 4 bytes a cell, 4 bytes a body. Each pair is visited only from its lower index. In a hashed grid a
+// list may hold bodies of several cells; their positions show which ones belong to the wanted cell.
 // Source: slides 8 to 17; Green, "Particle simulation using CUDA" (2010). Sibling with its cells sorted: sorted_grid.h.
 #pragma once
 
@@ -48,7 +49,7 @@ struct LinkedCellCandidates {
   Span<const V> position;
   Span<const int> head;
   Span<const int> next;
-  bool is_falling = false;  ///< whether indices fall along each list
+  bool is_descending = false;  ///< whether the indices of each list are in descending order
 
   /// Calls visit(j) for each j > i in the block around i's cell, until visit returns false.
   template <class Visit>
@@ -63,11 +64,11 @@ struct LinkedCellCandidates {
  private:
   static constexpr int kBatch = 32;
 
-  /// For CPUs, which predict branches, and keep the arrays in a cache; a GPU does neither.
+  /// For CPUs, where mispredicted branches are expensive and the arrays lie in a cache.
   template <class Visit>
   HOST_DEVICE void walk_lists_in_batches(int i, Visit&& visit) const {
-    const int end = is_falling ? i : -1;  // what follows an index up to it is not looked for
-    // First the lists to walk, without a branch for each cell: whether a cell is empty is hard to predict.
+    const int end = is_descending ? i : -1;  // a list ends at the first index up to this one
+    // First collect the lists, without a branch for each cell: whether a cell is empty is hard to predict.
     int starts[kDimensions<V> == 3 ? 27 : 9];
     int lists = 0;
     grid.for_each_neighbour(grid.cell_of(position[i]), [&](const IVec3& cell) {
@@ -75,7 +76,7 @@ struct LinkedCellCandidates {
       lists += starts[lists] > end;
       return true;
     });
-    // Then their bodies with a higher index, without a branch for each body.
+    // Then collect their bodies with a higher index, without a branch for each body.
     int higher[kBatch];
     int count = 0;
     for (int k = 0; k < lists; ++k) {
@@ -124,11 +125,11 @@ class LinkedCell {
     next_.resize(bodies.size());
     position_ = bodies.position;
     exec.fill("clear cells", head_.span(), -1);
-    is_falling_ = exec.runs_in_order();
+    is_descending_ = exec.runs_in_order();
     exec.parallel_for("link bodies", bodies.size(), LinkBody<V>{grid_, position_, head_.span(), next_.span()});
   }
 
-  LinkedCellCandidates<V> candidates() const { return {grid_, position_, head_.span(), next_.span(), is_falling_}; }
+  LinkedCellCandidates<V> candidates() const { return {grid_, position_, head_.span(), next_.span(), is_descending_}; }
 
   std::vector<GridInspection> inspect(Exec& exec) const {
     if (grid_.is_hashed) {
@@ -149,7 +150,7 @@ class LinkedCell {
  private:
   Grid<V> grid_;
   Span<const V> position_;
-  bool is_falling_ = false;
+  bool is_descending_ = false;
   typename Exec::template Buffer<int> head_, next_;
 };
 

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Sort and sweep: each sphere's interval on one axis, begins and ends of all in one sorted list (slides 2 to 4).
+// Sort and sweep: each sphere has an interval on one axis, and the begins and ends of all are in one sorted list
+// (slides 2 to 4).
 //
 //         b0 ────────── e0                        list    b0  b2  e0  b1  e2  e1
 //               b2 ───────────── e2               slot     0   1       2            (the begins, numbered)
 //                          b1 ───────── e1        thread b0 walks to e0 and tests b2; b2 walks to e2 and tests b1;
 //     ──────────────────────────────────▶ axis    thread e0 returns at once
 //
-// The begins between a sphere's begin and its end are numbered without gaps: the candidates are one range of slots. In
-// a periodic domain an interval that reaches over the border also meets the first begins of the list.
+// The begins between a sphere's begin and its end have consecutive numbers, so the candidates are one range of slots
+// (sweep_candidates.h).
 //
-// Cost: one stable sort of 2n endpoints, O(n log n) or, by radix, O(n); then as many tests as intervals overlap on the
-// axis, which is O(n^(5/3)) for a cube of spheres: in a crowd, most of what overlaps on an axis is far apart on the others.
-// The walks differ in length, and half of all threads return at once: neighbours wait for each other on a GPU.
-// Memory: 24 bytes a body, and a copy of position and radius.
-// Source: Baraff, "Dynamic simulation of non-penetrating rigid bodies" (1992); Witkin, Baraff, Kass, "Physically Based
-// Modeling" (SIGGRAPH course, 1997). Siblings: brute_force.h, linked_cell.h, sorted_grid.h.
+// Cost: one stable sort of 2n endpoints, O(n log n) or, by radix, O(n); then one test for each overlap on the axis,
+// which is O(n^(5/3)) for a cube of spheres: most of the spheres that overlap on one axis are far apart on the others.
+// The walks differ in length, and half of all threads return at once: on a GPU, the threads of a warp wait for each
+// other. Memory: 24 bytes a body, and a copy of position and radius. Source: Baraff, "Dynamic simulation of
+// non-penetrating rigid bodies" (1992); Witkin, Baraff, Kass, "Physically Based Modeling" (SIGGRAPH course, 1997).
+// Siblings: brute_force.h, linked_cell.h, sorted_grid.h.
 #pragma once
 
 #include <cstring>
@@ -25,24 +26,25 @@
 #include "bodies/slots.h"
 #include "broad_phase/grid.h"
 #include "broad_phase/inspection.h"
+#include "broad_phase/sweep_candidates.h"
+#include "broad_phase/widest_axis.h"
 #include "core/span.h"
-#include "exec/reduce.h"
 
 namespace ballpit {
 
-/// A number whose unsigned order is the order of finite floats.
+/// Maps floats to unsigned numbers in the same order.
 HOST_DEVICE inline uint32_t sortable(float value) {
-  uint32_t bits;  // std::bit_cast is not for every device
+  uint32_t bits;  // std::bit_cast is not available on every device
   std::memcpy(&bits, &value, sizeof(bits));
   return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
 }
 
-/// Kernel: endpoints i (begin of body i) and n + i (its end), before sorting. Begins come first, so that in a stable sort
-/// a begin stands before an end at the same place: spheres that touch exactly meet.
+/// Kernel: endpoints i (begin of body i) and n + i (its end), before sorting. Begins come first, so after a stable sort
+/// a begin precedes an end with the same key: spheres that touch exactly are found.
 template <class V>
 struct StoreEndpoints {
   int axis;
-  Scalar<V> guard;  ///< what rounding may hide, that of keys to single precision included [m]
+  Scalar<V> guard;  ///< bound on the rounding error, including that of the keys to single precision [m]
   Span<const V> position;
   PerBody<Scalar<V>> radius;
   Span<uint32_t> keys;
@@ -58,7 +60,7 @@ struct StoreEndpoints {
   }
 };
 
-/// Kernel: 1 where the list has a begin.
+/// Kernel: 1 for each begin in the list.
 struct MarkBegin {
   int n;
   Span<const int> endpoints;
@@ -66,13 +68,13 @@ struct MarkBegin {
   HOST_DEVICE void operator()(int p) const { is_begin[p] = endpoints[p] < n; }
 };
 
-/// Kernel: numbers the begins, and notes for each end how many begins stand before it.
+/// Kernel: numbers the begins, and stores for each end how many begins precede it.
 struct NumberBegins {
   int n;
   Span<const int> endpoints;
   Span<const int> begins_before;
   Span<int> body_of_slot;
-  Span<int> begins_before_end;  ///< of each body
+  Span<int> begins_before_end;  ///< for each body
 
   HOST_DEVICE void operator()(int p) const {
     const int endpoint = endpoints[p];
@@ -84,9 +86,9 @@ struct NumberBegins {
   }
 };
 
-/// Kernel: where entry p of the sorted list lies, as its key told.
+/// Kernel: the position of entry p of the sorted list on the axis.
 template <class V>
-struct PlaceEndpoint {
+struct LocateEndpoint {
   int axis;
   Scalar<V> guard;  ///< [m]
   BodiesView<V> bodies;
@@ -99,91 +101,6 @@ struct PlaceEndpoint {
     const int i = is_end ? endpoint - n : endpoint;
     const Scalar<V> x = bodies.position[i][axis], reach = bodies.radius[i] + guard;
     at[p] = static_cast<float>(is_end ? x + reach : x - reach);
-  }
-};
-
-template <class V>
-struct SortAndSweepCandidates {
-  using Real = Scalar<V>;
-  SlotsView<V> slots_view;
-  Span<const int> endpoints;          ///< the sorted list
-  Span<const int> begins_before;      ///< of each list entry
-  Span<const int> begins_before_end;  ///< of each body
-  int axis = 0;
-  Real guard = 0;
-  Real period = 0;         ///< [m] length of a periodic axis, else 0
-  bool is_narrow = false;  ///< periodic and so short that spheres may meet both ways round: all pairs are candidates
-
-  HOST_DEVICE const SlotsView<V>& slots() const { return slots_view; }
-  HOST_DEVICE int threads() const { return static_cast<int>(endpoints.size()); }
-
-  /// One thread per list entry: an end has nothing to do.
-  HOST_DEVICE int slot_of(int thread) const {
-    return endpoints[thread] < slots_view.count ? begins_before[thread] : -1;
-  }
-
-  template <class Visit>
-  HOST_DEVICE void for_each_range(int slot, Visit&& visit) const {
-    const int last = is_narrow ? slots_view.count : begins_before_end[slots_view.body[slot]];
-    if (slot + 1 < last) visit(SlotRange{slot + 1, last});
-    if (period > 0 && !is_narrow) visit_over_border(slot, visit);
-  }
-
-  template <class Visit>
-  void for_each_range_of(int from, int to, Visit&& visit) const {
-    for (int slot = from; slot < to; ++slot) {
-      for_each_range(slot, [&](const SlotRange& range) { visit(slot, range); });
-    }
-  }
-
- private:
-  HOST_DEVICE float begin_of(int slot) const {  // rounded as its key was
-    return static_cast<float>(slots_view.coordinate[axis][slot] - (slots_view.radius[slot] + guard));
-  }
-
-  /// The begins that an interval meets when it goes on at the other end of the axis.
-  template <class Visit>
-  HOST_DEVICE void visit_over_border(int slot, Visit&& visit) const {
-    const Real end = slots_view.coordinate[axis][slot] + (slots_view.radius[slot] + guard) - period + guard;
-    int low = 0, high = slot;  // invariant: begins below `low` lie up to `end`, those from `high` on beyond
-    while (low < high) {
-      const int middle = low + (high - low) / 2;
-      if (begin_of(middle) <= end) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    if (low > 0) visit(SlotRange{0, low});
-  }
-};
-
-/// Sums for the variance along each axis.
-struct AxisSums {
-  double sum[3] = {0, 0, 0}, squares[3] = {0, 0, 0};
-
-  HOST_DEVICE AxisSums operator+(const AxisSums& other) const {
-    AxisSums result;
-    for (int axis = 0; axis < 3; ++axis) {
-      result.sum[axis] = sum[axis] + other.sum[axis];
-      result.squares[axis] = squares[axis] + other.squares[axis];
-    }
-    return result;
-  }
-};
-
-template <class V>
-struct AxisSumsOf {
-  Span<const V> position;
-  V center;  ///< about which squares are summed, so that they do not cancel
-  HOST_DEVICE AxisSums operator()(int i) const {
-    AxisSums result;
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const double x = double(position[i][axis]) - double(center[axis]);
-      result.sum[axis] = x;
-      result.squares[axis] = x * x;
-    }
-    return result;
   }
 };
 
@@ -208,7 +125,7 @@ class SortAndSweep {
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     const int64_t n = bodies.size();
     const int count = static_cast<int>(n);
-    axis_ = wanted_axis_ >= 0 ? wanted_axis_ : widest_axis(exec, bodies.position);
+    axis_ = wanted_axis_ >= 0 ? wanted_axis_ : widest_axis(exec, bodies.position, (box_.min + box_.max) / Real(2));
     keys_.resize(2 * n);
     endpoints_.resize(2 * n);
     begins_before_.resize(2 * n + 1);
@@ -218,7 +135,7 @@ class SortAndSweep {
         "store endpoints", n,
         StoreEndpoints<V>{axis_, guard_, bodies.position, bodies.radius, keys_.span(), endpoints_.span()});
     exec.sort_pairs("sort endpoints", keys_.span(), endpoints_.span());
-    const Span<int> is_begin(reinterpret_cast<int*>(keys_.span().data()), 2 * n);  // the keys have done their work
+    const Span<int> is_begin(reinterpret_cast<int*>(keys_.span().data()), 2 * n);  // reuses the keys' memory
     exec.parallel_for("mark begins", 2 * n, MarkBegin{count, endpoints_.span(), is_begin});
     exec.exclusive_scan("scan begins", Span<const int>(is_begin), begins_before_.span());
     exec.parallel_for(
@@ -244,14 +161,15 @@ class SortAndSweep {
 
   int axis() const { return axis_; }
 
-  /// The sorted list of these bodies, for which it was prepared. Intervals are larger by the guard, as they were sorted.
+  /// The sorted list, for the bodies that it was prepared for. Intervals are as long as when sorted: longer by the
+  /// guard.
   std::vector<Endpoint> endpoints(Exec& exec, const BodiesView<V>& bodies) const {
-    Buffer<float> places;
-    places.resize(endpoints_.size());
-    exec.parallel_for("place endpoints", places.size(),
-                      PlaceEndpoint<V>{axis_, guard_, bodies, endpoints_.span(), places.span()});
+    Buffer<float> positions;
+    positions.resize(endpoints_.size());
+    exec.parallel_for("locate endpoints", positions.size(),
+                      LocateEndpoint<V>{axis_, guard_, bodies, endpoints_.span(), positions.span()});
     const std::vector<int> endpoints = exec.download(endpoints_.span());
-    const std::vector<float> at = exec.download(places.span());
+    const std::vector<float> at = exec.download(positions.span());
     const auto n = static_cast<int>(bodies.size());
     std::vector<Endpoint> result;
     for (size_t p = 0; p < at.size(); ++p) {
@@ -261,7 +179,7 @@ class SortAndSweep {
     return result;
   }
 
-  /// List entries between each begin and its end, in the order of the list; 0 for the ends, which return at once.
+  /// How many entries each begin walks to its end, in the order of the list; 0 for the ends.
   std::vector<int> walks(Exec& exec) const {
     const std::vector<int> endpoints = exec.download(endpoints_.span());
     const int n = static_cast<int>(endpoints.size() / 2);
@@ -283,27 +201,8 @@ class SortAndSweep {
   }
 
  private:
-  static int widest_axis(Exec& exec, Span<const V> position, const V& center) {
-    const AxisSums spread =
-        reduce(exec, "measure spread", position.size(), AxisSums{}, AxisSumsOf<V>{position, center}, Sum{});
-    const double n = static_cast<double>(position.size());
-    int widest = 0;
-    double largest = -1;
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const double variance = spread.squares[axis] - spread.sum[axis] * spread.sum[axis] / n;
-      if (variance > largest) {
-        largest = variance;
-        widest = axis;
-      }
-    }
-    return widest;
-  }
-  int widest_axis(Exec& exec, Span<const V> position) const {
-    return position.empty() ? 0 : widest_axis(exec, position, (box_.min + box_.max) / Real(2));
-  }
-
   Box<V> box_;
-  int wanted_axis_ = kLargestAxis;
+  int wanted_axis_ = kAutoAxis;
   int axis_ = 0;
   Real guard_ = 0;
   double largest_diameter_ = 0;

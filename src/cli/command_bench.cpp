@@ -25,19 +25,22 @@ namespace {
 constexpr std::array<std::string_view, 7> kStepSettings{"cell-size", "axis",       "table",    "skin",
                                                         "response",  "integrator", "precision"};
 
-std::vector<std::string> names_of(Family family) {
+/// All but "auto".
+template <class Enum>
+std::vector<std::string> names_of() {
   std::vector<std::string> names;
-  for (const std::string_view name : method_names(family)) {
+  for (const std::string_view name : kNames<Enum>) {
     if (name != "auto") names.emplace_back(name);
   }
   return names;
 }
 
 /// Each once, in the order given.
-std::vector<std::string> parse_names(std::string_view option, const std::string& text, Family family) {
+template <class Enum>
+std::vector<std::string> parse_names(std::string_view option, const std::string& text) {
   std::vector<std::string> names;
   for (const std::string& name : split_list(text)) {
-    parse_choice(option, name, names_of(family));
+    parse_choice(option, name, names_of<Enum>());
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
@@ -74,12 +77,11 @@ class BenchCommand final : public Command {
     };
     add("--counts", counts_, "numbers of spheres", "N,…")->shows_default();
     methods_option_ =
-        add("--methods", methods_, "some of " + join(names_of(Family::broadphase)) + "; default: all", "NAME,…");
+        add("--methods", methods_, "some of " + join(names_of<BroadPhase>()) + "; default: all", "NAME,…");
     threads_option_ =
         add("--threads", threads_, "numbers of CPU threads, 0 for all cores; default: 1 and all cores", "N,…");
-    backends_option_ =
-        add("--backends", backends_,
-            "some of " + join(names_of(Family::backend)) + "; default: all that can serve here", "NAME,…");
+    backends_option_ = add("--backends", backends_,
+                           "some of " + join(names_of<BackendName>()) + "; default: all that can serve here", "NAME,…");
     add("--repeat", repeat_, "blocks of steps to measure of each", "N")->shows_default();
     add("--limit", limit_, "longest time for each; what would need longer is skipped", "SECONDS")->shows_default();
     command.add_flag("--stages", stages_, "show each stage that takes a hundredth of a step, or more");
@@ -108,9 +110,9 @@ class BenchCommand final : public Command {
     plan.limit = parse_number("--limit", limit_, 1e-3, 1e6);
     apply_given(plan.settings, settings_.given());
     check_given(plan.settings, settings_.given());
-    std::vector<std::string> methods = names_of(Family::broadphase), backends;
-    if (methods_option_->is_given()) methods = parse_names("--methods", methods_, Family::broadphase);
-    if (backends_option_->is_given()) backends = parse_names("--backends", backends_, Family::backend);
+    std::vector<std::string> methods = names_of<BroadPhase>(), backends;
+    if (methods_option_->is_given()) methods = parse_names<BroadPhase>("--methods", methods_);
+    if (backends_option_->is_given()) backends = parse_names<BackendName>("--backends", backends_);
     const std::vector<int> threads = choose_threads();
     for (const Backend& backend : choose_backends(backends)) {
       for (const int t : backend.name == "cpu" ? threads : std::vector<int>{0}) {

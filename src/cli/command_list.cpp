@@ -41,7 +41,7 @@ Json list_methods() {
   Json list = Json::array();
   for (const Method& method : methods()) {
     if (method.family == Family::backend) continue;
-    list.push_back({{"family", family_name(method.family)},
+    list.push_back({{"family", name_of(method.family)},
                     {"name", method.name},
                     {"label", method.label},
                     {"backends", method.backends},

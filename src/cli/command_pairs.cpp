@@ -92,7 +92,7 @@ class PairsCommand final : public Command {
     if (period_option_->is_given()) period = parse_period(period_);
     const int64_t repeat = parse_integer("--repeat", repeat_, 1, 10000);
     Settings settings;
-    settings.broadphase = "auto";
+    settings.broadphase = BroadPhase::automatic;
     apply_given(settings, settings_.given());
     warn_of_small_cells(settings);
     const Backend backend = select_backend(settings.backend);

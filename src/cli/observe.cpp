@@ -22,7 +22,9 @@ namespace {
 /// cells or an axis of its own choice a method misses none; it is another one, so that no mistake is made twice.
 std::vector<Pair> contacts_by_other_method(Session& session) {
   Settings settings;
-  settings.broadphase = session.world().report().broadphase == "sorted-grid" ? "sort-and-sweep" : "sorted-grid";
+  settings.broadphase = session.world().report().broadphase == name_of(BroadPhase::sorted_grid)
+                            ? BroadPhase::sort_and_sweep
+                            : BroadPhase::sorted_grid;
   settings.precision = precision_of(session.settings());
   settings.threads = session.settings().threads;
   Scene scene;

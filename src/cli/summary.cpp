@@ -42,9 +42,9 @@ Json summarize(Session& session) {
                {"substeps", settings.substeps},
                {"methods",
                 {{"broadphase", report.broadphase},
-                 {"response", settings.response},
-                 {"integrator", integrator_of(settings)},
-                 {"precision", precision_of(settings)},
+                 {"response", name_of(settings.response)},
+                 {"integrator", name_of(integrator_of(settings))},
+                 {"precision", name_of(precision_of(settings))},
                  {"backend", session.backend()}}}};
   if (!report.broadphase_reason.empty()) summary["reason"] = report.broadphase_reason;
   summary.update({{"seconds", report.seconds},

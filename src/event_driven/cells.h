@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The cells of event-driven motion: linked lists, as in broadphase/linked_cell.h, that change one sphere at a time.
+// The cells of event-driven motion: cell lists as in broad_phase/linked_cell.h, changed by one sphere at a time.
 //
 //     a periodic row of three cells, and what is around cell 0:
 //
 //         ┆ 2 − L │  0  │  1  │  2  ┆        cell 2 counts twice where there are but two: as the neighbour on the left,
 //            ▲───────█─────▲                 shifted by −L, and as the one on the right
 //
-// The block around a cell is taken from the endless lattice of a periodic domain's images, so that one rule holds down to
-// a single cell. The outermost cells of a domain with walls end at the walls; without a ceiling the uppermost reach up
-// without end. Edges are at least the largest diameter, so that spheres which touch lie in neighbouring cells, and larger
-// where the domain would have more cells than `limit`.
-// Cost: 4 bytes a cell, 4 a sphere.
+// In a periodic domain, the block around a cell consists of cells of the domain and of its images, so the same rule
+// holds even for a single cell. The outermost cells of a domain with walls end at the walls; under an open top the
+// uppermost cells have no upper end. Edges are at least the largest diameter, so that spheres in contact lie in
+// neighbouring cells, and longer if the domain would have more cells than `limit`. Cost: 4 bytes a cell, 4 a sphere.
 #pragma once
 
 #include <array>
@@ -21,13 +20,13 @@
 
 namespace ballpit {
 
-/// Which cells around a cell are visited: all, or those that lie ahead of a sphere which has entered it along an axis.
+/// Which cells of a block are visited: all, or only those ahead of a sphere that has entered its cell along an axis.
 struct BlockPart {
   int axis = -1;  ///< −1: all
   int side = 0;   ///< −1 or +1
 };
 
-/// A sphere in a block, and which of its images lies there.
+/// A sphere in a block, and the number of its image that lies there.
 struct Neighbor {
   int32_t body;
   int32_t image;
@@ -36,20 +35,20 @@ struct Neighbor {
 template <class V>
 class Cells {
   static constexpr int kAxes = kDimensions<V>;
-  static constexpr size_t kBlock = 64;  // room for a block's first spheres, and for most lists
+  static constexpr size_t kBlock = 64;  // room for a block's first spheres, usually for all
 
  public:
   Cells(const Box<V>& box, double diameter, double limit, int64_t bodies)
       : box_(box), next_(static_cast<size_t>(bodies), -1) {
-    // A little larger: positions are rounded, and so are the times of crossings.
+    // A little larger, since positions and the times of crossings are rounded.
     double edge = diameter * (1 + 1e-9);
     while (!fit(edge) || double(count_.x) * count_.y * count_.z > limit) edge *= 1.05;
-    for (int axis = 0; axis < kAxes; ++axis) edge_[axis] = (box.max[axis] - box.min[axis]) / count_[axis];
+    for (int axis = 0; axis < kAxes; ++axis) edge_[axis] = box.extent(axis) / count_[axis];
     head_.assign(static_cast<size_t>(count_.x) * count_.y * count_.z, -1);
     for (int image = 0; image < 27; ++image) {
       const IVec3 periods = IVec3(image % 3, image / 3 % 3, image / 9) - 1;
       for (int axis = 0; axis < kAxes; ++axis) {
-        shifts_[static_cast<size_t>(image)][axis] = periods[axis] * (box.max[axis] - box.min[axis]);
+        shifts_[static_cast<size_t>(image)][axis] = periods[axis] * box.extent(axis);
       }
     }
   }
@@ -62,8 +61,8 @@ class Cells {
   IVec3 cell_of(const V& p) const {
     IVec3 cell{0};
     for (int axis = 0; axis < kAxes; ++axis) {
-      const double place = std::floor((p[axis] - box_.min[axis]) / edge_[axis]);
-      cell[axis] = static_cast<int>(std::clamp(place, 0.0, count_[axis] - 1.0));
+      const double c = std::floor((p[axis] - box_.min[axis]) / edge_[axis]);
+      cell[axis] = static_cast<int>(std::clamp(c, 0.0, count_[axis] - 1.0));
     }
     return cell;
   }
@@ -90,9 +89,9 @@ class Cells {
     *link = next_[static_cast<size_t>(body)];
   }
 
-  /// Lists all spheres in a block, or a part of it: the first of each cell, then what follows each sphere of the list,
-  /// at its end. So all lists are walked at once, without waiting for the memory of one, and without a branch that
-  /// depends on how long they are.
+  /// Collects all spheres of a block, or a part of it: the first of each cell, then for each collected sphere the next
+  /// of its cell list. So all cell lists are walked at the same time, without waiting for the memory of one, and
+  /// without branches that depend on their lengths.
   void gather(const IVec3& cell, BlockPart part, std::vector<Neighbor>& neighbors) const {
     neighbors.resize(kBlock);
     size_t count = gather_first(cell, part, neighbors.data());
@@ -105,7 +104,7 @@ class Cells {
     neighbors.resize(count);
   }
 
-  /// Fetches the heads that gather() will read.
+  /// Prefetches the heads that gather() will read.
   void prefetch_heads(const IVec3& cell, BlockPart part) const {
     const Steps ys = steps(cell, 1, part), zs = kAxes == 3 ? steps(cell, 2, part) : Steps{};
     for (int z = 0; z < zs.count; ++z) {
@@ -113,7 +112,7 @@ class Cells {
     }
   }
 
-  /// Fetches what is linked to them, and calls visit(body) for the first of each cell.
+  /// Prefetches what follows the first sphere of each cell, and calls visit(body) for the first.
   template <class Visit>
   void prefetch_firsts(const IVec3& cell, BlockPart part, Visit&& visit) const {
     Neighbor firsts[27];
@@ -124,12 +123,12 @@ class Cells {
     }
   }
 
-  /// What takes a neighbour from where it is stored to its image [m].
+  /// The displacement from a neighbour's stored position to that of its image [m].
   const V& shift(const Neighbor& neighbor) const { return shifts_[static_cast<size_t>(neighbor.image)]; }
 
  private:
-  /// The cells of a block along one axis, and whether they lie in the image before the domain (0), in the domain (1), or
-  /// in the image after it (2).
+  /// The cells of a block along one axis, and whether they lie in the image before the domain (0), in the domain (1),
+  /// or in the image after it (2).
   struct Steps {
     int count = 1;
     std::array<int, 3> cell{0, 0, 0};
@@ -167,10 +166,10 @@ class Cells {
     return result;
   }
 
-  /// Chooses as many cells of at least this edge as fit; false where they cannot be counted.
+  /// Sets count_ to as many cells of at least this edge as fit; false if there are too many to count.
   bool fit(double edge) {
     for (int axis = 0; axis < kAxes; ++axis) {
-      const double cells = std::floor((box_.max[axis] - box_.min[axis]) / edge);
+      const double cells = std::floor(box_.extent(axis) / edge);
       if (cells > 1e9) return false;
       count_[axis] = std::max(1, static_cast<int>(cells));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "event_driven/event_driven.h"
 
-#include <sstream>
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/interrupt.h"
@@ -10,23 +10,22 @@ namespace ballpit {
 
 namespace {
 
-constexpr double kCellsPerSphere = 2;  // at most: emptier cells cost more to visit than crossings saved
-constexpr double kEpoch = 512;         // radii that a sphere flies in an epoch: rounding of times costs 1e-13 radii
+constexpr double kMaxCellsPerSphere = 2;  // with more cells, visiting empty ones costs more than larger ones would
+constexpr double kEpoch = 512;  // radii that a sphere flies in an epoch: rounding of times then costs 1e-13 radii
 constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-// Time stands still where so many events a sphere fall on one moment, which is a part of an epoch, or the duration of a
-// contact if that is shorter: more than the cascades in any packing have.
+// Time stands still if a sphere has so many events in one moment: more than the cascades of any packing. A moment is
+// this part of an epoch, or the duration of a contact if that is shorter.
 constexpr int64_t kStandstill = 1000;
 constexpr double kMoment = 0x1p-16;
-constexpr int64_t kEventsBetweenLooks = 1024;  // whether the run was interrupted: about a millisecond
+constexpr int64_t kEventsBetweenChecks = 1024;  // for an interruption of the run: about a millisecond
 constexpr double kWedged = 1e-9;      // radii: a sphere with less room between two walls fits exactly between them
-constexpr double kRightAngle = 1e-6;  // part of a normal along an axis that does not count
-constexpr int kFewestToFetch = 5000;  // spheres; fewer lie in a cache
+constexpr double kRightAngle = 1e-6;  // a smaller component of a normal along an axis is ignored
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 1.0 : *std::max_element(values.begin(), values.end());
 }
 
-/// The axes that a normal has a part along, as bits.
+/// The axes along which a normal has a component, as bits.
 template <class V>
 uint8_t axes_of(const V& normal) {
   uint8_t axes = 0;
@@ -34,7 +33,7 @@ uint8_t axes_of(const V& normal) {
   return axes;
 }
 
-double cell_limit(const Scene& scene) { return 64 + kCellsPerSphere * double(scene.bodies.size()); }
+double cell_limit(const Scene& scene) { return 64 + kMaxCellsPerSphere * double(scene.bodies.size()); }
 
 }  // namespace
 
@@ -67,8 +66,8 @@ std::vector<double> EventDriven<V>::per_body(const std::vector<double>& values) 
   return is_uniform && !values.empty() ? std::vector<double>{values.front()} : values;
 }
 
-/// Times count from the start of an epoch, so that their rounding does not grow in long runs. Its length is a power of
-/// two, since subtracting multiples of it from later times is exact.
+/// Times count from the start of an epoch, so that their rounding errors do not grow in long runs. Its length is a
+/// power of two: subtracting multiples of it from later times is exact.
 template <class V>
 double EventDriven<V>::epoch_length(const Scene& scene) {
   const Vec3d extent = scene.domain.max - scene.domain.min;
@@ -81,11 +80,11 @@ double EventDriven<V>::epoch_length(const Scene& scene) {
 
 template <class V>
 void EventDriven<V>::run_until(double time) {
-  // The end is converted again in each epoch: an epoch begins with an event, not with a step.
+  // `time` is converted again for each event: an event may begin a new epoch.
   for (int64_t k = 1; queue_.first_time() <= local(time); ++k) {
     next_event();
     settled_ = now_;
-    if (k % kEventsBetweenLooks == 0) stop_if_interrupted();
+    if (k % kEventsBetweenChecks == 0) stop_if_interrupted();
   }
 }
 
@@ -130,8 +129,9 @@ void EventDriven<V>::count_event(int i) {
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       if (!is_wedged(i, axis)) continue;
       fail(i,
-           std::string("it fits exactly between the walls along ") + "xyz"[axis] +
-               ", and what pushes it there makes it collide without end",
+           fmt::format(
+               "it fits exactly between the walls along {}, and what pushes it there makes it collide without end",
+               "xyz"[axis]),
            "a domain with more room ends this");
     }
     const bool is_short = rules_.contact_duration < kMoment * epoch_length_;
@@ -140,104 +140,14 @@ void EventDriven<V>::count_event(int i) {
   }
 }
 
-/// Forecasts sphere i, which is at the present, from nothing.
-template <class V>
-void EventDriven<V>::forecast(int i) {
-  forecasts_[size_t(i)].contact_time = kNever;
-  forecast_faces(i);
-  forecast_contacts(i, {});
-  schedule(i);
-}
-
-/// The contact that was forecast will not be: the partner has collided meanwhile.
+/// The forecast contact is void: the partner has collided meanwhile.
 template <class V>
 void EventDriven<V>::forecast_anew(int i) {
   check(i, flights_[size_t(i)].velocity);
   forecast(i);
 }
 
-/// The block that an event's forecast will look at.
-template <class V>
-BlockPart EventDriven<V>::part_of(const Forecast& f) const {
-  if (f.contact_time <= f.face_time || f.is_wall) return {};
-  return {f.axis, f.side};
-}
-
-/// Puts the next event of sphere i into the queue, and fetches what the events to come will read, the more the sooner they
-/// come: whoever wins among a 64th of all spheres is soon to come, among a quarter sooner.
-template <class V>
-void EventDriven<V>::schedule(int i) {
-  queue_.set(i, forecasts_[size_t(i)].time());
-  if (size() < kFewestToFetch || events_ == 0) return;
-  const int soon = queue_.first_near(i, 6), sooner = queue_.first_near(i, 4), next = queue_.first_near(i, 2);
-  __builtin_prefetch(&flights_[size_t(soon)]);
-  __builtin_prefetch(&forecasts_[size_t(soon)]);
-  queue_.prefetch(soon);
-  const Forecast& f = forecasts_[size_t(sooner)];
-  cells_.prefetch_heads(f.cell, part_of(f));
-  if (f.partner >= 0) {
-    __builtin_prefetch(&flights_[size_t(f.partner)]);
-    __builtin_prefetch(&forecasts_[size_t(f.partner)]);
-    queue_.prefetch(f.partner);
-  }
-  const Forecast& g = forecasts_[size_t(next)];
-  cells_.prefetch_firsts(g.cell, part_of(g), [&](int body) { __builtin_prefetch(&flights_[size_t(body)]); });
-}
-
-/// When does sphere i leave its cell, or meet the wall that ends it?
-template <class V>
-void EventDriven<V>::forecast_faces(int i) {
-  const Flight<V>& flight = flights_[size_t(i)];
-  Forecast& f = forecasts_[size_t(i)];
-  f.face_time = kNever;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) {
-    for (const int side : {-1, 1}) {
-      const bool is_wall = cells_.is_border(f.cell, axis, side) && !rules_.box.is_periodic();
-      if (is_wall && axis == 1 && side > 0 && rules_.box.boundary == Boundary::open_top) continue;
-      const double gap = side * (cells_.face(f.cell, axis, side) - flight.position[axis]);
-      const double time = now_ + time_to_plane(is_wall ? gap - radius(i) : gap, side * flight.velocity[axis],
-                                               side * rules_.gravity[axis]);
-      if (time >= f.face_time) continue;
-      f.face_time = time;
-      f.axis = static_cast<int8_t>(axis);
-      f.side = static_cast<int8_t>(side);
-      f.is_wall = is_wall;
-    }
-  }
-}
-
-/// Looks for an earlier contact of sphere i in its block, or a part of it. Sphere i itself and its own images have no
-/// velocity relative to it, hence no contact.
-template <class V>
-void EventDriven<V>::forecast_contacts(int i, BlockPart part) {
-  const Flight<V>& flight = flights_[size_t(i)];
-  Forecast& f = forecasts_[size_t(i)];
-  const bool falls = rules_.gravity != V{};
-  cells_.gather(f.cell, part, neighbors_);
-  predictions_ += static_cast<int64_t>(neighbors_.size());
-  // All spheres are fetched at once: among 100 000 this saves a fifth of the time.
-  for (const Neighbor& neighbor : neighbors_) __builtin_prefetch(&flights_[size_t(neighbor.body)]);
-  for (const Neighbor& neighbor : neighbors_) {
-    const int k = neighbor.body;
-    const Flight<V>& other = flights_[size_t(k)];
-    const double elapsed = now_ - other.time;
-    V d = other.position + elapsed * other.velocity + cells_.shift(neighbor) - flight.position;
-    V u = other.velocity - flight.velocity;
-    if (falls) {
-      d += (0.5 * elapsed * elapsed) * rules_.gravity;
-      u += elapsed * rules_.gravity;
-    }
-    const double wait = time_to_contact(d, u, radius(i) + radius(k));
-    if (wait == kNever) continue;
-    const double time = now_ + wait;
-    if (time > f.contact_time || (time == f.contact_time && k > f.partner)) continue;
-    f.contact_time = time;
-    f.partner = k;
-    f.partner_collisions = other.collisions;
-  }
-}
-
-/// Two spheres exchange Δp = (1 + e)·μ·(v12·n)·n, with the reduced mass μ.
+/// Spheres i and j exchange Δp = (1 + e)·μ·(v12·n)·n, with the reduced mass μ.
 template <class V>
 void EventDriven<V>::collide(int i, int j) {
   Flight<V>&a = flights_[size_t(i)], &b = flights_[size_t(j)];
@@ -248,8 +158,8 @@ void EventDriven<V>::collide(int i, int j) {
   const double approach = std::max(0.0, dot(a.velocity - b.velocity, n));
   const uint8_t axes = axes_of(n);
   const double e = is_lossless(i, axes) || is_lossless(j, axes) ? 1.0 : rules_.restitution;
-  // They part at least so fast that rounding cannot leave them approaching; otherwise spheres that stay together (e = 0)
-  // might creep into each other, and three of them collide forever at one moment.
+  // A least speed of parting ensures that they do not approach after rounding. Otherwise spheres that stay together (e
+  // = 0) might creep into each other, and three of them could collide endlessly in one moment.
   const double parting = std::max(e * approach, kRounding * (length(a.velocity) + length(b.velocity)));
   const double share = mass(j) / (mass(i) + mass(j));  // μ / m_i
   const V after_i = a.velocity - (share * (approach + parting)) * n;
@@ -277,15 +187,15 @@ void EventDriven<V>::note_collision(int i, uint8_t axes) {
   f.last_collision = now_;
 }
 
-/// Whether the walls leave sphere i no room along an axis.
+/// Whether sphere i fits exactly between the walls of an axis.
 template <class V>
 bool EventDriven<V>::is_wedged(int i, int axis) const {
   if (rules_.box.is_periodic() || (axis == 1 && rules_.box.boundary == Boundary::open_top)) return false;
-  return rules_.box.max[axis] - rules_.box.min[axis] - 2 * radius(i) <= kWedged * radius(i);
+  return rules_.box.extent(axis) - 2 * radius(i) <= kWedged * radius(i);
 }
 
-/// Sphere i is thrown back by a wall; at least so fast that gravity needs the duration of a contact to bring it back. A
-/// sphere that bounces no faster lies on the wall: that is no collision after which others would lose no energy. A sphere
+/// A wall throws sphere i back, at least so fast that gravity needs the duration of a contact to return it. A sphere
+/// that bounces no faster rests on the wall: such a bounce does not count as a collision for the TC model. A sphere
 /// that fits exactly between two walls cannot move along their normal.
 template <class V>
 void EventDriven<V>::hit_wall(int i) {
@@ -312,38 +222,31 @@ void EventDriven<V>::cross_face(int i) {
   Forecast& f = forecasts_[size_t(i)];
   count_event(i);
   cells_.unlink(i, f.cell);
-  if (cells_.is_border(f.cell, f.axis, f.side)) {  // of a periodic domain: on to the other end
+  if (cells_.is_border(f.cell, f.axis, f.side)) {  // the domain is periodic: continue at its other end
     f.cell[f.axis] = f.side > 0 ? 0 : cells_.count()[f.axis] - 1;
-    flights_[size_t(i)].position[f.axis] -= f.side * (rules_.box.max[f.axis] - rules_.box.min[f.axis]);
+    flights_[size_t(i)].position[f.axis] -= f.side * rules_.box.extent(f.axis);
   } else {
     f.cell[f.axis] += f.side;
   }
   cells_.link(i, f.cell);
-  // The forecast contact holds, since no velocity has changed; only the spheres ahead are new.
-  const BlockPart ahead{f.axis, f.side};
-  forecast_faces(i);
-  forecast_contacts(i, ahead);
-  schedule(i);
+  forecast_after_crossing(i);
 }
 
-/// Throws where sphere i may not be where it is, or not have the velocity that an event is about to give it. An event checks
-/// before it changes a velocity: until then, the flights are those after the event before.
+/// Throws if the position of sphere i, or the velocity that an event is about to give it, is not valid. Called before
+/// an event changes a velocity, so that the flights still are those after the previous event.
 template <class V>
 void EventDriven<V>::check(int i, const V& velocity) const {
   const V& position = flights_[size_t(i)].position;
   if (rules_.box.holds(rules_.box.wrap(position)) && dot(velocity, velocity) < 1e30) return;  // false for NaN
   const Vec3d p = widen(position), v = widen(velocity);
-  std::ostringstream what;
-  what << "it left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z << "), its velocity (" << v.x
-       << ", " << v.y << ", " << v.z << ")";
-  fail(i, what.str());
+  fail(i, fmt::format("it left the domain: its centre is at ({:g}, {:g}, {:g}), its velocity ({:g}, {:g}, {:g})", p.x,
+                      p.y, p.z, v.x, v.y, v.z));
 }
 
 template <class V>
 void EventDriven<V>::fail(int i, const std::string& what, const std::string& more) const {
-  std::ostringstream where;
-  where << "event " << events_ << " (t = " << epoch_start_ + now_ << " s), sphere " << i;
-  throw RunError(where.str(), what, more);
+  const std::string where = fmt::format("event {} (t = {:g} s), sphere {}", events_, epoch_start_ + now_, i);
+  throw RunError(where, what, more);
 }
 
 template <class V>

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Event-driven motion of hard spheres: no steps in time, but from one event to the next, each at its exact time.
+// Event-driven motion of hard spheres: advances from one event to the next, each at its exact time, without time steps.
 //
 //     forecast of each sphere                            queue              the earliest event
 //     ┌──────────────────────────────┐
 //     │ contact_time, partner ──┐    │
 //     │ face_time, axis, side ──┴─min│──▶ tournament ──▶   contact   velocities change, both spheres: new forecasts
 //     └──────────────────────────────┘                     wall      velocity changes: new forecast
-//        the earliest of all contacts                      crossing  of a cell's face: only the cells ahead are searched
+//        the earliest of all contacts                      crossing  of a cell's face: searches only the cells ahead
 //        with spheres around                               void      the partner collided meanwhile: new forecast
 //
-// Whichever sphere of a pair was forecast last has seen both as they fly now, so the forecast of one of them holds the
-// pair's contact or something earlier, and none is missed. Spheres keep the state of their latest own event, and are
-// advanced by the next one only: what is asked for in between is evaluated, not stored, and changes nothing.
+// The sphere of a pair that was forecast last knew the present flights of both, so its forecast holds the pair's
+// contact or an earlier event, and no contact is missed. A sphere stores its state at its own latest event and is
+// advanced only by its next one. States in between are computed on request and not stored.
 //
-// Collisions take no time, and come one after another. Inelastic ones may then come infinitely often in a finite time
-// (a ball that comes to rest; inelastic collapse). The TC model ends this: a collision that follows a sphere's previous one
-// within the duration of a contact loses no energy. Collisions at right angles do not hinder each other: a sphere that runs
-// into a corner strikes two or three walls at once, and loses energy at each. So a sphere remembers along which axes its
-// velocity has changed lately, and only along these a collision is free of loss.
+// Collisions take no time and come one after another. Inelastic ones may then come infinitely often in a finite time (a
+// ball that comes to rest; inelastic collapse). The TC model prevents this: a collision that follows a sphere's
+// previous one within the duration of a contact loses no energy. Collisions at right angles are independent: a sphere
+// that runs into a corner hits two or three walls at the same time and loses energy at each. So a sphere remembers
+// along which axes its velocity has changed lately, and only collisions along these axes lose no energy.
 //
-// Each event reads some forty places of memory. Those of the events to come are fetched while others are handled, as far
-// ahead as the tournament tells who comes (schedule()): a collision among 100 000 spheres then costs 1.7 times what one
-// among 1 000 does, in place of 2.8.
+// Each event reads about forty different cache lines. Those of the coming events are prefetched, as far ahead as the
+// tournament shows (schedule()). A collision among 100 000 spheres then costs 1.7 times as much as one among 1 000,
+// instead of 2.8 times.
 //
-// Cost: O(log n) a collision; 156 to 188 bytes a sphere (flight 64, forecast 48, queue 32 to 64, cells 12).
-// Sources: Alder, Wainwright, "Studies in Molecular Dynamics. I. General Method" (1959), doi 10.1063/1.1730376; one event
-// for each sphere: Lubachevsky, "How to simulate billiards and similar systems" (1991), doi 10.1016/0021-9991(91)90222-7;
+// Cost: O(log n) a collision; 156 to 188 bytes a sphere (flight 64, forecast 48, queue 32 to 64, cells 12). Sources:
+// Alder, Wainwright, "Studies in Molecular Dynamics. I. General Method" (1959), doi 10.1063/1.1730376; one event for
+// each sphere: Lubachevsky, "How to simulate billiards and similar systems" (1991), doi 10.1016/0021-9991(91)90222-7;
 // TC model: Luding, McNamara, "How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model"
 // (1998), doi 10.1007/s100350050017.
 #pragma once
@@ -49,7 +49,7 @@ struct EventRules {
   double contact_duration = 0;  ///< [s] collisions that follow sooner lose no energy
 };
 
-/// What happens to a sphere next: a contact, or the face of its cell, be it the border to the next one or a wall.
+/// A sphere's next event: a contact, or reaching a face of its cell, which leads to the next cell or is a wall.
 struct Forecast {
   double contact_time = kNever;     ///< [s] since the epoch
   int32_t partner = -1;             ///< of the contact
@@ -69,12 +69,13 @@ class EventDriven {
  public:
   EventDriven(const Scene& scene, const EventRules<V>& rules);
 
-  /// Handles all events up to `time` [s] since the start.
-  /// Throws RunError, with sphere, event and time, where a sphere is not finite or outside the domain, or where collisions
-  /// follow each other without end; then it cannot go on. Throws Interrupted between two events; then it can.
+  /// Handles all events up to `time` [s] since the start. Throws RunError, with sphere, event and time, if a sphere is
+  /// not finite or outside the domain, or if collisions follow each other without end; it cannot continue then. Throws
+  /// Interrupted between two events; it can continue then.
   void run_until(double time);
 
-  /// [s] of the latest event that was handled in full, since the start. The state then holds after run_until() threw as well.
+  /// [s] since the start: the latest event that was handled completely. The state at this time is valid, also after
+  /// run_until() has thrown.
   double settled_time() const { return epoch_start_ + settled_; }
 
   int size() const { return static_cast<int>(flights_.size()); }
@@ -89,7 +90,7 @@ class EventDriven {
 
   const Tally& tally() const { return tally_; }
   int64_t events() const { return events_; }            ///< contacts, walls and crossings
-  int64_t predictions() const { return predictions_; }  ///< pairs whose contact was asked for
+  int64_t predictions() const { return predictions_; }  ///< pairs for which a contact was computed
   int64_t bytes() const;
 
  private:
@@ -103,6 +104,7 @@ class EventDriven {
 
   void forecast(int i);
   void forecast_anew(int i);
+  void forecast_after_crossing(int i);
   void forecast_faces(int i);
   void forecast_contacts(int i, BlockPart part);
   bool is_void(const Forecast& f) const { return flights_[size_t(f.partner)].collisions != f.partner_collisions; }
@@ -133,7 +135,7 @@ class EventDriven {
   double epoch_length_ = 1;  // [s]
   double epoch_start_ = 0;   // [s] since the start; a multiple of the length
   int64_t events_ = 0, predictions_ = 0;
-  double moment_start_ = 0;  // [s] since the epoch; a moment is what kMoment says
+  double moment_start_ = 0;  // [s] since the epoch; see kMoment
   int64_t moment_events_ = 0;
   Tally tally_;
 };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Free flight, and when it ends: parabolas under gravity, and in closed form the times at which a sphere meets another
-// one or a plane.
+// Free flight on parabolas under gravity, and closed formulas for the times at which a sphere meets another one or a
+// plane.
 //
-// Every time is c / (b + √disc) with both terms of one sign, never a difference of nearly equal numbers, and counts from
-// the present state: a sphere that rounding has left a little beyond a surface meets it at once if it moves on inwards,
-// and not at all if it moves out. So no collision is lost, and none comes twice.
-// Source of that rule: Bannerman, Strobl, Formella, Pöschel, "Stable algorithm for event detection in event-driven
+// Every time is computed as c / (b + √disc), where both terms have the same sign: never as a difference of nearly equal
+// numbers. Times count from the present state. A sphere that rounding has left slightly beyond a surface meets it at
+// once if it moves inwards, and not at all if it moves outwards. So no collision is lost, and none happens twice.
+// Source of this rule: Bannerman, Strobl, Formella, Pöschel, "Stable algorithm for event detection in event-driven
 // particle dynamics" (2014), doi 10.1007/s40571-014-0021-8.
 #pragma once
 
@@ -18,15 +18,16 @@
 
 namespace ballpit {
 
-inline constexpr double kNever = std::numeric_limits<double>::infinity();  ///< [s] the time of what does not happen
+inline constexpr double kNever =
+    std::numeric_limits<double>::infinity();  ///< [s] the time of an event that does not happen
 
-/// A sphere since its latest event: all that the forecast of another sphere reads of it, in one cache line.
+/// A sphere since its latest event: all data that forecasts of other spheres read, in one cache line.
 template <class V>
 struct alignas(64) Flight {
   V position{};             ///< [m] at `time`
   V velocity{};             ///< [m/s] at `time`
   double time = 0;          ///< [s] since the epoch
-  uint32_t collisions = 0;  ///< so far, with spheres and walls: a forecast that knows an older number is void
+  uint32_t collisions = 0;  ///< so far, with spheres and walls; a forecast made at an older number is void
 
   V position_at(double now, const V& gravity) const {
     const double elapsed = now - time;
@@ -41,8 +42,8 @@ struct alignas(64) Flight {
   }
 };
 
-/// Paths that meet a sphere's surface at a smaller angle [rad] pass it: they would enter it by less than 5e-21 of the
-/// radii, while the angle itself is uncertain by rounding, just after a collision above all.
+/// Paths that meet a sphere's surface at a smaller angle [rad] miss it: they would enter it by less than 5e-21 of the
+/// radii, and rounding errors change the angle by more, especially just after a collision.
 inline constexpr double kGrazing = 1e-10;
 
 /// The time [s] until two spheres, `d` apart [m] and with relative velocity `u` [m/s], come within `radii` of each
@@ -51,7 +52,8 @@ template <class V>
 double time_to_contact(const V& d, const V& u, double radii) {
   const double b = dot(d, u), u_squared = dot(u, u), radii_squared = radii * radii;
   const double c = dot(d, d) - radii_squared;
-  // Approaching (b < 0) and b² > u²·c, in one comparison: most spheres miss, but each condition alone is a coin's toss.
+  // Tests b < 0 (approaching) and b² > u²·c in one comparison: together they are usually false, each alone is
+  // unpredictable.
   if (!(b * -std::fabs(b) > u_squared * std::max(c, kGrazing * kGrazing * radii_squared))) return kNever;
   return c <= 0 ? 0 : c / (-b + std::sqrt(b * b - u_squared * c));
 }

@@ -5,9 +5,9 @@
 //            (2) 0.3, 1        (3) 0.2, 2          node k plays the winners of nodes 2k and 2k + 1
 //         (4) 0.7, 0  (5) 0.3, 1  (6) 0.2, 2  (7) ∞
 //
-// A sphere whose time changes plays its matches again, from its leaf upwards, until one ends as before. Of equal times
-// the left one wins, which is the lower index: simultaneous events have one order.
-// Cost: log₂ n matches at most, each in one cache line; 32 bytes a sphere, up to 64 where n is not a power of two.
+// When a sphere's time changes, its matches are played again, from its leaf upwards, until one ends as before. Of equal
+// times the left one wins, which has the lower index, so simultaneous events have a fixed order.
+// Cost: at most log₂ n matches, each in one cache line; 32 bytes a sphere, up to 64 if n is not a power of two.
 // Source: Knuth, The Art of Computer Programming, vol. 3, section 5.4.1; for molecular dynamics Marín, Cordero, "An
 // empirical assessment of priority queues in event-driven molecular dynamics simulation" (1995),
 // doi 10.1016/0010-4655(95)00120-2.
@@ -30,14 +30,13 @@ class Tournament {
   double first_time() const { return nodes_[1].time; }
   int first() const { return nodes_[1].player; }
 
-  int depth() const { return depth_; }
-
-  /// The first among the 2⁻ᵈᵉᵖᵗʰ of all players that `player` belongs to; `depth` is at most depth().
+  /// The winner of the subtree at `depth` below the root that contains `player`: the earliest of a 2⁻ᵈᵉᵖᵗʰ of all
+  /// players. `depth` is at most log₂ of the number of players, rounded up.
   int first_near(int player, int depth) const {
     return nodes_[static_cast<size_t>((leaves_ + player) >> (depth_ - depth))].player;
   }
 
-  /// Fetches the lower matches of a player, which set() will read.
+  /// Prefetches the lower matches of a player, which set() will read.
   void prefetch(int player) const {
     auto k = static_cast<size_t>(leaves_ + player);
     for (int level = 0; level < 6 && k > 1; ++level, k /= 2) __builtin_prefetch(&nodes_[k]);
@@ -53,7 +52,7 @@ class Tournament {
     }
   }
 
-  /// Makes all times earlier; their order stays.
+  /// Makes all times earlier by the same amount.
   void shift(double seconds) {
     for (Node& node : nodes_) node.time -= seconds;
   }

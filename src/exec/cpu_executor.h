@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The execution contract, and its implementation on all cores by oneTBB.
+// The interface of executors, and its implementation on all cores by oneTBB.
 //
 // A method is a template over its executor and calls
-//     exec.parallel_for("link bodies", n, LinkBody{…})      kernel(i) for each i in 0 … n−1, in any order, at once
-//     exec.fill("clear cells", span, −1)                    every element set
+//     exec.parallel_for("link bodies", n, LinkBody{…})      kernel(i) for each i in 0 … n−1, in any order, in parallel
+//     exec.fill("clear cells", span, −1)                    sets all elements
 //     exec.exclusive_scan("offsets", counts, offsets)       offsets[i] = counts[0] + … + counts[i−1]; returns the total
 //     exec.sort_pairs("sort endpoints", keys, values)       stable, by unsigned key
-//     exec.bin("sort by cell", key_of, offsets, order)      indices by small keys, stable, and where each key's begin
-//     exec.bin("…", key_of, value_of, offsets, values)      values of indices, the same way
+//     exec.bin("sort by cell", key_of, offsets, order)      indices sorted by small keys, stable; each key's start
+//     exec.bin("…", key_of, value_of, offsets, values)      the same for values of the indices
 //     exec.upload(buffer, host) / exec.download(span)       copies from and to the host
 // and reduce() of exec/reduce.h. Results do not depend on the number of threads. Every launch is timed under its name.
 // Its sibling is CudaExecutor in cuda/.
@@ -32,7 +32,7 @@ class CpuExecutor {
   template <class T>
   using Buffer = HostBuffer<T>;
 
-  /// Runs on `threads` threads, also more than there are cores; 0 means all cores.
+  /// Runs on `threads` threads, even if there are fewer cores; 0 means all cores.
   explicit CpuExecutor(int threads) : pool_(threads) {}
 
   int threads() const { return pool_.threads(); }
@@ -41,14 +41,14 @@ class CpuExecutor {
   bool runs_in_order() const { return threads() == 1; }
   StageTimes& stage_times() { return times_; }
 
-  /// Calls kernel(i) for each i in 0 … n−1. Kernels that touch the same element must do so by exec/atomics.h.
+  /// Calls kernel(i) for each i in 0 … n−1. Kernels that change the same element must use exec/atomics.h.
   template <class Kernel>
   void parallel_for(const char* name, int64_t n, const Kernel& kernel) {
     const StageTimer timer(times_, name);
     run(n, kGrain, kernel);
   }
 
-  /// Calls body(b) for each b in 0 … blocks−1; for loops that are divided already, and not only into kernels.
+  /// Calls body(b) for each b in 0 … blocks−1: for loops that are already divided into blocks.
   template <class Body>
   void parallel_for_blocks(const char* name, int64_t blocks, const Body& body) {
     const StageTimer timer(times_, name);
@@ -61,7 +61,7 @@ class CpuExecutor {
   }
 
   /// offsets[i] = counts[0] + … + counts[i−1] for i in 0 … n, so offsets has one element more than counts. Returns the
-  /// total in 64 bits: where it exceeds what an int holds, the offsets are void and the caller must say so.
+  /// total in 64 bits: if an int cannot hold it, the offsets are invalid and the caller must report it.
   int64_t exclusive_scan(const char* name, Span<const int> counts, Span<int> offsets) {
     const StageTimer timer(times_, name);
     const int64_t n = counts.size(), blocks = (n + kScanBlock - 1) / kScanBlock;
@@ -100,9 +100,9 @@ class CpuExecutor {
       const Key mask = (Key(1) << std::min(kDigitBits, bits - shift)) - 1;
       const auto digit = [=](int64_t i) { return static_cast<int>((from[i] >> shift) & mask); };
       const int64_t bins = int64_t(mask) + 1, blocks = sort_blocks(n, bins);
-      counting_sort(n, bins, blocks, counters(blocks * bins), digit, digit, [=](int64_t i, int place) {
-        to[place] = from[i];
-        to_values[place] = from_values[i];
+      counting_sort(n, bins, blocks, counters(blocks * bins), digit, digit, [=](int64_t i, int position) {
+        to[position] = from[i];
+        to_values[position] = from_values[i];
       });
       std::swap(from, to);
       std::swap(from_values, to_values);
@@ -113,23 +113,23 @@ class CpuExecutor {
     }
   }
 
-  /// Sorts value_of(0) … value_of(n−1) into bins, by a counting sort (n = values.size()): those with key_of(i) = k are
-  /// values[offsets[k]] … values[offsets[k + 1] − 1], in the order of i. Keys lie in 0 … offsets.size() − 2.
+  /// Sorts value_of(0) … value_of(n−1) into bins, by a counting sort (n = values.size()): the values with key_of(i) = k
+  /// are values[offsets[k]] … values[offsets[k + 1] − 1], in the order of i. Keys lie in 0 … offsets.size() − 2.
   template <class KeyOf, class ValueOf, class T>
   void bin(const char* name, const KeyOf& key_of, const ValueOf& value_of, Span<int> offsets, Span<T> values) {
     const StageTimer timer(times_, name);
     const int64_t n = values.size(), bins = offsets.size() - 1, blocks = sort_blocks(n, bins);
     keys_.resize(n);
     const Span<int> keys = keys_.span();
-    // One block counts where the offsets will stand: as its counters move on to the ends of their bins, they become them.
+    // A single block counts directly in `offsets`: its counters end at the ends of their bins, which are the offsets.
     offsets[0] = 0;
     int* const counts = blocks == 1 ? offsets.data() + 1 : counters(blocks * bins);
     counting_sort(
         n, bins, blocks, counts, [=](int64_t i) { return keys[i] = key_of(static_cast<int>(i)); },
         [=](int64_t i) { return keys[i]; },
-        [=](int64_t i, int place) { values[place] = value_of(static_cast<int>(i)); });
+        [=](int64_t i, int position) { values[position] = value_of(static_cast<int>(i)); });
     if (blocks == 1) return;
-    const int* const ends = counts + (blocks - 1) * bins;  // where the last block's part of each bin ends
+    const int* const ends = counts + (blocks - 1) * bins;  // the ends of the last block's parts
     run(bins, kGrain, [=](int64_t k) { offsets[k + 1] = ends[k]; });
   }
 
@@ -166,15 +166,15 @@ class CpuExecutor {
   }
 
  private:
-  static constexpr int64_t kGrain = 512;  // smaller loops cost less on one thread than the handing out
+  static constexpr int64_t kGrain = 512;  // indices; distributing smaller loops costs more than it gains
   static constexpr int64_t kScanBlock = 1 << 14;
   static constexpr int64_t kSortBlock = 1 << 15;
   static constexpr int kDigitBits = 11;
 
-  /// Blocks of indices for a counting sort: one a thread, unless the counters would be far more than what they count.
+  /// The number of blocks for a counting sort: one per thread, unless there would be far more counters than indices.
   int64_t sort_blocks(int64_t n, int64_t bins) const {
-    const int64_t most = std::min(n / kSortBlock, 4 * n / std::max<int64_t>(bins, 1));
-    return std::clamp<int64_t>(most, 1, pool_.threads());
+    const int64_t limit = std::min(n / kSortBlock, 4 * n / std::max<int64_t>(bins, 1));
+    return std::clamp<int64_t>(limit, 1, pool_.threads());
   }
 
   int* counters(int64_t count) {
@@ -182,16 +182,16 @@ class CpuExecutor {
     return counts_.span().data();
   }
 
-  /// Stable counting sort: calls put(i, place) for each i in 0 … n−1 with its place by key, in 0 … bins−1. The first
-  /// look at a key is by count_key(i), the second by key_of(i). Each block of indices has a counter for every bin;
-  /// afterwards they hold where the block's part of each bin ends.
+  /// Stable counting sort by keys in 0 … bins−1: calls put(i, position) for each i in 0 … n−1, with its sorted
+  /// position. The first pass reads keys by count_key(i), the second by key_of(i). Each block of indices has a counter
+  /// for every bin; afterwards they hold the end of the block's part of each bin.
   template <class CountKey, class KeyOf, class Put>
   void counting_sort(int64_t n, int64_t bins, int64_t blocks, int* counts, const CountKey& count_key,
                      const KeyOf& key_of, const Put& put) {
     run(blocks, 1, [&](int64_t b) {
       int* const mine = counts + b * bins;
       std::fill(mine, mine + bins, 0);
-      const CountKey key = count_key;  // a copy that nothing else can point to, as in run_range()
+      const CountKey key = count_key;  // a local copy, which no pointer can alias, as in run_range()
       for (int64_t i = n * b / blocks; i < n * (b + 1) / blocks; ++i) ++mine[key(i)];
     });
     scan_counts(counts, blocks, bins);
@@ -227,8 +227,9 @@ class CpuExecutor {
     pool_.run_blocks(n, grain, LoopBody(&run_range<Kernel>, &kernel));
   }
 
-  /// A copy of the kernel that nothing else can point to, and all calls inlined: its spans and scalars then stay in
-  /// registers. Measured: about a seventh off the step. Compiled once for a kernel: never inlined itself.
+  /// Runs a local copy of the kernel, which no pointer can alias, with all calls inlined, so that its spans and scalars
+  /// stay in registers. This saves about a seventh of a step. Not inlined itself, so that it is compiled once per
+  /// kernel.
   template <class Kernel>
   [[gnu::flatten, gnu::noinline]] static void run_range(const void* shared, int64_t begin, int64_t end) {
     const Kernel kernel = *static_cast<const Kernel*>(shared);
@@ -237,7 +238,7 @@ class CpuExecutor {
 
   ThreadPool pool_;
   StageTimes times_;
-  HostBuffer<int> keys_, counts_;  // of bin() and counting_sort(), kept from call to call
+  HostBuffer<int> keys_, counts_;  // of bin() and counting_sort(), reused by each call
   HostBuffer<std::max_align_t> scratch_[2];
 };
 

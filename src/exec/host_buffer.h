@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// HostBuffer: an owned array of plain values in main memory. Resizing may drop the contents; growth is by half, so that
-// a count that creeps up does not allocate in every step. Its sibling on the GPU is DeviceBuffer in cuda/.
+// HostBuffer: an owned array of plain values in main memory. Resizing may drop the contents. The capacity grows by
+// half, so that a slowly growing count does not allocate in every step. Its sibling on the GPU is DeviceBuffer in
+// cuda/.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@ class HostBuffer {
   void resize(int64_t n) {
     if (n > capacity_) {
       const int64_t capacity = std::max(n, capacity_ + capacity_ / 2);
-      data_.reset();  // first: both at once might not fit
+      data_.reset();  // frees first: both together might not fit into memory
       data_ = std::make_unique_for_overwrite<T[]>(static_cast<size_t>(capacity));
       capacity_ = capacity;
     }
@@ -31,7 +32,7 @@ class HostBuffer {
   }
 
   int64_t size() const { return size_; }
-  int64_t bytes() const { return capacity_ * int64_t(sizeof(T)); }  ///< held
+  int64_t bytes() const { return capacity_ * int64_t(sizeof(T)); }  ///< of memory held
   Span<T> span() { return {data_.get(), size_}; }
   Span<const T> span() const { return {data_.get(), size_}; }
 

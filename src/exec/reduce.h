@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// reduce: one value from many, combined in an order fixed by the indices alone, so that sums of floating-point numbers
-// are the same to the last bit for any number of threads, and on CPU and GPU.
+// reduce: combines many values to one, in an order that only depends on the indices. So sums of floating-point numbers
+// are bit-identical for any number of threads, and on CPU and GPU.
 //
-//     values   0 1 2 … 63 | 64 … 127 | …      each block of 64 combined from left to right, by one thread
-//     partial  0            1          …      and again, until one is left
+//     values   0 1 2 … 63 | 64 … 127 | …      one thread combines a block of 64 from left to right
+//     partial  0            1          …      repeated until one value is left
 //
-// Cost: n combinations, log₆₄ n launches. Whether something holds for any index needs no order, and one launch: any().
+// Cost: n combinations, log₆₄ n launches. any(), which tests a predicate for all indices, needs no order and one
+// launch.
 #pragma once
 
 #include <algorithm>
@@ -46,14 +47,14 @@ struct ReduceBlock {
   }
 };
 
-/// Map: the i-th of the partial results before.
+/// Map: the i-th partial result of the previous launch.
 template <class T>
 struct ReadPartial {
   Span<const T> values;
   HOST_DEVICE T operator()(int i) const { return values[i]; }
 };
 
-/// combine(… combine(combine(identity, map(0)), map(1)) …) over i in 0 … n−1, bracketed in blocks. Partial results lie in
+/// combine(… combine(combine(identity, map(0)), map(1)) …) over i in 0 … n−1, block by block. Partial results are in
 /// the executor's scratch memory, so that a reduction in every step allocates nothing.
 template <class Exec, class T, class Map, class Combine>
 T reduce(Exec& exec, const char* name, int64_t n, T identity, Map map, Combine combine) {

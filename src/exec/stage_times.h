@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time by stage: every launch of an executor is named, and timings, panel and profilers show the same names.
+// Times by stage: every launch of an executor has a name, and timings, panel and profilers show the same names.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace ballpit {
 
 struct Stage {
   std::string name;    ///< "link bodies"
-  double seconds = 0;  ///< in all launches together
+  double seconds = 0;  ///< of all launches together
   int64_t launches = 0;
 };
 

@@ -26,7 +26,7 @@ ThreadPool::ThreadPool(int threads)
 void ThreadPool::run_blocks_at_once(int64_t n, int64_t grain, LoopBody body) {
   std::vector<std::thread> team;
   for (int t = 0; t < threads_; ++t) {
-    // Every thread gets its share, however late it starts: a loop that one thread did alone would show no race.
+    // Each thread has a fixed share, however late it starts: if one thread ran the whole loop, no race would show.
     team.emplace_back([this, t, n, grain, body] {
       for (int64_t begin = t * grain; begin < n; begin += threads_ * grain) body(begin, std::min(n, begin + grain));
     });
@@ -37,7 +37,7 @@ void ThreadPool::run_blocks_at_once(int64_t n, int64_t grain, LoopBody body) {
 #else
 
 struct ThreadPool::Team {
-  // Lifts oneTBB's limit of one thread per core, which holds for the whole process; the arena sets ours.
+  // Lifts oneTBB's limit of one thread per core for the whole process. The arena sets our own limit.
   tbb::global_control allow_threads{tbb::global_control::max_allowed_parallelism, kMaxThreads};
   tbb::task_arena arena;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// ThreadPool: hands the blocks of a loop out to threads. By oneTBB, except under the thread sanitizer: Debian's oneTBB is
-// not compiled with it, so the sanitizer sees neither its hand-overs nor their order and reports every loop. There, the
-// blocks go to plain threads, made for each loop: slow, but every race that it then reports is one of our kernels.
+// ThreadPool: distributes the blocks of a loop among threads. Uses oneTBB, except under the thread sanitizer: Debian's
+// oneTBB is not compiled with it, so the sanitizer would miss how threads wait for each other and report every loop.
+// With the sanitizer, each loop starts plain threads: slow, but every race that it then reports is in one of our
+// kernels.
 //
 // A loop's body is passed as a pointer to a function, so that oneTBB's templates are compiled once, in thread_pool.cpp,
 // and not again for each kernel.
@@ -14,7 +15,7 @@ namespace ballpit {
 
 inline constexpr int kMaxThreads = 256;
 
-/// A loop's body: a function that runs a block of indices, and the data that it is given.
+/// A loop's body: a function that runs a block of indices, and its data.
 class LoopBody {
  public:
   using RunBlock = void (*)(const void* data, int64_t begin, int64_t end);
@@ -36,8 +37,8 @@ class ThreadPool {
 
   int threads() const { return threads_; }
 
-  /// Calls body(begin, end) for blocks of at least `grain` (but the last) that make up 0 … n−1, at once; waits for all.
-  /// A loop of one block, or on one thread, runs in the calling thread.
+  /// Divides 0 … n−1 into blocks of at least `grain` indices (the last may be smaller), calls body(begin, end) for them
+  /// in parallel, and waits for all. A loop of one block, or on one thread, runs in the calling thread.
   void run_blocks(int64_t n, int64_t grain, LoopBody body);
 
  private:

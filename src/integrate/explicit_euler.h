@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Explicit Euler: positions and velocities both move by what was before the step.
+// Explicit Euler: positions and velocities both advance by their values before the step.
 //
 //     a ← forces(x, v) / m
 //     x ← x + dt · v
 //     v ← v + dt · a
 //
-// First order, and unstable for springs at any step: an oscillator's amplitude grows by √(1 + ω²dt²) in each. Here to be seen
-// failing. Cost: one evaluation of the forces. Source: Hairer, Lubich, Wanner, "Geometric Numerical Integration" (2006),
-// section I.1. Its siblings: symplectic_euler.h, velocity_verlet.h, rk4.h.
+// First order, and unstable for springs with any step: an oscillator's amplitude grows by √(1 + ω²dt²) in each. It is
+// here to show how it fails. Cost: one evaluation of the forces. Source: Hairer, Lubich, Wanner, "Geometric Numerical
+// Integration" (2006), section I.1. Its siblings: symplectic_euler.h, velocity_verlet.h, rk4.h.
 #pragma once
 
 #include "core/host_device.h"
-#include "core/math.h"
-#include "core/span.h"
+#include "integrate/force_integrator.h"
 
 namespace ballpit {
 
 /// Kernel: moves one component of a body.
 template <class Real>
 struct ExplicitEulerStep {
+  static constexpr const char* kName = "drift and kick";
   Real dt;
   Span<const Real> acceleration;
   Span<Real> position, velocity;
@@ -30,24 +30,6 @@ struct ExplicitEulerStep {
 };
 
 template <class V, class Exec>
-class ExplicitEuler {
- public:
-  /// Moves `state` by dt. forces.at(state, duration, counts, acceleration) evaluates them at its present positions.
-  template <class State, class Forces>
-  void step(State& state, Forces& forces, Scalar<V> dt) {
-    acceleration_.resize(state.count());
-    forces.at(state, dt, true, acceleration_.span());
-    state.exec().parallel_for(
-        "drift and kick", state.count() * kDimensions<V>,
-        ExplicitEulerStep<Scalar<V>>{dt, components(Span<const V>(acceleration_.span())),
-                                     components(state.position.span()), components(state.velocity.span())});
-    state.moved();
-  }
-
-  int64_t bytes() const { return acceleration_.bytes(); }
-
- private:
-  typename Exec::template Buffer<V> acceleration_;
-};
+using ExplicitEuler = OnePass<V, Exec, ExplicitEulerStep>;
 
 }  // namespace ballpit

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The classical Runge–Kutta method: four evaluations of the forces, at the begin, twice in the middle and at the end of the step.
+// The classical Runge–Kutta method evaluates the forces four times: at the start, twice in the middle and at the end of
+// a step.
 //
 //     k₁ = f(y)   k₂ = f(y + dt/2·k₁)   k₃ = f(y + dt/2·k₂)   k₄ = f(y + dt·k₃)       y = (x, v), f = (v, a)
 //     y ← y + dt/6 · (k₁ + 2k₂ + 2k₃ + k₄)
 //
-// Fourth order where forces are smooth; contacts are not, so it earns little (docs/responses.md). Stable for springs while ω·dt < 2.83; loses
-// energy slowly. Contacts are found four times a step. Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations
-// I" (1993), section II.1. Its siblings: explicit_euler.h, symplectic_euler.h, velocity_verlet.h.
+// Fourth order for smooth forces; those of contacts are not smooth, so it gains little (docs/responses.md). Stable for
+// springs if ω·dt < 2.83; loses energy slowly. Cost: four searches for contacts and evaluations of the forces a step.
+// Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I" (1993), section II.1. Its siblings:
+// explicit_euler.h, symplectic_euler.h, velocity_verlet.h.
 #pragma once
-
-#include <utility>
 
 #include "bodies/bodies_view.h"
 #include "core/span.h"
+#include "integrate/force_integrator.h"
 
 namespace ballpit {
 
-/// Kernel: Σ += weight·k, then y ← start + reach·k, or after the last stage start + Σ. k is the rate at the present y.
+/// Kernel: Σ += weight·k, then y ← start + reach·k, after the last stage start + Σ, where k is the derivative at y.
 template <class Real>
 struct RungeKuttaStage {
   int stage;
@@ -36,40 +37,52 @@ struct RungeKuttaStage {
 };
 
 template <class V, class Exec>
-class RungeKutta4 {
+class RungeKutta4 : public ForceIntegrator<V, Exec> {
   using Real = Scalar<V>;
+  using Base = ForceIntegrator<V, Exec>;
   using Buffer = typename Exec::template Buffer<V>;
 
  public:
-  /// Moves `state` by dt. forces.at(state, duration, counts, acceleration) evaluates them at its present positions.
-  template <class State, class Forces>
-  void step(State& state, Forces& forces, Real dt) {
-    Exec& exec = state.exec();
-    const int64_t n = state.count();
-    for (Buffer* buffer : {&acceleration_, &start_position_, &start_velocity_, &moved_, &kicked_}) buffer->resize(n);
-    exec.parallel_for("note start", n, CopyValues<V>{state.position.span(), start_position_.span()});
-    exec.parallel_for("note start", n, CopyValues<V>{state.velocity.span(), start_velocity_.span()});
-    constexpr Real kReach[] = {0.5, 0.5, 1, 0}, kWeight[] = {1, 2, 2, 1};
-    for (int stage = 0; stage < 4; ++stage) {
-      const Real weight = kWeight[stage] / 6 * dt;
-      forces.at(state, weight, stage == 0, acceleration_.span());
-      exec.parallel_for(
-          "stage", n * kDimensions<V>,
-          RungeKuttaStage<Real>{stage, kReach[stage] * dt, weight, of(start_position_), of(start_velocity_),
-                                of(acceleration_), components(state.position.span()), components(state.velocity.span()),
-                                components(moved_.span()), components(kicked_.span())});
-      state.moved();
-    }
+  using Base::Base;
+
+  static constexpr int kPasses = 4;
+
+  Real duration(Real dt, int pass) const {
+    constexpr Real kWeight[] = {1, 2, 2, 1};
+    return kWeight[pass] / 6 * dt;
+  }
+
+  template <class Bodies>
+  bool before_forces(Bodies& bodies, Real, int pass) {
+    if (pass > 0) return false;
+    const int64_t n = bodies.count();
+    for (Buffer* buffer : {&start_position_, &start_velocity_, &moved_, &kicked_}) buffer->resize(n);
+    Exec& exec = bodies.exec();
+    exec.parallel_for("note start", n, CopyValues<V>{bodies.position.span(), start_position_.span()});
+    exec.parallel_for("note start", n, CopyValues<V>{bodies.velocity.span(), start_velocity_.span()});
+    return false;
+  }
+
+  template <class Bodies>
+  bool after_forces(Bodies& bodies, Real dt, int pass) {
+    constexpr Real kReach[] = {0.5, 0.5, 1, 0};
+    bodies.exec().parallel_for(
+        "stage", bodies.count() * kDimensions<V>,
+        RungeKuttaStage<Real>{pass, kReach[pass] * dt, duration(dt, pass), of(start_position_), of(start_velocity_),
+                              this->accelerations(), components(bodies.position.span()),
+                              components(bodies.velocity.span()), components(moved_.span()),
+                              components(kicked_.span())});
+    return true;
   }
 
   int64_t bytes() const {
-    return acceleration_.bytes() + start_position_.bytes() + start_velocity_.bytes() + moved_.bytes() + kicked_.bytes();
+    return Base::bytes() + start_position_.bytes() + start_velocity_.bytes() + moved_.bytes() + kicked_.bytes();
   }
 
  private:
-  static Span<const Real> of(const Buffer& values) { return components(values.span()); }
+  static Span<const Real> of(const Buffer& values) { return components(Span<const V>(values.span())); }
 
-  Buffer acceleration_, start_position_, start_velocity_, moved_, kicked_;
+  Buffer start_position_, start_velocity_, moved_, kicked_;
 };
 
 }  // namespace ballpit

@@ -2,17 +2,17 @@
 // Symplectic Euler: velocities first, then positions with the new velocities.
 //
 //     v ← v + dt · a         kick     (impulses: a = g, skipped in scenes without gravity)
-//     v ← response(v)                 (impulses alone)
+//     v ← response(v)                 (only impulses)
 //     x ← x + dt · v         drift
 //
-// First order; the energy error stays bounded, for springs while ω·dt < 2. Cost: one evaluation of the forces. Source: Hairer,
-// Lubich, Wanner, "Geometric Numerical Integration" (2006), section I.1. Its siblings: explicit_euler.h,
+// First order; the energy error stays bounded, for springs if ω·dt < 2. Cost: one evaluation of the forces. Source:
+// Hairer, Lubich, Wanner, "Geometric Numerical Integration" (2006), section I.1. Its siblings: explicit_euler.h,
 // velocity_verlet.h, rk4.h.
 #pragma once
 
 #include "core/host_device.h"
-#include "core/math.h"
 #include "core/span.h"
+#include "integrate/force_integrator.h"
 
 namespace ballpit {
 
@@ -31,7 +31,7 @@ template <class Real>
 struct Drift {
   Real dt;  ///< [s]
   Span<const Real> velocity;
-  Span<const Real> correction;  ///< [m] empty where the response needs none
+  Span<const Real> correction;  ///< [m] empty if the response needs none
   Span<Real> position;
 
   HOST_DEVICE void operator()(int k) const {
@@ -41,9 +41,10 @@ struct Drift {
   }
 };
 
-/// Kernel: kick and drift of one component by its own acceleration.
+/// Kernel: kick and drift of one component.
 template <class Real>
 struct SymplecticEulerStep {
+  static constexpr const char* kName = "kick and drift";
   Real dt;
   Span<const Real> acceleration;
   Span<Real> position, velocity;
@@ -57,24 +58,6 @@ struct SymplecticEulerStep {
 
 /// For responses that are forces.
 template <class V, class Exec>
-class SymplecticEuler {
- public:
-  /// Moves `state` by dt. forces.at(state, duration, counts, acceleration) evaluates them at its present positions.
-  template <class State, class Forces>
-  void step(State& state, Forces& forces, Scalar<V> dt) {
-    acceleration_.resize(state.count());
-    forces.at(state, dt, true, acceleration_.span());
-    state.exec().parallel_for(
-        "kick and drift", state.count() * kDimensions<V>,
-        SymplecticEulerStep<Scalar<V>>{dt, components(Span<const V>(acceleration_.span())),
-                                       components(state.position.span()), components(state.velocity.span())});
-    state.moved();
-  }
-
-  int64_t bytes() const { return acceleration_.bytes(); }
-
- private:
-  typename Exec::template Buffer<V> acceleration_;
-};
+using SymplecticEuler = OnePass<V, Exec, SymplecticEulerStep>;
 
 }  // namespace ballpit

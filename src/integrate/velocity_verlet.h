@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Velocity Verlet: half a kick, a drift, half a kick by the forces at the new place.
+// Velocity Verlet: half a kick, a drift, and half a kick by the forces at the new positions.
 //
 //     v½ ← v + dt/2 · forces(x, v) / m
 //     x  ← x + dt · v½
 //     v  ← v½ + dt/2 · forces(x, v½) / m
 //
-// Second order, symplectic, stable for springs while ω·dt < 2; where a dashpot makes the force jump at the begin of a contact, of
-// first order alone. The first forces are evaluated with the present velocities, not taken from the step before, so a state is
-// positions and velocities and nothing else: saved, it goes on by the same bits (docs/model.md tells where bodies are sorted). Where forces do not depend on
-// velocities, both are the same, and evaluated once. Cost: one search for contacts; one evaluation of the forces, or two.
-// Source: Swope, Andersen, Berens, Wilson (1982), doi 10.1063/1.442716. Its siblings: explicit_euler.h,
-// symplectic_euler.h, rk4.h.
+// Second order, symplectic, stable for springs if ω·dt < 2; only first order if a dashpot makes the force jump at the
+// start of a contact. The first forces are evaluated with the present velocities instead of reusing those of the
+// previous step. So a state consists of positions and velocities only, and a saved state continues bit-identically
+// (docs/model.md: where bodies are sorted). If forces do not depend on velocities, both evaluations are equal, and one
+// suffices. Cost: one search for contacts; one evaluation of the forces, or two. Source: Swope, Andersen, Berens,
+// Wilson (1982), doi 10.1063/1.442716. Its siblings: explicit_euler.h, symplectic_euler.h, rk4.h.
 #pragma once
 
 #include "core/host_device.h"
-#include "core/math.h"
 #include "core/span.h"
+#include "integrate/force_integrator.h"
 
 namespace ballpit {
 
@@ -43,38 +43,41 @@ struct HalfKick {
   HOST_DEVICE void operator()(int k) const { velocity[k] += acceleration[k] * (dt / 2); }
 };
 
+/// Pass 0 evaluates the forces at the start, where those of the step before do not serve; pass 1 moves the bodies, and evaluates
+/// the forces at the end.
 template <class V, class Exec>
-class VelocityVerlet {
-  using Buffer = typename Exec::template Buffer<V>;
+class VelocityVerlet : public ForceIntegrator<V, Exec> {
+  using Real = Scalar<V>;
 
  public:
-  /// Moves `state` by dt. forces.at(state, duration, counts, acceleration) evaluates them at its present positions.
-  template <class State, class Forces>
-  void step(State& state, Forces& forces, Scalar<V> dt) {
-    Exec& exec = state.exec();
-    const int64_t n = state.count();
-    const Scalar<V> half = dt / 2;
-    if (forces.depend_on_velocity() || acceleration_.size() != n) {
-      acceleration_.resize(n);
-      forces.at(state, half, false, acceleration_.span());
-    }
-    const Span<const V> acceleration = acceleration_.span();
-    exec.parallel_for("half kick and drift", n * kDimensions<V>,
-                      HalfKickAndDrift<Scalar<V>>{dt, components(acceleration), components(state.position.span()),
-                                                  components(state.velocity.span())});
-    state.moved();
-    forces.at(state, forces.depend_on_velocity() ? half : dt, true, acceleration_.span());
-    exec.parallel_for("half kick", n * kDimensions<V>,
-                      HalfKick<Scalar<V>>{dt, components(acceleration), components(state.velocity.span())});
+  using ForceIntegrator<V, Exec>::ForceIntegrator;
+
+  static constexpr int kPasses = 2;
+  static constexpr int kCollisionPass = 1;
+
+  int first_pass(int64_t bodies) const {
+    return this->forces_depend_on_velocity_ || this->acceleration_.size() != bodies ? 0 : 1;
+  }
+  Real duration(Real dt, int pass) const { return pass == 0 || this->forces_depend_on_velocity_ ? dt / 2 : dt; }
+
+  template <class Bodies>
+  bool before_forces(Bodies& bodies, Real dt, int pass) {
+    if (pass == 0) return false;
+    bodies.exec().parallel_for("half kick and drift", bodies.count() * kDimensions<V>,
+                               HalfKickAndDrift<Real>{dt, this->accelerations(), components(bodies.position.span()),
+                                                      components(bodies.velocity.span())});
+    return true;
   }
 
-  /// What is kept for each body.
-  Buffer* kept() { return &acceleration_; }
+  template <class Bodies>
+  bool after_forces(Bodies& bodies, Real dt, int pass) {
+    if (pass == 0) return false;
+    bodies.exec().parallel_for("half kick", bodies.count() * kDimensions<V>,
+                               HalfKick<Real>{dt, this->accelerations(), components(bodies.velocity.span())});
+    return false;
+  }
 
-  int64_t bytes() const { return acceleration_.bytes(); }
-
- private:
-  Buffer acceleration_;
+  auto* kept() { return &this->acceleration_; }
 };
 
 }  // namespace ballpit

@@ -54,7 +54,7 @@ class TimedWorld {
  public:
   TimedWorld(const Scene& gas, const Settings& settings, const StepCase& which) {
     Settings own = settings;
-    own.broadphase = which.method;
+    own.broadphase = named<BroadPhase>(which.method);
     own.threads = which.threads;
     own.dt = kGasStep;
     world_ = which.backend.make_world(gas, own);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/error.h"
 
@@ -11,52 +12,50 @@ namespace ballpit {
 namespace {
 
 constexpr std::array kMethods{
-    Method{Family::broadphase, "auto", "Best predicted", "cpu, cuda",
+    Method{BroadPhase::automatic, "Best predicted", "cpu, cuda",
            "chosen by predicted time, with a candidate list (skin 0.1)", "", "", "cell-size, table, axis"},
-    Method{Family::broadphase, "brute-force", "Brute force", "cpu, cuda", "O(n²) tests, no structure",
-           "slides 5 and 6"},
-    Method{Family::broadphase, "sort-and-sweep", "Sort and sweep", "cpu, cuda",
+    Method{BroadPhase::brute_force, "Brute force", "cpu, cuda", "O(n²) tests, no structure", "slides 5 and 6"},
+    Method{BroadPhase::sort_and_sweep, "Sort and sweep", "cpu, cuda",
            "O(n) sort by radix, O(n^(5/3)) tests in a cube; 24 bytes a sphere", "slides 2 to 4; Baraff 1992", "",
            "axis"},
-    Method{Family::broadphase, "linked-cell", "Linked cell", "cpu, cuda",
+    Method{BroadPhase::linked_cell, "Linked cell", "cpu, cuda",
            "O(n) while cells hold O(1) spheres; 4 bytes a cell and 4 a sphere", "slides 8 to 17", "",
            "cell-size, table"},
-    Method{Family::broadphase, "sorted-grid", "Sorted grid", "cpu, cuda",
+    Method{BroadPhase::sorted_grid, "Sorted grid", "cpu, cuda",
            "O(n), a grid for each size class; 4 bytes a cell and 20 a sphere", "Green 2010; Ericson 2005, section 7.2",
            "", "cell-size, table"},
-    Method{Family::response, "kinematic", "Kinematic", "cpu, cuda", "O(n + contacts)",
+    Method{Response::kinematic, "Kinematic", "cpu, cuda", "O(n + contacts)",
            "exercise sheet 2; plausible, not physical", "symplectic-euler", "swept"},
-    Method{Family::response, "impulse", "Impulse", "cpu, cuda", "O(n + contacts) an iteration",
+    Method{Response::impulse, "Impulse", "cpu, cuda", "O(n + contacts) an iteration",
            "Tonge et al. 2012, doi 10.1145/2185520.2185601", "symplectic-euler",
            "iterations, solver, correction, swept"},
-    Method{Family::response, "penalty", "Penalty", "cpu, cuda",
-           "O(n + contacts), steps well below a contact's duration",
+    Method{Response::penalty, "Penalty", "cpu, cuda", "O(n + contacts), steps well below a contact's duration",
            "exercise sheet 2; Cundall and Strack 1979, doi 10.1680/geot.1979.29.1.47",
            "velocity-verlet, symplectic-euler, explicit-euler, rk4", "contact-end"},
-    Method{Family::response, "position-based", "Position-based", "cpu, cuda", "O(n + contacts) an iteration",
+    Method{Response::position_based, "Position-based", "cpu, cuda", "O(n + contacts) an iteration",
            "XPBD: Macklin et al. 2016, doi 10.1145/2994258.2994272", "symplectic-euler", "iterations, compliance"},
-    Method{Family::response, "event-driven", "Event-driven", "cpu", "O(log n) a collision; exact",
+    Method{Response::event_driven, "Event-driven", "cpu", "O(log n) a collision; exact",
            "Alder and Wainwright 1959, doi 10.1063/1.1730376", "exact", "contact-duration", "double"},
-    Method{Family::solver, "jacobi", "Jacobi", "cpu, cuda", "all contacts at once; one launch an iteration",
+    Method{Solver::jacobi, "Jacobi", "cpu, cuda", "all contacts at once; one launch an iteration",
            "mass splitting: Tonge et al. 2012, doi 10.1145/2185520.2185601"},
-    Method{Family::solver, "gauss-seidel", "Gauss-Seidel", "cpu, cuda",
+    Method{Solver::gauss_seidel, "Gauss-Seidel", "cpu, cuda",
            "colour by colour; a launch for each colour, fewer iterations",
            "Fratarcangeli et al. 2016, doi 10.1145/2980179.2982437"},
-    Method{Family::integrator, "auto", "The response's own", "cpu, cuda", "", ""},
-    Method{Family::integrator, "explicit-euler", "Explicit Euler", "cpu, cuda", "first order, energy grows",
+    Method{Integrator::automatic, "The response's own", "cpu, cuda", "", ""},
+    Method{Integrator::explicit_euler, "Explicit Euler", "cpu, cuda", "first order, energy grows",
            "Hairer, Lubich, Wanner 2006, section I.1"},
-    Method{Family::integrator, "symplectic-euler", "Symplectic Euler", "cpu, cuda", "first order, bounded energy error",
+    Method{Integrator::symplectic_euler, "Symplectic Euler", "cpu, cuda", "first order, bounded energy error",
            "Hairer, Lubich, Wanner 2006, section I.1"},
-    Method{Family::integrator, "velocity-verlet", "Velocity Verlet", "cpu, cuda", "second order, bounded energy error",
+    Method{Integrator::velocity_verlet, "Velocity Verlet", "cpu, cuda", "second order, bounded energy error",
            "Swope et al. 1982, doi 10.1063/1.442716"},
-    Method{Family::integrator, "rk4", "Runge-Kutta 4", "cpu, cuda", "fourth order, four force evaluations a step",
+    Method{Integrator::rk4, "Runge-Kutta 4", "cpu, cuda", "fourth order, four force evaluations a step",
            "Hairer, Norsett, Wanner 1993, section II.1"},
-    Method{Family::integrator, "exact", "Exact flight", "cpu", "parabolas from event to event", "event-driven alone"},
-    Method{Family::precision, "float", "Single precision", "cpu, cuda", "4 bytes a number", "IEEE 754"},
-    Method{Family::precision, "double", "Double precision", "cpu, cuda", "8 bytes a number", "IEEE 754"},
-    Method{Family::backend, "auto", "Best available", "cpu, cuda", "CUDA where a device answers, else the CPU", ""},
-    Method{Family::backend, "cpu", "CPU", "cpu", "all cores, by oneTBB", ""},
-    Method{Family::backend, "cuda", "CUDA", "cuda", "an NVIDIA GPU of compute capability 7.5 or later", ""},
+    Method{Integrator::exact, "Exact flight", "cpu", "parabolas from event to event", "event-driven alone"},
+    Method{Precision::float32, "Single precision", "cpu, cuda", "4 bytes a number", "IEEE 754"},
+    Method{Precision::float64, "Double precision", "cpu, cuda", "8 bytes a number", "IEEE 754"},
+    Method{BackendName::automatic, "Best available", "cpu, cuda", "CUDA where a device answers, else the CPU", ""},
+    Method{BackendName::cpu, "CPU", "cpu", "all cores, by oneTBB", ""},
+    Method{BackendName::cuda, "CUDA", "cuda", "an NVIDIA GPU of compute capability 7.5 or later", ""},
 };
 
 /// Whether "a, b, c" has this name.
@@ -73,26 +72,16 @@ bool lists(std::string_view names, std::string_view name) {
 
 std::span<const Method> methods() { return kMethods; }
 
-std::vector<std::string_view> method_names(Family family) {
-  std::vector<std::string_view> names;
-  for (const Method& method : kMethods) {
-    if (method.family == family) names.push_back(method.name);
-  }
-  return names;
+const Method& find_method(MethodId id) {
+  return *std::find_if(kMethods.begin(), kMethods.end(),
+                       [&](const Method& method) { return method.family == id.family && method.name == id.name; });
 }
 
-const Method& find_method(Family family, std::string_view name) {
-  for (const Method& method : kMethods) {
-    if (method.family == family && method.name == name) return method;
-  }
-  throw UserError("--" + std::string(family_name(family)), name, join(method_names(family)));
-}
-
-std::optional<Misfit> misfit(std::string_view response, std::string_view option, std::string_view value) {
-  const Method& method = find_method(Family::response, response);
+std::optional<Misfit> misfit(Response response, std::string_view option, std::string_view value) {
+  const Method& method = find_method(response);
   const std::string with = " with --response ";
   const auto unless = [&](std::string_view allowed) {
-    return Misfit{std::string(value), std::string(allowed) + with + std::string(response)};
+    return Misfit{std::string(value), std::string(allowed) + with + std::string(method.name)};
   };
   if (option == "integrator" && value != "auto" && !lists(method.integrators, value)) {
     return unless(method.integrators);
@@ -108,19 +97,13 @@ std::optional<Misfit> misfit(std::string_view response, std::string_view option,
     if (other.family == Family::response && lists(other.options, option)) users.push_back(other.name);
   }
   if (users.empty() || lists(method.options, option)) return std::nullopt;
-  return Misfit{std::string(value), with.substr(1) + join(users) + ", not " + std::string(response)};
+  return Misfit{std::string(value), with.substr(1) + join(users) + ", not " + std::string(method.name)};
 }
 
 bool uses(const Method& method, std::string_view option) { return lists(method.options, option); }
 
-bool goes_with(std::string_view response, std::string_view option, std::string_view value) {
+bool goes_with(Response response, std::string_view option, std::string_view value) {
   return !misfit(response, option, value);
-}
-
-std::string_view family_name(Family family) {
-  constexpr std::array<std::string_view, 6> names{"broadphase", "response",  "solver",
-                                                  "integrator", "precision", "backend"};
-  return names[static_cast<size_t>(family)];
 }
 
 }  // namespace ballpit

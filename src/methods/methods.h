@@ -6,15 +6,32 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "methods/choices.h"
 
 namespace ballpit {
 
 enum class Family { broadphase, response, solver, integrator, precision, backend };
+template <>
+inline constexpr auto kNames<Family> = in_order("broadphase", "response", "solver", "integrator", "precision",
+                                                "backend");
 
-struct Method {
+constexpr Family family_of(BroadPhase) { return Family::broadphase; }
+constexpr Family family_of(Response) { return Family::response; }
+constexpr Family family_of(Solver) { return Family::solver; }
+constexpr Family family_of(Integrator) { return Family::integrator; }
+constexpr Family family_of(Precision) { return Family::precision; }
+constexpr Family family_of(BackendName) { return Family::backend; }
+
+struct MethodId {
+  template <class Enum>
+  constexpr MethodId(Enum value) : family(family_of(value)), name(name_of(value)) {}
+
   Family family;
-  std::string_view name;      ///< as on the command line
+  std::string_view name;  ///< as on the command line
+};
+
+struct Method : MethodId {
   std::string_view label;     ///< as the audience reads it
   std::string_view backends;  ///< where it runs
   std::string_view cost;
@@ -26,11 +43,8 @@ struct Method {
 
 std::span<const Method> methods();
 
-/// The names of a family's methods, in the table's order.
-std::vector<std::string_view> method_names(Family family);
-
-/// The entry of this name. Throws UserError where there is none.
-const Method& find_method(Family family, std::string_view name);
+/// The entry of a value.
+const Method& find_method(MethodId id);
 
 /// A value that does not go with a response: "rk4", and "symplectic-euler with --response impulse".
 struct Misfit {
@@ -38,15 +52,12 @@ struct Misfit {
 };
 
 /// What is wrong with `--option value` for a response, if anything.
-std::optional<Misfit> misfit(std::string_view response, std::string_view option, std::string_view value);
+std::optional<Misfit> misfit(Response response, std::string_view option, std::string_view value);
 
 /// Whether a broad phase or a response uses an option of its kind.
 bool uses(const Method& method, std::string_view option);
 
 /// Whether `--option value` can be asked for with a response.
-bool goes_with(std::string_view response, std::string_view option, std::string_view value);
-
-/// "broadphase", …
-std::string_view family_name(Family family);
+bool goes_with(Response response, std::string_view option, std::string_view value);
 
 }  // namespace ballpit

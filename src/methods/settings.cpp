@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <vector>
 
 #include "core/error.h"
 #include "methods/methods.h"
@@ -45,7 +46,7 @@ constexpr SettingInfo number(std::string_view name, std::string_view value_name,
           help,
           group,
           [] { return typed(low) + " to " + typed(high); },
-          nullptr,
+          {},
           [](Settings& settings, std::string_view text) {
             decltype(low) value{};
             if (!parse(text, value) || !(value >= low && value <= high)) return false;
@@ -55,40 +56,35 @@ constexpr SettingInfo number(std::string_view name, std::string_view value_name,
           [](const Settings& settings) { return typed(settings.*member); }};
 }
 
-/// One of the names that `names` lists, stored in `member`.
-template <std::string Settings::*member, auto names>
-constexpr SettingInfo name_of(std::string_view name, std::string_view help, SettingGroup group) {
+template <class Enum>
+Enum type_of_member(Enum Settings::*);
+
+/// One of an enum's names, its value stored in `member`.
+template <auto member>
+constexpr SettingInfo choice(std::string_view name, std::string_view help, SettingGroup group) {
+  using Enum = decltype(type_of_member(member));
   return {name,
           "NAME",
           help,
           group,
-          [] { return join(names()); },
-          +names,
+          [] { return join(kNames<Enum>); },
+          kNames<Enum>,
           [](Settings& settings, std::string_view text) {
-            const std::vector<std::string_view> allowed = names();
-            if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) return false;
-            settings.*member = text;
-            return true;
+            const std::optional<Enum> value = find_named<Enum>(text);
+            if (value) settings.*member = *value;
+            return value.has_value();
           },
-          [](const Settings& settings) { return settings.*member; }};
+          [](const Settings& settings) { return std::string(name_of(settings.*member)); }};
 }
 
-template <Family family>
-std::vector<std::string_view> names_in() {
-  return method_names(family);
-}
-std::vector<std::string_view> table_names() { return {"auto", "dense", "hashed"}; }
-std::vector<std::string_view> axis_names() { return {"auto", "x", "y", "z"}; }
-std::vector<std::string_view> correction_names() { return {"split", "none", "surface"}; }
-std::vector<std::string_view> contact_end_names() { return {"overlap", "force"}; }
-std::vector<std::string_view> on_off() { return {"on", "off"}; }
+constexpr std::array<std::string_view, 2> kOnOff{"on", "off"};
 
 constexpr SettingInfo kSwept{"swept",
                              "on|off",
                              "contacts are found along the step, so that fast spheres meet what they would pass",
                              SettingGroup::response,
-                             [] { return join(on_off()); },
-                             on_off,
+                             [] { return join(kOnOff); },
+                             kOnOff,
                              [](Settings& settings, std::string_view text) {
                                if (text != "on" && text != "off") return false;
                                settings.is_swept = text == "on";
@@ -100,34 +96,31 @@ constexpr auto kDetection = SettingGroup::detection, kResponse = SettingGroup::r
                kRun = SettingGroup::run;
 
 constexpr std::array kTable{
-    name_of<&Settings::broadphase, names_in<Family::broadphase>>("broadphase", "how candidate pairs are found",
-                                                                 kDetection),
+    choice<&Settings::broadphase>("broadphase", "how candidate pairs are found", kDetection),
     number<&Settings::cell_size, 0.05, 1000.0>(
         "cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed", kDetection),
-    name_of<&Settings::table, table_names>(
+    choice<&Settings::table>(
         "table", "cells in an array with a place for each, or hashed into a bounded number of places", kDetection),
-    name_of<&Settings::axis, axis_names>(
-        "axis", "axis of sort-and-sweep; auto: the one along which positions vary most", kDetection),
+    choice<&Settings::axis>("axis", "axis of sort-and-sweep; auto: the one along which positions vary most",
+                            kDetection),
     number<&Settings::skin, 0.0, 10.0>("skin", "FRACTION",
                                        "skin of the candidate list, of a radius; 0: search in every step", kDetection),
-    name_of<&Settings::response, names_in<Family::response>>("response", "what spheres in contact do", kResponse),
+    choice<&Settings::response>("response", "what spheres in contact do", kResponse),
     number<&Settings::iterations, 1, 10000>(
         "iterations", "N", "of impulse (4 unless told) and position-based (1) in a substep", kResponse),
-    name_of<&Settings::solver, names_in<Family::solver>>("solver", "how impulse iterates", kResponse),
-    name_of<&Settings::correction, correction_names>(
+    choice<&Settings::solver>("solver", "how impulse iterates", kResponse),
+    choice<&Settings::correction>(
         "correction", "of overlap by impulse: split into velocity and position, none, or back to the surface",
         kResponse),
-    name_of<&Settings::contact_end, contact_end_names>(
-        "contact-end", "of penalty: where overlap ends, or where the force would begin to pull", kResponse),
+    choice<&Settings::contact_end>("contact-end",
+                                   "of penalty: where overlap ends, or where the force would begin to pull", kResponse),
     number<&Settings::compliance, 0.0, 1000.0>("compliance", "M/N", "of position-based contacts; 0: rigid", kResponse),
     number<&Settings::contact_duration, 0.0, 1.0>("contact-duration", "SECONDS",
                                                   "of event-driven collisions: those that follow sooner lose no energy",
                                                   kResponse),
     kSwept,
-    name_of<&Settings::integrator, names_in<Family::integrator>>("integrator", "how velocities and positions advance",
-                                                                 kTime),
-    name_of<&Settings::precision, names_in<Family::precision>>("precision", "floating-point type of the simulation",
-                                                               kTime),
+    choice<&Settings::integrator>("integrator", "how velocities and positions advance", kTime),
+    choice<&Settings::precision>("precision", "floating-point type of the simulation", kTime),
     number<&Settings::dt, kSmallestStep, 10.0>("dt", "SECONDS", "time step", kTime),
     number<&Settings::substeps, 1, 1000>("substeps", "N", "parts of a time step, each detected and resolved by itself",
                                          kTime),
@@ -135,7 +128,7 @@ constexpr std::array kTable{
                                              "of the smaller radius; more overlap stops the run", kRun),
     number<&Settings::max_energy, 1.0, 1e15>("max-energy", "FACTOR",
                                              "of the energy at the start; more energy stops the run", kRun),
-    name_of<&Settings::backend, names_in<Family::backend>>("backend", "processor that simulates", kDetection),
+    choice<&Settings::backend>("backend", "processor that simulates", kDetection),
     number<&Settings::threads, 0, 256>("threads", "N", "CPU threads; 0 for all cores", kDetection),
     number<&Settings::count, int64_t{1}, int64_t{100000000}>(
         "count", "N", "spheres to generate, in place of the scene's own number", kRun),
@@ -144,17 +137,20 @@ constexpr std::array kTable{
 
 }  // namespace
 
-double skin_of(const Settings& settings) { return settings.skin.value_or(settings.broadphase == "auto" ? 0.1 : 0.0); }
-
-std::string integrator_of(const Settings& settings) {
-  if (settings.integrator != "auto") return settings.integrator;
-  const std::string_view names = find_method(Family::response, settings.response).integrators;
-  return std::string(names.substr(0, names.find(',')));
+double skin_of(const Settings& settings) {
+  return settings.skin.value_or(settings.broadphase == BroadPhase::automatic ? 0.1 : 0.0);
 }
 
-std::string precision_of(const Settings& settings) {
-  const std::string_view precisions = find_method(Family::response, settings.response).precisions;
-  return precisions.find(settings.precision) == precisions.npos ? std::string(precisions) : settings.precision;
+Integrator integrator_of(const Settings& settings) {
+  if (settings.integrator != Integrator::automatic) return settings.integrator;
+  const std::string_view names = find_method(settings.response).integrators;
+  return named<Integrator>(names.substr(0, names.find(',')));
+}
+
+Precision precision_of(const Settings& settings) {
+  const std::string_view precisions = find_method(settings.response).precisions;
+  return precisions.find(name_of(settings.precision)) == precisions.npos ? named<Precision>(precisions)
+                                                                         : settings.precision;
 }
 
 std::span<const SettingInfo> setting_table() { return kTable; }

@@ -7,27 +7,28 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "methods/choices.h"
 
 namespace ballpit {
 
 struct Settings {
-  std::string broadphase = "linked-cell";
+  BroadPhase broadphase = BroadPhase::linked_cell;
   std::optional<double> cell_size;  ///< in units of 2·r_max; empty: the method chooses, at least 1
-  std::string table = "auto";       ///< of a grid's cells
-  std::string axis = "auto";        ///< of the sweep
-  std::optional<double> skin;       ///< of the candidate list, as a fraction of a radius; empty: see skin_of()
-  std::string response = "impulse";
-  std::optional<int> iterations;     ///< of impulse and position-based in a substep; empty: the response's own number
-  std::string solver = "jacobi";     ///< of impulse
-  std::string correction = "split";  ///< what impulse does about overlap
-  std::string contact_end = "overlap";  ///< when a contact of the penalty response ends
-  double compliance = 0;                ///< [m/N] of position-based contacts; 0: rigid
-  double contact_duration = 1e-6;       ///< [s] of event-driven collisions: those that follow sooner lose no energy
-  bool is_swept = false;                ///< contacts are found along the step
-  std::string integrator = "auto";
-  std::string precision = "float";
-  std::string backend = "auto";
+  CellTable table = CellTable::automatic;
+  SweepAxis axis = SweepAxis::automatic;
+  std::optional<double> skin;  ///< of the candidate list, as a fraction of a radius; empty: see skin_of()
+  Response response = Response::impulse;
+  std::optional<int> iterations;  ///< of impulse and position-based in a substep; empty: the response's own number
+  Solver solver = Solver::jacobi;
+  Correction correction = Correction::split;
+  ContactEnd contact_end = ContactEnd::overlap;
+  double compliance = 0;           ///< [m/N] of position-based contacts; 0: rigid
+  double contact_duration = 1e-6;  ///< [s] of event-driven collisions: those that follow sooner lose no energy
+  bool is_swept = false;           ///< contacts are found along the step
+  Integrator integrator = Integrator::automatic;
+  Precision precision = Precision::float32;
+  BackendName backend = BackendName::automatic;
   double dt = 1.0 / 240;         ///< [s]
   int substeps = 1;              ///< parts of dt, each detected and responded to by itself
   int threads = 0;               ///< 0: all cores
@@ -45,11 +46,11 @@ double skin_of(const Settings& settings);
 /// Whether the broad phase may miss contacts, and motion depend on it.
 inline bool can_miss_contacts(const Settings& settings) { return settings.cell_size && *settings.cell_size < 1; }
 
-/// The integrator by name, also where settings leave it to the response.
-std::string integrator_of(const Settings& settings);
+/// The integrator, also where settings leave it to the response.
+Integrator integrator_of(const Settings& settings);
 
-/// "double" where the response computes in nothing else, whatever the settings say.
-std::string precision_of(const Settings& settings);
+/// float64 where the response computes in nothing else, whatever the settings say.
+Precision precision_of(const Settings& settings);
 
 /// Where the panel shows an option; `run` options are the command line's alone.
 enum class SettingGroup { detection, response, time, run };
@@ -60,10 +61,10 @@ struct SettingInfo {
   std::string_view value_name;  ///< for help: NAME, SECONDS, …
   std::string_view help;
   SettingGroup group;
-  std::string (*allowed)();                    ///< for help and errors: "brute-force, linked-cell", "0 to 10"
-  std::vector<std::string_view> (*choices)();  ///< of an option with names; nullptr for numbers
-  bool (*set)(Settings&, std::string_view);    ///< stores a value; false where it is not allowed
-  std::string (*get)(const Settings&);         ///< as it would be typed; empty where it is left to the program
+  std::string (*allowed)();                   ///< for help and errors: "brute-force, linked-cell", "0 to 10"
+  std::span<const std::string_view> choices;  ///< of an option with names; empty for numbers
+  bool (*set)(Settings&, std::string_view);   ///< stores a value; false where it is not allowed
+  std::string (*get)(const Settings&);        ///< as it would be typed; empty where it is left to the program
 };
 
 std::span<const SettingInfo> setting_table();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// All candidates of a broad phase written down in place of tested, for the audience.
+// Lists all candidates of a broad phase without testing them, for the audience.
 //
 //     thread            0        1       2
 //     candidates        (3,0)    –       (1,2) (1,4)   count, scan, fill: pairs in the order of the threads
 //     pairs   (0,3) (1,2) (1,4)                        in canonical order
 //
-// Cost: two walks over the candidates; 16 bytes each while they are sorted.
-// Siblings that test: list_search.h, range_search.h.
+// Cost: two passes over the candidates; 16 bytes for each while they are sorted.
+// Siblings that test candidates: list_search.h, range_search.h.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@
 
 namespace ballpit {
 
-/// Calls visit(a, b) for each candidate pair of thread t: of body t in lists, of one slot in ranges.
+/// Calls visit(a, b) for each candidate pair of thread t: for lists those of body t, for ranges those of one slot.
 template <class Candidates, class Visit>
 HOST_DEVICE void visit_candidates(const Candidates& candidates, int t, Visit&& visit) {
   if constexpr (GivesRanges<Candidates>) {
@@ -27,7 +27,7 @@ HOST_DEVICE void visit_candidates(const Candidates& candidates, int t, Visit&& v
     const auto& slots = candidates.slots();
     candidates.for_each_range(slot, [&](const SlotRange& range) {
       for (int s = range.first; s < range.last; ++s) {
-        if (slots.is_meant(s, range)) visit(slots.body[slot], slots.body[s]);
+        if (slots.matches_tag(s, range)) visit(slots.body[slot], slots.body[s]);
       }
     });
   } else {
@@ -64,7 +64,7 @@ struct FillCandidates {
   }
 };
 
-/// The candidates of a broad phase that is prepared for so many bodies. Throws RunError where there are too many.
+/// The candidates of a broad phase, prepared for this number of bodies. Throws RunError if there are too many.
 template <class Exec, class Candidates>
 std::vector<Pair> candidate_pairs(Exec& exec, const Candidates& candidates, int64_t bodies) {
   int64_t threads = bodies;

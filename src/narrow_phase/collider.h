@@ -1,330 +1,282 @@
 // SPDX-License-Identifier: MIT
-// Detection, whole: a broad phase, the narrow phase that fits its candidates, and a candidate list where there is a skin.
+// Finds contacts: the broad phase, the candidate list where there is a skin, and the narrow phase. A world and a pair search
+// each have one.
 //
-//     bodies ──▶ list valid? ──yes──▶ test the list ────────────────────────────┐
-//                    │ no, or no skin                                            ├──▶ contacts in canonical order
-//                    └──▶ broad phase ──▶ lists or ranges ──▶ tests ──▶ rows ───┘
+//     bodies ──▶ candidate list fresh? ──yes──▶ test the list ─────────────────────────┐
+//                    │ no, or no skin                                                   ├──▶ contacts in canonical order
+//                    └──▶ broad phase ──▶ test its candidates (lists or ranges) ───────┘
 //
-// What is found does not depend on the way: neither contacts nor their order.
+// Contacts and their order do not depend on the path.
+//
+// The collider alone knows what is up to date. What it found holds until moved(), for one margin; the candidate list holds as
+// long as no body has left its skin (candidate_list.h). So every stage may be asked for again: it then costs nothing.
 #pragma once
 
-#include <numeric>
-#include <string>
-#include <type_traits>
+#include <utility>
 #include <variant>
-#include <vector>
 
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/pair.h"
 #include "broad_phase/brute_force.h"
-#include "broad_phase/inspection.h"
+#include "broad_phase/choose_broad_phase.h"
 #include "broad_phase/linked_cell.h"
 #include "broad_phase/sort_and_sweep.h"
 #include "broad_phase/sorted_grid.h"
-#include "core/span.h"
-#include "methods/settings.h"
-#include "narrow_phase/candidate_pairs.h"
+#include "narrow_phase/contact_list.h"
 #include "narrow_phase/filter_list.h"
 #include "narrow_phase/list_search.h"
 #include "narrow_phase/range_search.h"
-#include "world/inspection.h"
 
 namespace ballpit {
 
-/// Kernel: how many slots thread t looks at.
-template <class Candidates>
-struct MeasureRanges {
-  Candidates candidates;
-  Span<int> work;
-
-  HOST_DEVICE void operator()(int t) const {
-    int sum = 0;
-    const int slot = candidates.slot_of(t);
-    if (slot >= 0) candidates.for_each_range(slot, [&](const SlotRange& range) { sum += range.size(); });
-    work[t] = sum;
-  }
+/// Which pairs a response asks for. All are in canonical order.
+enum class ContactKind {
+  touching,      ///< in contact; measured, and listed by body
+  near,          ///< all contacts and perhaps others, not measured: the candidate list as it is
+  near_by_body,  ///< the same, listed by body
 };
 
-/// See Detector::near_pairs().
-struct NearPairs {
-  Span<const Pair> pairs;
-  Span<const int> first;  ///< where each body's row begins
-  int64_t version;        ///< other pairs have another
-  bool are_contacts;      ///< and nothing else
-};
-
-/// Kernel: the body that thread t walks for, or −1.
-template <class Candidates>
-struct NameWorker {
-  Candidates candidates;
-  Span<int> worker;
-
-  HOST_DEVICE void operator()(int t) const {
-    const int slot = candidates.slot_of(t);
-    worker[t] = slot >= 0 ? candidates.slots().body[slot] : -1;
-  }
+/// Kernel: radii with a margin.
+template <class Real>
+struct AddMargin {
+  PerBody<Real> radius;
+  Real margin;
+  Span<Real> grown;
+  HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] + margin; }
 };
 
 template <class V, class Exec>
-class Detector {
-  using BroadPhase = std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
+class Collider {
+  using Real = Scalar<V>;
 
  public:
-  Detector() = default;  ///< to be planned
-  Detector(const std::string& method, const BroadPhaseParameters<V>& parameters, double skin) {
-    plan(method, parameters, skin);
+  using AnyBroadPhase =
+      std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
+
+  Collider() = default;  ///< call plan() before use
+
+  /// Detects as the settings say; `parameters` describe the bodies with their margin and without skins.
+  Collider(const Settings& settings, const BroadPhaseParameters<V>& parameters) {
+    plan(choose_broad_phase(settings, parameters), parameters, skin_of(settings));
   }
 
-  /// Starts anew, in the memory held. `method` is a broad phase by name, no longer "auto"; `parameters` are those of the
-  /// bodies without skins.
-  void plan(const std::string& method, BroadPhaseParameters<V> parameters, double skin);
+  /// Starts anew, in the memory held. `choice` names a broad phase; `skin` is a fraction of each radius.
+  void plan(BroadPhaseChoice choice, BroadPhaseParameters<V> parameters, double skin);
 
-  /// Finds all contacts among the bodies.
-  void find(Exec& exec, const BodiesView<V>& bodies);
+  /// Call after changing positions.
+  void moved() {
+    source_ = Source::none;
+    list_.moved();
+  }
 
-  /// Pairs among which all contacts are, in canonical order: the candidate list while it is good, else the contacts. Those
-  /// who test pairs anyway save a pass by it.
-  NearPairs near_pairs(Exec& exec, const BodiesView<V>& bodies);
-
-  /// What find() found, as near pairs.
-  NearPairs contacts() const { return {rows_.pairs(), rows_.first(), searches_, true}; }
-
-  /// To be called by whoever has moved the bodies, before anything is found among them.
-  void moved() { list_.moved(); }
-
-  /// Whether the candidate list shows that all bodies are inside the domain and finite, so that nobody else need look. The
-  /// next to ask for contacts has the list checked already.
-  bool shows_all_inside(Exec& exec, const BodiesView<V>& bodies);
-
-  /// Whether the last contacts or near pairs came from a candidate list.
-  bool has_used_list() const { return is_list_last_; }
-
-  /// Forgets the candidate list: the bodies are others now.
+  /// Call after exchanging bodies, or sorting them in memory.
   void discard() {
+    moved();
     list_.discard();
-    list_uses_ = kWorthwhile;
+    linked_search_ = -1;
   }
 
-  Span<const Pair> pairs() const { return rows_.pairs(); }  ///< in canonical order
-  Span<const int> first() const { return rows_.first(); }   ///< where each body's row begins
+  /// Stage 1, broad phase: finds candidates, unless the candidate list is fresh. Spheres within `margin` [m] of each other
+  /// count as touching.
+  void find_candidates(Exec& exec, const BodiesView<V>& bodies, Real margin = 0);
 
-  /// Narrow-phase tests made by the last find(), without those that made the candidate list.
-  int64_t candidates(Exec& exec) const;
+  /// Stage 2, narrow phase: the pairs of this kind, after find_candidates() with the same margin.
+  ContactsView<V> find_contacts(Exec& exec, const BodiesView<V>& bodies, ContactKind kind);
 
-  /// How often the broad phase has searched since the last plan.
-  int64_t searches() const { return searches_; }
+  /// Both stages: the pairs in contact.
+  Span<const Pair> pairs(Exec& exec, const BodiesView<V>& bodies) {
+    find_candidates(exec, bodies);
+    test_candidates(exec);
+    return rows_.pairs();
+  }
 
-  /// The broad phase's grids for these positions; they are built where the candidate list has passed over them.
-  std::vector<GridInspection> inspect(Exec& exec, const BodiesView<V>& bodies);
+  /// Both stages: pairs that include all contacts.
+  Span<const Pair> near_pairs(Exec& exec, const BodiesView<V>& bodies) {
+    find_candidates(exec, bodies);
+    return find_contacts(exec, bodies, ContactKind::near).pairs;
+  }
 
-  /// The pairs that the last search of these bodies gave to the narrow phase, in contact or not, in canonical order.
-  std::vector<Pair> candidate_pairs(Exec& exec, const BodiesView<V>& bodies) const;
+  /// The pairs in contact that were found last, and where each body's row of them begins.
+  Span<const Pair> pairs() const { return rows_.pairs(); }
+  Span<const int> first() const { return rows_.first(); }
 
-  /// The axis and the sorted list of the last search of these bodies, where it was by sort-and-sweep.
-  void inspect_sweep(Exec& exec, const BodiesView<V>& bodies, Inspection& seen) const;
+  /// Whether the candidate list shows that all bodies are finite and inside the domain.
+  bool shows_all_inside(Exec& exec, const BodiesView<V>& bodies) { return list_.shows_all_inside(exec, bodies, box()); }
 
-  /// What each thread of the last search walked.
-  std::vector<int> work_per_thread(Exec& exec) const;
+  /// Pairs tested to find the contacts, without those tested for the candidate list.
+  int64_t tests(Exec& exec) const;
 
-  /// The body that each thread of the last search walked for, or −1.
-  std::vector<int> body_per_thread(Exec& exec) const;
+  int64_t searches() const { return searches_; }  ///< by the broad phase since plan()
+  const BroadPhaseChoice& choice() const { return choice_; }
+  const BroadPhaseParameters<V>& parameters() const { return parameters_; }
+  const Box<V>& box() const { return parameters_.box; }
+
+  /// The broad phase, prepared for these positions also where the candidate list made that unnecessary.
+  AnyBroadPhase& prepared(Exec& exec, const BodiesView<V>& bodies);
+
+  /// The broad phase as the last search has left it, and what each of its list-walking threads has tested.
+  const AnyBroadPhase& broad_phase() const { return broad_phase_; }
+  Span<const int> tested() const { return list_search_.tested(); }
 
   int64_t bytes() const;
 
  private:
-  /// Whether there is a candidate list that is good for these positions; one is made where it is due.
-  bool has_list(Exec& exec, const BodiesView<V>& bodies);
+  /// Where the candidates of the present positions are.
+  enum class Source { none, list, broad_phase };
 
   template <class Method>
-  void use(const BroadPhaseParameters<V>& parameters) {
+  void use() {
     if (auto* const same = std::get_if<Method>(&broad_phase_)) {
-      same->plan(parameters);
+      same->plan(planned_);
     } else {
-      broad_phase_.template emplace<Method>(parameters);
+      broad_phase_.template emplace<Method>(planned_);
     }
   }
 
-  void search(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows);
+  BodiesView<V> with_margin(Exec& exec, const BodiesView<V>& bodies);
+  bool has_fresh_list(Exec& exec);
+  void prepare(Exec& exec, const BodiesView<V>& bodies);
+  void test_candidates(Exec& exec);
+  void test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows);
 
-  int64_t range_or_list_candidates(Exec& exec) const;
-
-  template <class Method>
-  std::vector<int> work_of(Exec& exec, const Method& method) const {
-    const auto candidates = method.candidates();
-    if constexpr (requires { method.walks(exec); }) {
-      return method.walks(exec);
-    } else if constexpr (GivesRanges<decltype(candidates)>) {
-      typename Exec::template Buffer<int> work;
-      work.resize(candidates.threads());
-      exec.parallel_for("measure ranges", work.size(), MeasureRanges<decltype(candidates)>{candidates, work.span()});
-      return exec.download(work.span());
-    } else {
-      return exec.download(list_search_.tested());
-    }
-  }
-
-  /// A search without slots has a thread for each body, in their order.
-  template <class Candidates>
-  std::vector<int> workers_of(Exec& exec, const Candidates& candidates) const {
-    if constexpr (GivesRanges<Candidates>) {
-      typename Exec::template Buffer<int> worker;
-      worker.resize(candidates.threads());
-      exec.parallel_for("name workers", worker.size(), NameWorker<Candidates>{candidates, worker.span()});
-      return exec.download(worker.span());
-    } else {
-      std::vector<int> worker(static_cast<size_t>(list_search_.tested().size()));
-      std::iota(worker.begin(), worker.end(), 0);
-      return worker;
-    }
-  }
-
-  // Making a list costs about two searches; one that fails sooner is not made again for a while.
-  static constexpr int kWorthwhile = 3;
-  static constexpr int kPause = 30;
-
-  Box<V> box_{};
+  BroadPhaseChoice choice_;
+  BroadPhaseParameters<V> parameters_, planned_;  // without and with skins
+  AnyBroadPhase broad_phase_{BruteForce<V, Exec>(BroadPhaseParameters<V>{})};
   CandidateList<V, Exec> list_;
-  BroadPhase broad_phase_{BruteForce<V, Exec>(BroadPhaseParameters<V>{})};
   ListSearch<V, Exec> list_search_;
   RangeSearch<V, Exec> range_search_;
   ListFilter<V, Exec> list_filter_;
-  ContactRows<Exec> rows_;
-  bool is_list_last_ = false;
-  int list_uses_ = kWorthwhile;
-  int pause_ = 0;
+  ContactRows<Exec> rows_;                // pairs in contact
+  ContactList<V, Exec> contacts_, near_;  // listed by body
+  typename Exec::template Buffer<Real> grown_;
+
+  Source source_ = Source::none;
+  Real margin_ = 0;             // [m] of source_
+  BodiesView<V> bodies_;        // at these positions, with the margin
+  bool is_tested_ = false;      // rows_ hold their contacts
+  int64_t linked_search_ = -1;  // the search whose pairs near_ lists
   int64_t searches_ = 0;
 };
 
 template <class V, class Exec>
-void Detector<V, Exec>::plan(const std::string& method, BroadPhaseParameters<V> parameters, double skin) {
-  box_ = parameters.box;
-  list_.plan(skin, 2 * rounding_guard(parameters.box));
-  for (SizeClass<V>& spheres : parameters.classes) spheres.largest *= list_.factor();
-  if (method == "brute-force") use<BruteForce<V, Exec>>(parameters);
-  if (method == "sort-and-sweep") use<SortAndSweep<V, Exec>>(parameters);
-  if (method == "linked-cell") use<LinkedCell<V, Exec>>(parameters);
-  if (method == "sorted-grid") use<SortedGrid<V, Exec>>(parameters);
-  is_list_last_ = false;
-  list_uses_ = kWorthwhile;
-  pause_ = 0;
+void Collider<V, Exec>::plan(BroadPhaseChoice choice, BroadPhaseParameters<V> parameters, double skin) {
+  choice_ = std::move(choice);
+  planned_ = parameters_ = std::move(parameters);
+  list_.plan(skin, 2 * rounding_guard(box()));
+  for (SizeClass<V>& spheres : planned_.classes) spheres.largest *= list_.factor();
+  if (choice_.method == BroadPhase::brute_force) use<BruteForce<V, Exec>>();
+  if (choice_.method == BroadPhase::sort_and_sweep) use<SortAndSweep<V, Exec>>();
+  if (choice_.method == BroadPhase::linked_cell) use<LinkedCell<V, Exec>>();
+  if (choice_.method == BroadPhase::sorted_grid) use<SortedGrid<V, Exec>>();
+  source_ = Source::none;
+  linked_search_ = -1;
   searches_ = 0;
 }
 
 template <class V, class Exec>
-void Detector<V, Exec>::find(Exec& exec, const BodiesView<V>& bodies) {
-  if (has_list(exec, bodies)) {
-    list_filter_.find(exec, list_.candidates(), bodies, box_, rows_);
-  } else {
-    search(exec, bodies, rows_);
+void Collider<V, Exec>::find_candidates(Exec& exec, const BodiesView<V>& bodies, Real margin) {
+  if (source_ != Source::none && margin_ == margin) return;
+  margin_ = margin;
+  bodies_ = margin > 0 ? with_margin(exec, bodies) : bodies;
+  is_tested_ = false;
+  source_ = has_fresh_list(exec) ? Source::list : Source::broad_phase;
+  if (source_ == Source::broad_phase) prepare(exec, bodies_);
+}
+
+template <class V, class Exec>
+ContactsView<V> Collider<V, Exec>::find_contacts(Exec& exec, const BodiesView<V>& bodies, ContactKind kind) {
+  const bool is_list = kind != ContactKind::touching && source_ == Source::list;
+  if (!is_list) test_candidates(exec);
+  const Span<const Pair> pairs = is_list ? list_.candidates().pairs : this->pairs();
+  const Span<const int> first = is_list ? list_.candidates().first : this->first();
+  if (kind == ContactKind::near) return {pairs, {}, first, {}, {}};
+  if (kind == ContactKind::touching) {
+    contacts_.build(exec, pairs, first, bodies, box());
+    return contacts_.view();
   }
-}
-
-template <class V, class Exec>
-NearPairs Detector<V, Exec>::near_pairs(Exec& exec, const BodiesView<V>& bodies) {
-  if (has_list(exec, bodies)) return {list_.candidates().pairs, list_.candidates().first, searches_, false};
-  search(exec, bodies, rows_);
-  return contacts();
-}
-
-template <class V, class Exec>
-bool Detector<V, Exec>::shows_all_inside(Exec& exec, const BodiesView<V>& bodies) {
-  return list_.is_used() && pause_ == 0 && list_.shows_all_inside() && list_.is_valid(exec, bodies, box_);
-}
-
-template <class V, class Exec>
-int64_t Detector<V, Exec>::candidates(Exec& exec) const {
-  return is_list_last_ ? list_.candidates().pairs.size() : range_or_list_candidates(exec);
-}
-
-template <class V, class Exec>
-std::vector<GridInspection> Detector<V, Exec>::inspect(Exec& exec, const BodiesView<V>& bodies) {
-  return std::visit(
-      [&](auto& method) {
-        if (list_.is_used()) method.prepare(exec, list_.grown(exec, bodies));
-        return method.inspect(exec);
-      },
-      broad_phase_);
-}
-
-template <class V, class Exec>
-std::vector<Pair> Detector<V, Exec>::candidate_pairs(Exec& exec, const BodiesView<V>& bodies) const {
-  return std::visit([&](auto& method) { return ballpit::candidate_pairs(exec, method.candidates(), bodies.size()); },
-                    broad_phase_);
-}
-
-template <class V, class Exec>
-void Detector<V, Exec>::inspect_sweep(Exec& exec, const BodiesView<V>& bodies, Inspection& seen) const {
-  if (const auto* const sweep = std::get_if<SortAndSweep<V, Exec>>(&broad_phase_)) {
-    seen.axis = sweep->axis();
-    seen.endpoints = sweep->endpoints(exec, bodies);
+  if (linked_search_ != searches_) {
+    near_.link(exec, pairs, first);
+    linked_search_ = searches_;
   }
+  return near_.view();
 }
 
 template <class V, class Exec>
-std::vector<int> Detector<V, Exec>::work_per_thread(Exec& exec) const {
-  return std::visit([&](auto& method) { return work_of(exec, method); }, broad_phase_);
-}
-
-template <class V, class Exec>
-std::vector<int> Detector<V, Exec>::body_per_thread(Exec& exec) const {
-  return std::visit([&](auto& method) { return workers_of(exec, method.candidates()); }, broad_phase_);
-}
-
-template <class V, class Exec>
-int64_t Detector<V, Exec>::bytes() const {
-  return std::visit([](auto& method) { return method.bytes(); }, broad_phase_) + list_search_.bytes() +
-         range_search_.bytes() + list_filter_.bytes() + rows_.bytes() + list_.bytes();
-}
-
-template <class V, class Exec>
-bool Detector<V, Exec>::has_list(Exec& exec, const BodiesView<V>& bodies) {
-  is_list_last_ = false;
-  if (!list_.is_used()) return false;
-  if (pause_ > 0) {
-    --pause_;
-    return false;
-  }
-  if (!list_.is_valid(exec, bodies, box_)) {
-    if (list_uses_ < kWorthwhile) {
-      // It was not used often enough to be worth its making: something is too fast. Try again later.
-      pause_ = kPause;
-      list_uses_ = kWorthwhile;
-      return false;
-    }
-    search(exec, list_.grown(exec, bodies), list_.rows());
-    list_.start(exec, bodies, box_);
-    list_uses_ = 0;
-  }
-  ++list_uses_;
-  return is_list_last_ = true;
-}
-
-template <class V, class Exec>
-void Detector<V, Exec>::search(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
-  is_list_last_ = false;
-  ++searches_;
-  std::visit(
-      [&](auto& method) {
-        method.prepare(exec, bodies);
-        const auto candidates = method.candidates();
-        if constexpr (GivesRanges<decltype(candidates)>) {
-          range_search_.find(exec, candidates, box_, bodies.size(), rows);
-        } else {
-          list_search_.find(exec, candidates, bodies, box_, rows);
-        }
-      },
-      broad_phase_);
-}
-
-template <class V, class Exec>
-int64_t Detector<V, Exec>::range_or_list_candidates(Exec& exec) const {
+int64_t Collider<V, Exec>::tests(Exec& exec) const {
+  if (source_ == Source::list) return list_.candidates().pairs.size();
   return std::visit(
       [&](auto& method) {
         if constexpr (GivesRanges<decltype(method.candidates())>) {
           return range_search_.candidates(exec);
         } else {
           return list_search_.candidates(exec);
+        }
+      },
+      broad_phase_);
+}
+
+template <class V, class Exec>
+auto Collider<V, Exec>::prepared(Exec& exec, const BodiesView<V>& bodies) -> AnyBroadPhase& {
+  if (list_.is_used()) {
+    if (source_ == Source::broad_phase) test_candidates(exec);  // before its structure changes
+    std::visit([&](auto& method) { method.prepare(exec, list_.grown(exec, bodies)); }, broad_phase_);
+  }
+  return broad_phase_;
+}
+
+template <class V, class Exec>
+int64_t Collider<V, Exec>::bytes() const {
+  return std::visit([](auto& method) { return method.bytes(); }, broad_phase_) + list_search_.bytes() +
+         range_search_.bytes() + list_filter_.bytes() + rows_.bytes() + list_.bytes();
+}
+
+template <class V, class Exec>
+BodiesView<V> Collider<V, Exec>::with_margin(Exec& exec, const BodiesView<V>& bodies) {
+  const bool is_uniform = bodies.radius.is_uniform();
+  grown_.resize(is_uniform ? 1 : bodies.size());
+  exec.parallel_for("grow radii", grown_.size(), AddMargin<Real>{bodies.radius, margin_, grown_.span()});
+  BodiesView<V> result = bodies;
+  result.radius = {grown_.span().data(), is_uniform ? 0 : 1};
+  return result;
+}
+
+/// Whether the candidate list holds all contacts of bodies_. Makes a new list where that is due.
+template <class V, class Exec>
+bool Collider<V, Exec>::has_fresh_list(Exec& exec) {
+  const ListState state = list_.state(exec, bodies_, box(), margin_);
+  if (state == ListState::due) {
+    const BodiesView<V> grown = list_.grown(exec, bodies_);
+    prepare(exec, grown);
+    test_broad_phase(exec, grown, list_.rows());
+    list_.start(exec, bodies_, box(), margin_);
+  }
+  return state != ListState::off;
+}
+
+template <class V, class Exec>
+void Collider<V, Exec>::prepare(Exec& exec, const BodiesView<V>& bodies) {
+  ++searches_;
+  std::visit([&](auto& method) { method.prepare(exec, bodies); }, broad_phase_);
+}
+
+template <class V, class Exec>
+void Collider<V, Exec>::test_candidates(Exec& exec) {
+  if (is_tested_) return;
+  is_tested_ = true;
+  if (source_ == Source::list) {
+    list_filter_.find(exec, list_.candidates(), bodies_, box(), rows_);
+  } else {
+    test_broad_phase(exec, bodies_, rows_);
+  }
+}
+
+template <class V, class Exec>
+void Collider<V, Exec>::test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
+  std::visit(
+      [&](auto& method) {
+        const auto candidates = method.candidates();
+        if constexpr (GivesRanges<decltype(candidates)>) {
+          range_search_.find(exec, candidates, box(), bodies.size(), rows);
+        } else {
+          list_search_.find(exec, candidates, bodies, box(), rows);
         }
       },
       broad_phase_);

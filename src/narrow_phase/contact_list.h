@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contacts measured and listed by body, so that a response can gather for each body instead of scattering from each
-// contact: no two threads write to one body, and sums have one order.
+// Contact lists by body, with the geometry of each contact. A response can gather for each body instead of scattering
+// from each contact: no two threads write to the same body, and sums have a fixed order.
 //
 //     contact           0      1      2
 //     pairs           (0,3)  (0,7)  (2,7)
@@ -21,7 +21,7 @@
 
 namespace ballpit {
 
-/// Kernel: normal, overlap and speed of contact c. Where two centres coincide, the normal is the last axis.
+/// Kernel: normal, overlap and separation of contact c. If two centres coincide, the normal is the last axis.
 template <class V>
 struct MeasureContact {
   BodiesView<V> bodies;
@@ -47,7 +47,7 @@ struct SecondBody {
   HOST_DEVICE int operator()(int c) const { return pairs[c].j; }
 };
 
-/// Contact c as its second body lists it.
+/// Value: contact c for the contact list of its second body.
 struct IncomingAt {
   Span<const Pair> pairs;
   HOST_DEVICE IncomingContact operator()(int c) const { return {c, pairs[c].i}; }
@@ -61,7 +61,7 @@ class ContactList {
  public:
   void build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies, const Box<V>& box);
 
-  /// Without measuring.
+  /// The lists alone, without the geometry.
   void link(Exec& exec, Span<const Pair> pairs, Span<const int> first);
 
   Span<ContactGeometry<V>> geometry() { return geometry_.span(); }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Where a search puts its contacts: pairs in canonical order, and where each body's row begins.
+// The result of a search: pairs in canonical order, in one row for each body i.
 //
 //     body    0  1  2  3
 //     first   0  2  2  3  3
-//     pairs   (0,3) (0,7) (2,5)
+//     pairs   (0,3) (0,7) (2,5)       body i has pairs[first[i]] … pairs[first[i + 1] − 1]
 #pragma once
 
 #include <limits>
-#include <string>
+
+#include <fmt/format.h>
 
 #include "bodies/pair.h"
 #include "core/error.h"
@@ -17,15 +18,15 @@
 
 namespace ballpit {
 
-/// Contacts that a thread keeps from counting to filling. Equal spheres have at most twelve, half of them with a higher
-/// index on average.
+/// How many contacts a thread keeps from counting to filling. Equal spheres have at most twelve, and on average half of
+/// them have a higher index.
 inline constexpr int kKept = 8;
 
-/// Throws RunError where a number of entries exceeds what an index holds.
+/// `count` as an index. Throws RunError if it is too large for one.
 inline int checked_count(int64_t count, const char* what) {
   if (count > std::numeric_limits<int>::max()) {
-    throw RunError(what, "too many: " + std::to_string(count),
-                   "at most " + std::to_string(std::numeric_limits<int>::max()) + " can be held");
+    throw RunError(what, fmt::format("too many: {}", count),
+                   fmt::format("at most {} can be held", std::numeric_limits<int>::max()));
   }
   return static_cast<int>(count);
 }
@@ -82,7 +83,7 @@ struct SortRow {
   }
 };
 
-/// Puts pairs, i < j, that stand in any order into canonical order.
+/// Sorts pairs (i < j) into canonical order.
 template <class Exec>
 void put_into_rows(Exec& exec, Span<const Pair> found, int64_t bodies, ContactRows<Exec>& rows) {
   rows.resize(bodies, found.size());

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// From the pairs of a candidate list to the contacts among them. The list is in canonical order, and so is what stays.
+// Finds the contacts among the pairs of a candidate list. The list is in canonical order, and so are the contacts.
 //
 //     list      (0,1) (0,3) (0,7) (2,5) (3,4)        each pair tested once
 //     contacts  (0,3) (0,7) (2,5)
 //     first     0 2 2 3 3 …                          where each body's row begins
 //
-// On the CPU in single precision, blocks of pairs are tested by vector instructions (range_tests.h); on other executors the list goes through
-// the kernels of list_search.h. Cost: O(candidates + n).
+// On the CPU in single precision, blocks of pairs are tested by vector instructions (range_tests.h); otherwise by the
+// kernels of list_search.h. Cost: O(candidates + n).
 #pragma once
 
 #include <type_traits>
@@ -21,24 +21,9 @@
 
 namespace ballpit {
 
-/// By kernels, on any executor.
-template <class V, class Exec>
-class ListFilter {
- public:
-  void find(Exec& exec, const ListedCandidates& list, const BodiesView<V>& bodies, const Box<V>& box,
-            ContactRows<Exec>& rows) {
-    search_.find(exec, list, bodies, box, rows);
-  }
-  int64_t bytes() const { return search_.bytes(); }
-
- private:
-  ListSearch<V, Exec> search_;
-};
-
-/// On the CPU in single precision, by vector instructions.
+/// Tests by vector instructions.
 template <class V>
-requires std::is_same_v < Scalar<V>,
-float > class ListFilter<V, CpuExecutor> {
+class VectorListFilter {
  public:
   void find(CpuExecutor& exec, const ListedCandidates& list, const BodiesView<V>& bodies, const Box<V>& box,
             ContactRows<CpuExecutor>& rows) {
@@ -61,8 +46,9 @@ float > class ListFilter<V, CpuExecutor> {
  private:
   static constexpr int64_t kBlock = 1 << 14;  // pairs, or bodies
 
-  /// Where the rows of bodies `from` … `to` − 1 end. Without a branch for each body, whose number of contacts is hard to
-  /// predict: each pair writes the end of its row, the last one stays, and bodies without pairs take over the end before.
+  /// Writes where the rows of bodies `from` … `to` − 1 end. Avoids a branch for each body, since its number of contacts
+  /// is hard to predict: each pair writes the end of its row, the last one remains, and bodies without pairs copy the
+  /// end of the row before.
   static void note_rows(Span<const Pair> pairs, Span<int> first, int64_t from, int64_t to) {
     const auto before = [](const Pair& pair, int64_t body) { return pair.i < body; };
     const Pair* pair = std::lower_bound(pairs.begin(), pairs.end(), from, before);
@@ -75,5 +61,8 @@ float > class ListFilter<V, CpuExecutor> {
 
   PairBlocks found_;
 };
+
+template <class V, class Exec>
+using ListFilter = std::conditional_t<kHasVectorTests<V, Exec>, VectorListFilter<V>, ListSearch<V, Exec>>;
 
 }  // namespace ballpit

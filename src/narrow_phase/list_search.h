@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// From candidates in lists to contacts in canonical order, by count, scan and fill: sizes are exact, nothing is appended
-// by atomics, and the order is fixed by the indices whatever order the candidates come in.
+// Tests the candidates in lists and writes the contacts in canonical order, by count, scan and fill. Sizes are exact,
+// no atomic operations append, and the indices alone determine the order, whatever the order of the candidates.
 //
-//     body              0  1  2  3          kernel "count contacts": candidates tested, contacts found,
-//     contacts found    2  0  1  0          the first kKept of them kept
+//     body              0  1  2  3          kernel "count contacts": tests candidates, counts contacts,
+//     contacts found    2  0  1  0          keeps the first kKept of them
 //     first             0  2  2  3  3       scan
-//     pairs             (0,3) (0,7) (2,5)   kernel "fill contacts": each row sorted by j
+//     pairs             (0,3) (0,7) (2,5)   kernel "fill contacts": writes each row, sorted by j
 //
-// Cost: one walk over the candidates; a second one only by bodies with more contacts than were kept.
-// Sibling for candidates in ranges: range_search.h.
+// Cost: one pass over the candidates; a second one only for bodies with more contacts than were kept.
+// Its sibling for candidates in ranges is range_search.h.
 #pragma once
 
 #include "bodies/bodies_view.h"
@@ -19,7 +19,7 @@
 
 namespace ballpit {
 
-/// Kernel: counts what body i is tested against, and what it touches.
+/// Kernel: counts the tests and the contacts of body i.
 template <class V, class Candidates>
 struct CountContacts {
   Candidates candidates;
@@ -27,7 +27,7 @@ struct CountContacts {
   Box<V> box;
   Span<int> tested;
   Span<int> found;
-  Span<int> kept;  ///< kKept a body
+  Span<int> kept;  ///< kKept for each body
 
   HOST_DEVICE void operator()(int i) const {
     const V position = bodies.position[i];
@@ -103,7 +103,7 @@ class ListSearch {
                       FillContacts<V, Candidates>{candidates, bodies, box, rows.first(), kept_.span(), rows.pairs()});
   }
 
-  Span<const int> tested() const { return tested_.span(); }  ///< candidates tested by each body
+  Span<const int> tested() const { return tested_.span(); }  ///< the number of candidates that each body tested
   int64_t candidates(Exec& exec) const { return sum_of(exec, tested()); }
   int64_t bytes() const { return tested_.bytes() + found_.bytes() + kept_.bytes(); }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pairs found on the CPU by blocks of work, each in a buffer of its own, and joined in the order of the blocks.
+// Pairs that the CPU finds in blocks of work. Each block has a buffer of its own; they are joined in the order of the
+// blocks.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +15,10 @@
 
 namespace ballpit {
 
-/// Pairs that were found, in a buffer that only grows.
+/// A buffer of pairs whose memory only grows.
 class PairBuffer {
  public:
-  /// Makes room for `more` pairs beyond those held.
+  /// Makes room for `more` additional pairs.
   void reserve(int64_t more) {
     if (count_ + more <= capacity_) return;
     const int64_t capacity = std::max(count_ + more, 2 * capacity_);
@@ -39,7 +40,7 @@ class PairBuffer {
   int64_t capacity_ = 0;
 };
 
-/// The buffers of all blocks. One thread goes through the blocks in order, and needs one buffer alone.
+/// The buffers of all blocks. A single thread takes the blocks in order and needs only one buffer.
 class PairBlocks {
  public:
   void start(const CpuExecutor& exec, int64_t blocks) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// From ranges of candidates to contacts in canonical order.
+// Tests the candidates in ranges and writes the contacts in canonical order.
 //
-//     thread            0        1       2           one thread a slot: count its contacts, keep the first kKept
+//     thread            0        1       2            one thread per slot: counts its contacts, keeps the first kKept
 //     found             (3,0)    –       (1,2) (1,4)  scan, fill: pairs in the order of the slots
 //     pairs   (0,3) (1,2) (1,4)                       sorted by i (a counting sort), each row by j
 //
-// On the CPU in single precision, blocks of slots are searched by vector instructions (range_tests.h) in place of count, scan and fill.
-// Cost: one pass over the candidates, or two for threads with more contacts than are kept; O(contacts + n) to order them.
-// Sibling for candidates in lists: list_search.h.
+// On the CPU in single precision, vector instructions search blocks of slots instead (range_tests.h).
+// Cost: one pass over the candidates, two for threads with more contacts than are kept; O(contacts + n) to sort them.
+// Its sibling for candidates in lists is list_search.h.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 
 namespace ballpit {
 
-/// Calls visit(slot) for each slot of a range that `slot` touches, until visit returns false; counts the tests.
+/// Calls visit(s) for each candidate s that `slot` touches; adds the number of tests to `tests`.
 template <class V, class Candidates, class Visit>
 HOST_DEVICE void visit_touching(const Candidates& candidates, const Box<V>& box, int slot, int& tests, Visit&& visit) {
   const SlotsView<V>& slots = candidates.slots();
@@ -35,19 +35,19 @@ HOST_DEVICE void visit_touching(const Candidates& candidates, const Box<V>& box,
   candidates.for_each_range(slot, [&](const SlotRange& range) {
     tests += range.size();
     for (int s = range.first; s < range.last; ++s) {
-      if (!slots.is_meant(s, range)) continue;
+      if (!slots.matches_tag(s, range)) continue;
       if (in_contact(box.displacement(position, slots.position(s)), radius + slots.radius[s])) visit(s);
     }
   });
 }
 
-/// Kernel: counts what thread t tests and finds.
+/// Kernel: counts the tests and the contacts of thread t.
 template <class V, class Candidates>
 struct CountInRanges {
   Candidates candidates;
   Box<V> box;
   Span<int> tested, found;
-  Span<int> kept;  ///< kKept a thread
+  Span<int> kept;  ///< kKept for each thread
 
   HOST_DEVICE void operator()(int t) const {
     int tests = 0, contacts = 0;
@@ -86,7 +86,7 @@ struct FillFromRanges {
   HOST_DEVICE static Pair ordered(int a, int b) { return a < b ? Pair{a, b} : Pair{b, a}; }
 };
 
-/// Finds the pairs in contact, each once, in any order: by kernels, on any executor.
+/// Finds the pairs in contact, in any order, by kernels on any executor.
 template <class V, class Exec>
 class KernelRangeSearch {
   template <class T>
@@ -141,7 +141,7 @@ class VectorRangeSearch {
 
  private:
   static constexpr int64_t kBlock = 2048;  // slots
-  static constexpr int kTasks = 512;       // that fit the nearest cache
+  static constexpr int kTasks = 512;       // fit into the nearest cache
 
   /// Returns the number of tests.
   static int64_t test(const SlotsView<V>& slots, const Box<V>& box, Span<const RangeTask> tasks, PairBuffer& found) {
@@ -151,8 +151,8 @@ class VectorRangeSearch {
     return tested;
   }
 
-  /// The same for slots from … to − 1. A copy of the candidates that nothing else can point to stays in registers, as
-  /// CpuExecutor's kernels do.
+  /// The same for slots from … to − 1. A local copy of the candidates, which no pointer can alias, stays in registers,
+  /// as in CpuExecutor's kernels.
   template <class Candidates>
   [[gnu::flatten]] static int64_t search(const Candidates& shared, const Box<V>& box, int from, int to,
                                          PairBuffer& found) {
@@ -161,7 +161,7 @@ class VectorRangeSearch {
     int count = 0;
     int64_t tested = 0;
     candidates.for_each_range_of(from, to, [&](int slot, const SlotRange& range) {
-      tasks[count] = {slot, range};  // overwritten by the next where it is empty: that is hard to predict
+      tasks[count] = {slot, range};  // if empty, the next one overwrites it: saves an unpredictable branch
       count += range.first < range.last;
       if (count == kTasks) {
         tested += test(candidates.slots(), box, {tasks, count}, found);
@@ -171,20 +171,12 @@ class VectorRangeSearch {
     return tested + test(candidates.slots(), box, {tasks, count}, found);
   }
 
-  std::vector<int64_t> tested_;  // in each block
+  std::vector<int64_t> tested_;  // by each block
   PairBlocks found_;
   Span<const Pair> pairs_;
 };
 
-template <class V, class Exec>
-struct RangeSearchOn {
-  using Type = KernelRangeSearch<V, Exec>;
-};
-template <class V>
-requires std::is_same_v < Scalar<V>,
-float > struct RangeSearchOn<V, CpuExecutor> { using Type = VectorRangeSearch<V>; };
-
-/// Finds contacts in ranges and puts them into rows. `rows` receives them.
+/// Finds the contacts in ranges and sorts them into `rows`.
 template <class V, class Exec>
 class RangeSearch {
  public:
@@ -198,7 +190,7 @@ class RangeSearch {
   int64_t bytes() const { return search_.bytes(); }
 
  private:
-  typename RangeSearchOn<V, Exec>::Type search_;
+  std::conditional_t<kHasVectorTests<V, Exec>, VectorRangeSearch<V>, KernelRangeSearch<V, Exec>> search_;
 };
 
 }  // namespace ballpit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once for each set of instructions: Highway includes this file again and again, and picks at run time.
+// Highway includes this file once for each instruction set, and selects one when the program runs.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "narrow_phase/range_tests.cpp"
 #include "narrow_phase/range_tests.h"
@@ -31,7 +31,7 @@ HWY_INLINE hn::Vec<Floats> Displacement(hn::Vec<Floats> a, hn::Vec<Floats> b, fl
   return d;
 }
 
-/// Which of the slots from `first` on touch the body `own`: bit k stands for slot first + k.
+/// Which slots from `first` on touch the body `own`: bit k stands for slot first + k.
 struct Hits {
   int own;
   int first;
@@ -51,7 +51,7 @@ class RangeTester {
   }
 
   void Test(Span<const RangeTask> tasks, PairBuffer& found) const {
-    const RangeTester self = *this;  // a copy that nothing else can point to stays in registers
+    const RangeTester self = *this;  // a local copy, which no pointer can alias, stays in registers
     Hits hits[kHits + 1];
     int count = 0;
     for (const RangeTask& task : tasks) self.TestTask(task, hits, count, found);
@@ -70,18 +70,18 @@ class RangeTester {
     const hn::Vec<Floats> own_radius = hn::Set(f, radius_[kEqual ? 0 : slot]);
     const int body = body_[slot];
     int j = task.range.first;
-    do {  // a short range takes one vector, whatever its length
+    do {  // a short range takes one vector
       hn::Mask<Floats> touching = hn::And(Touching(own, own_radius, j), hn::FirstN(f, static_cast<size_t>(last - j)));
-      if constexpr (kTagged) touching = hn::And(touching, Meant(task.range, j));
+      if constexpr (kTagged) touching = hn::And(touching, MatchesTag(task.range, j));
       const unsigned bits = Bits(touching);
-      hits[count] = {body, j, bits};  // overwritten by the next, unless there is a hit: that is hard to predict
+      hits[count] = {body, j, bits};  // without a hit, the next one overwrites it: saves an unpredictable branch
       count += bits != 0;
       if (count == kHits) Append(hits, count, found);
       j += lanes;
     } while (j < last);
   }
 
-  /// Which of the spheres from slot j on touch the one at `own`.
+  /// Which spheres from slot j on touch the one at `own`.
   HWY_INLINE hn::Mask<Floats> Touching(const hn::Vec<Floats>* own, hn::Vec<Floats> own_radius, int j) const {
     const Floats f;
     hn::Vec<Floats> squared = hn::Zero(f);
@@ -94,7 +94,7 @@ class RangeTester {
     return hn::Le(squared, hn::Mul(radii, radii));
   }
 
-  HWY_INLINE hn::Mask<Floats> Meant(const SlotRange& range, int j) const {
+  HWY_INLINE hn::Mask<Floats> MatchesTag(const SlotRange& range, int j) const {
     const Floats f;
     const Unsigneds u;
     const hn::Vec<Unsigneds> any = hn::Set(u, range.tag == kAnyTag ? ~0u : 0u);
@@ -108,7 +108,7 @@ class RangeTester {
     return bytes[0] | unsigned(bytes[1]) << 8;
   }
 
-  /// Appends the pairs of all hits, and clears these.
+  /// Appends the pairs of all hits, and clears the hits.
   HWY_NOINLINE void Append(const Hits* hits, int& count, PairBuffer& found) const {
     found.reserve(int64_t(count) * kSlotPadding);
     Pair* out = found.end();
@@ -147,7 +147,7 @@ void TestRanges(const SlotsView<V>& slots, const Box<V>& box, Span<const RangeTa
   box.is_periodic() ? ChooseTests<true>(slots, box, tasks, found) : ChooseTests<false>(slots, box, tasks, found);
 }
 
-/// One coordinate of the bodies whose indices stand in the lanes.
+/// One coordinate of the bodies whose indices are in the lanes.
 template <class V>
 HWY_INLINE hn::Vec<Floats> Gather(const V* position, hn::Vec<Ints> body, int axis) {
   constexpr int kDims = kDimensions<V>;

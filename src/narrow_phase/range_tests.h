@@ -1,39 +1,46 @@
 // SPDX-License-Identifier: MIT
-// The inner loop of the CPU's range-based methods: spheres against ranges of slots, as many at once as the processor
-// tests, chosen when the program runs (Highway: SSE2 to AVX-512, NEON, SVE). Same arithmetic, same order, same bits as
-// in_contact(): no fused operations, so what is found does not depend on the processor.
+// The inner loop of the CPU's range-based methods: tests spheres against ranges of slots, a vector of slots at a time.
+// The vector instructions are chosen when the program runs (Highway: SSE2 to AVX-512, NEON, SVE). The arithmetic is
+// that of in_contact(), in the same order and without fused operations, so results are bit-identical on all processors.
 //
 //     task      slot 4 against slots 20 – 25           hits   (4, 20, 001001)           pairs   (4, 20) (4, 23)
 //
-// Short ranges take one vector each. What touches is noted as bits, and read when there are many: to look at each vector's
-// outcome at once costs a branch that no processor can predict. Pairs of a candidate list are tested in the same way, their
+// A short range takes one vector. Hits are stored as bits and evaluated later, many at a time: evaluating each vector
+// at once would cost a branch that no processor can predict. Pairs of a candidate list are tested in the same way, with
 // positions gathered from the bodies.
 #pragma once
+
+#include <type_traits>
 
 #include "bodies/box.h"
 #include "bodies/pair.h"
 #include "bodies/slots.h"
 #include "core/span.h"
+#include "exec/cpu_executor.h"
 #include "narrow_phase/pair_blocks.h"
 
 namespace ballpit {
 
-/// A slot, to be tested against those of a range that is not empty.
+/// Whether the tests below serve an executor.
+template <class V, class Exec>
+inline constexpr bool kHasVectorTests = std::is_same_v<Exec, CpuExecutor>&& std::is_same_v<Scalar<V>, float>;
+
+/// A slot to be tested against the slots of a range, which is not empty.
 struct RangeTask {
   int slot;
   SlotRange range;
 };
 
-/// Carries the tasks out and appends the pairs in contact, lower body first. Tags are compared where the slots have them.
+/// Executes the tasks and appends the pairs in contact, lower body first. Compares tags if the slots have them.
 template <class V>
 void test_ranges(const SlotsView<V>& slots, const Box<V>& box, Span<const RangeTask> tasks, PairBuffer& found);
 
-/// Tests pairs of bodies by index and appends those in contact, in their order.
+/// Tests pairs of bodies and appends those in contact, in the same order.
 template <class V>
 void test_pairs(Span<const V> position, const PerBody<Scalar<V>>& radius, const Box<V>& box, Span<const Pair> pairs,
                 PairBuffer& found);
 
-/// The instructions that these use on this processor: "AVX3".
+/// The instruction set that these functions use on this processor: "AVX3".
 const char* range_test_instructions();
 
 }  // namespace ballpit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sorts a row of contacts where it stands, on any processor: by insertion while it is short, as rows are, else by a heap,
-// so that a body with thousands of contacts does not take millions of moves.
+// Sorts a row of contacts in place, on any processor: a short row, the usual case, by insertion, a long one by
+// heapsort, so that a body with thousands of contacts does not need millions of moves.
 #pragma once
 
 #include "bodies/pair.h"
@@ -11,9 +11,9 @@ namespace ballpit {
 
 namespace row_sorting {
 
-inline constexpr int kLongRow = 48;
+inline constexpr int kMaxInsertion = 48;
 
-/// Two pairs of one row. Without a branch: which is first is hard to predict.
+/// Sorts two pairs of one row, without a branch, which would be hard to predict.
 HOST_DEVICE inline void order(Pair& a, Pair& b) {
   const Pair first = a, second = b;
   const bool is_swapped = second.j < first.j;
@@ -30,7 +30,7 @@ HOST_DEVICE inline void insert_all(Pair* row, int count) {
   }
 }
 
-/// Lets row[at] sink until no child of it in a heap of `count` is larger.
+/// Moves row[at] down in a heap of `count` until none of its children is larger.
 HOST_DEVICE inline void sink(Pair* row, int at, int count) {
   const Pair moved = row[at];
   for (int child = 2 * at + 1; child < count; child = 2 * at + 1) {
@@ -64,7 +64,7 @@ HOST_DEVICE inline void sort_row(Pair* row, int count) {
     order(row[0], row[1]);
     return;
   }
-  if (count <= kLongRow) {
+  if (count <= kMaxInsertion) {
     insert_all(row, count);
     return;
   }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Contacts in colours: no two of one colour share a body, so those of a colour may be solved at once, colour after colour,
-// each from what the others have left (Gauss–Seidel), in parallel and with the same outcome for any number of threads.
+// Gives each contact a colour. No two contacts of one colour share a body, so all contacts of a colour may be solved in
+// parallel, colour after colour (Gauss–Seidel), and the result does not depend on the number of threads.
 //
-//     contacts   (0,1) (1,2) (2,3) (3,4)       round 0: each body names its contact of the highest priority;
+//     contacts   (0,1) (1,2) (2,3) (3,4)       round 0: each body names its contact of highest priority;
 //     priority     .3    .9    .5    .7                 (1,2) and (3,4) are named by both of their bodies
-//     colour        1     0     1     0        round 1: among the rest (0,1), (2,3)
+//     colour        1     0     1     0        round 1: the same among the rest: (0,1) and (2,3)
 //
-// The colour of a contact is the round in which both of its bodies name it. Priorities are hashes of the contacts' indices,
-// so that a row of contacts takes O(log n) rounds, not n. Cost: O(contacts) a round, about twice as many rounds as the most
-// contacts of a body. Sources: Luby, "A Simple Parallel Algorithm for the Maximal Independent Set Problem" (1986),
-// doi 10.1137/0215074; Fratarcangeli, Tibaldo, Pellacini, "Vivace" (2016), doi 10.1145/2980179.2982437.
+// The colour of a contact is the round in which both of its bodies name it. Priorities are hashes of the contacts'
+// indices, so a chain of contacts takes O(log n) rounds, not n. Cost: O(contacts) a round; the number of rounds is
+// about twice the largest number of contacts of a body. Sources: Luby, "A Simple Parallel Algorithm for the Maximal
+// Independent Set Problem" (1986), doi 10.1137/0215074; Fratarcangeli, Tibaldo, Pellacini, "Vivace" (2016), doi
+// 10.1145/2980179.2982437.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,7 @@
 
 namespace ballpit {
 
-/// Kernel: body i names that of its contacts without a colour which has the highest priority; −1 if all have one.
+/// Kernel: body i names its uncoloured contact of highest priority; −1 if it has none.
 template <class V>
 struct NameContact {
   ContactsView<V> contacts;
@@ -46,7 +47,7 @@ struct NameContact {
   }
 };
 
-/// Kernel: contact c takes the round's colour where both of its bodies name it.
+/// Kernel: contact c takes the colour of the round if both of its bodies name it.
 struct TakeColour {
   Span<const Pair> pairs;
   Span<const int> named;
@@ -58,7 +59,7 @@ struct TakeColour {
   }
 };
 
-/// Map: 1 for a contact without a colour.
+/// Predicate: contact c has no colour yet.
 struct HasNoColour {
   Span<const int> colour;
   HOST_DEVICE bool operator()(int c) const { return colour[c] < 0; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A contact in units of its spring: ẍ + 2ζẋ + x = 0, x(0) = 0, ẋ(0) = 1, so x = exp(−ζt)·sin(ωt)/ω with ω = √(1−ζ²). The
-// overlap ends at ωt = π. The force, −ẍ, ends at ωt = π − 2·asin ζ = 2·acos ζ, where ẋ = −exp(−ζt).
+// The motion of a contact in units of its spring: ẍ + 2ζẋ + x = 0, x(0) = 0, ẋ(0) = 1, so x = exp(−ζt)·sin(ωt)/ω with ω
+// = √(1−ζ²). The overlap ends at ωt = π. The force, −ẍ, ends at ωt = π − 2·asin ζ = 2·acos ζ, where ẋ = −exp(−ζt).
 #include "response/damping.h"
 
 #include <algorithm>
@@ -21,10 +21,10 @@ double restitution_to_force_end(double zeta) {
 
 double damping_of(double restitution, bool ends_with_force) {
   if (restitution >= 1) return 0;
-  const double e = std::max(restitution, kLeastRestitution);
+  const double e = std::max(restitution, kMinRestitution);
   const double log_e = std::log(e);
   if (!ends_with_force) return -log_e / std::sqrt(M_PI * M_PI + log_e * log_e);
-  double low = 0, high = 100;  // restitution falls with ζ
+  double low = 0, high = 100;  // restitution decreases with ζ
   for (int k = 0; k < 100; ++k) {
     const double middle = (low + high) / 2;
     (restitution_to_force_end(middle) > e ? low : high) = middle;

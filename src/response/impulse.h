@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Impulses: contacts exchange momentum so that spheres part with the speed that restitution asks for; what overlap is
-// left is pushed apart. Frictionless: impulses act along normals alone, so no sphere needs a rotation.
+// Impulses: contacts exchange momentum so that spheres part with the speed that restitution requires; remaining overlap
+// is pushed apart. There is no friction: impulses act along normals only, so no sphere rotates.
 //
 //     for each contact (i, j), normal n from i to j, inverse masses w:
-//         u  = (v_j − v_i) · n                     speed of parting, now
-//         u* = e · max(0, −u₀)                     wanted, from the speed u₀ before this step's kick
-//         λ' = max(0, λ + (u* − u) / (c_i·w_i + c_j·w_j))      the impulse so far: a contact never pulls
+//         u  = (v_j − v_i) · n                     present speed of parting
+//         u* = e · max(0, −u₀)                     wanted speed, from the speed u₀ before this step's kick
+//         λ' = max(0, λ + (u* − u) / (c_i·w_i + c_j·w_j))      total impulse: a contact never pulls
 //     v_i ← v_i + w_i · Σ ∓ (λ' − λ) · n
 //
-// An iteration may take back what an earlier one gave too much, since it is the sum that must not pull: without that, spheres
-// that part at e = 1 gain energy by each other's mistakes.
+// Only the total impulse must not pull, so an iteration may take back an excess of an earlier one. Otherwise spheres
+// that part at e = 1 would gain energy from each other's errors.
 //
-// By default all contacts are solved at once from the same velocities (Jacobi), which is parallel and has one order. Solved
-// naively, a body with several contacts would answer each of them in full and gain energy. So each body's mass is split
-// among its c contacts: each solves its own pair of parts, and the parts are averaged. Averaging never adds kinetic
-// energy, so neither does an iteration with e = 0, and momentum is exchanged in equal and opposite portions. A single
-// contact is solved exactly by the first iteration; heaps converge over iterations and steps. Walls at right angles do not
-// disturb each other: a body solves all of them in one part, so a corner is exact, too.
-// Taking u₀ before the kick makes a ball that bounces with e = 1 rise to where it fell from: the kick of the step of
-// impact is not reflected. A ball at rest stays at rest.
+// By default all contacts are solved at once from the same velocities (Jacobi), which is parallel and has a fixed
+// order. A body with several contacts would then answer each of them in full and gain energy. So its mass is split
+// among its c contacts: each contact solves its own pair of parts, and the parts are averaged. Averaging never adds
+// kinetic energy, so an iteration with e = 0 does not either, and momentum is exchanged in equal and opposite portions.
+// The first iteration solves a single contact exactly; heaps converge over iterations and steps. Walls at right angles
+// are independent: a body solves all of them in one part, so a corner is exact, too. With u₀ from before the kick, a
+// ball that bounces with e = 1 rises to the height that it fell from: the kick in the step of the impact is not
+// reflected. A ball at rest stays at rest.
 //
-// Overlap that a contact entered during the last step is undone by position, as far as its new velocity does not take
-// it out by itself: that adds no energy. Overlap that was there before is what carries a heap: where gravity presses,
-// it wants a speed of parting, u* = push · overlap / dt, at most push_limit, so that n layers rest at an overlap of at
-// most about c/push·n·g·dt². Without gravity nothing presses, and it is removed by position as well.
+// The overlap that a contact entered during the last step is removed by moving the bodies, unless their new velocities
+// remove it anyway: this adds no energy. Older overlap carries a heap. Under gravity it gets a speed of parting,
+// u* = push · overlap / dt, at most push_limit, so that n layers rest at an overlap of at most about c/push·n·g·dt².
+// Without gravity it is removed by moving the bodies as well.
 //
-// With --solver gauss-seidel contacts are solved colour by colour, with c = 1: a stack then needs a quarter of the
-// iterations, but each costs as many launches as there are colours, so Jacobi is the default.
+// With --solver gauss-seidel contacts are solved colour by colour, with c = 1. A stack then needs a quarter of the
+// iterations, but each costs one launch per colour, so Jacobi is the default.
 //
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), one launch (Jacobi).
 // Source: mass splitting: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
@@ -55,8 +55,8 @@ class ImpulseResponse {
  public:
   explicit ImpulseResponse(const ImpulseParameters& parameters) : parameters_(parameters) {}
 
-  /// Resolves all contacts of a step of dt. `bodies` hold the velocities before the kick, `kicked` those after it; on
-  /// return `velocity` holds the response's. It may be the same as `kicked`.
+  /// Resolves all contacts of a step of dt. `bodies` has the velocities before the kick, `kicked` those after it.
+  /// Writes the new ones to `velocity`, which may be the same array as `kicked`.
   void respond(Exec& exec, const BodiesView<V>& bodies, const WallsView<V>& walls, const ContactsView<V>& contacts,
                Real dt, Span<const V> kicked, Buffer<V>& velocity, const ImpulseNotes<V>& notes) {
     const int64_t n = bodies.size(), m = contacts.pairs.size();
@@ -82,7 +82,7 @@ class ImpulseResponse {
                       CorrectPosition<V>{view, constraints_.span(), velocity.span(), other_.span()});
   }
 
-  /// How far each body is to move beside its velocity [m], after respond().
+  /// After respond(): how far each body moves in addition to its velocity [m].
   Span<const V> correction() const { return other_.span(); }
 
   int64_t bytes() const {
@@ -146,8 +146,8 @@ class ImpulseResponse {
   ImpulseParameters parameters_;
   Buffer<Real> share_;
   Buffer<ContactConstraint<V>> constraints_;
-  Buffer<V> other_;       // velocities of the other iteration, then the correction
-  Buffer<V> low_, high_;  // what walls gave
+  Buffer<V> other_;       // velocities of the previous iteration, then the corrections
+  Buffer<V> low_, high_;  // impulses from walls [kg·m/s]
   Buffer<Real> exchanged_, next_exchanged_;
   ContactColours<V, Exec> colours_;
 };

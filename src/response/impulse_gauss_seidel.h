@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The impulse response's contacts solved one after another, each with the whole masses and from what those before have left
-// (Gauss–Seidel): walls first, then the contacts colour by colour. A launch for each colour and iteration; converges faster
-// than its sibling impulse_jacobi.h.
-// Source: Catto, "Iterative Dynamics with Temporal Coherence" (2005); for colours see contact_colours.h.
+// Solves the contacts of the impulse response one after another (Gauss–Seidel), each with the full masses and the
+// velocities that the ones before have left: walls first, then contacts colour by colour. Cost: a launch for each
+// colour and iteration; it converges faster than its sibling impulse_jacobi.h. Source: Catto, "Iterative Dynamics with
+// Temporal Coherence" (2005); for colours see contact_colours.h.
 #pragma once
 
 #include "bodies/pair.h"
@@ -11,7 +11,7 @@
 
 namespace ballpit {
 
-/// Kernel: the walls of body i.
+/// Kernel: solves the walls of body i.
 template <class V>
 struct SolveWalls {
   using Real = Scalar<V>;
@@ -31,7 +31,7 @@ struct SolveWalls {
   }
 };
 
-/// Kernel: the k-th contact of a colour. `exchanged` sums up what each contact gave [kg·m/s].
+/// Kernel: solves the k-th contact of a colour. `exchanged` is each contact's total impulse [kg·m/s].
 template <class V>
 struct SolveContact {
   using Real = Scalar<V>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The impulse response's contacts solved all at once, from the same velocities (Jacobi), each with its part of the masses.
-// One launch an iteration, and bodies gather: both bodies of a contact compute what it exchanges, and no two threads write to
-// one place. Its sibling is impulse_gauss_seidel.h.
+// Solves all contacts of the impulse response at once from the same velocities (Jacobi), each with its part of the
+// masses. One launch per iteration. Bodies gather: both bodies of a contact compute its impulse, so no two threads
+// write to the same memory. Its sibling is impulse_gauss_seidel.h.
 #pragma once
 
 #include "core/span.h"
@@ -9,18 +9,18 @@
 
 namespace ballpit {
 
-/// Kernel: one Jacobi iteration for body i; reads velocities and sums before it, writes those after.
+/// Kernel: one Jacobi iteration for body i; reads the velocities and sums of the last iteration, writes new ones.
 template <class V>
 struct ResolveVelocity {
   using Real = Scalar<V>;
   ImpulseView<V> view;
   Span<const ContactConstraint<V>> constraints;
   Span<const V> velocity;
-  Span<const Real> exchanged;  ///< by each contact so far [kg·m/s]
+  Span<const Real> exchanged;  ///< total impulse of each contact so far [kg·m/s]
   Span<V> next_velocity;
   Span<Real> next_exchanged;
   WallSums<V> walls;
-  bool is_first;  ///< iteration: sums are 0, whatever memory holds
+  bool is_first;  ///< iteration: sums count as 0; the memory is not initialized
 
   HOST_DEVICE void operator()(int i) const {
     const V own = velocity[i];
@@ -37,7 +37,7 @@ struct ResolveVelocity {
       impulse -= contact.normal * (Real(side) * add_unless_pulling(sum, contact.mass * (contact.wanted - parting)));
       if (side > 0) next_exchanged[c] = sum;
     });
-    V at_walls = own;  // of the one part that meets all walls, one after the other
+    V at_walls = own;  // velocity of the one part that meets all walls, one after the other
     const Real part = view.share[i] * inverse_mass;
     view.for_each_wall(i, [&](int axis, int side, Real overlap) {
       Real& sum = walls.at(i, axis, side);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What impulse.h explains, as both of its solvers need it: what a contact wants, and what of its overlap is removed.
+// The law of impulse.h, for both of its solvers: the wanted speed of a contact, and how much of its overlap is removed.
 #pragma once
 
 #include "bodies/bodies_view.h"
@@ -13,26 +13,27 @@ namespace ballpit {
 struct ImpulseParameters {
   double restitution = 0.8;       ///< sphere–sphere
   double wall_restitution = 0.8;  ///< sphere–wall
-  double push = 0.8;              ///< part of the old overlap that a step pushes out by velocity …
-  double push_limit = 0.0;        ///< [m/s] … at this speed at most
-  double entered = 1.0;           ///< part of the entered overlap that a step removes by position
-  double correction = 0.0;        ///< part of the old overlap that it does
-  double foresight = 1.0;         ///< part of what the new velocity takes out by itself that is left to it
-  double slop = 0.005;  ///< overlap left alone, as a fraction of r_i + r_j, or of r at a wall: contacts stay contacts
+  double push = 0.8;              ///< fraction of the old overlap that a step pushes out by velocity …
+  double push_limit = 0.0;        ///< [m/s] … at most at this speed
+  double entered = 1.0;           ///< fraction of the entered overlap that a step removes by moving bodies
+  double correction = 0.0;        ///< the same for the old overlap
+  double foresight = 1.0;  ///< fraction of the overlap removed by the new velocity that need not be removed otherwise
+  double slop =
+      0.005;  ///< overlap that is kept, so that contacts stay contacts: a fraction of r_i + r_j, or of r at a wall
   int iterations = 4;
   bool is_by_colour = false;  ///< Gauss–Seidel in place of Jacobi
 };
 
-/// What a contact needs in every iteration.
+/// The data of a contact that every iteration reads.
 template <class V>
 struct ContactConstraint {
   V normal;           ///< from i to j
-  Scalar<V> wanted;   ///< speed of parting wanted [m/s]
-  Scalar<V> overlap;  ///< overlap to be removed by position, as far as parting does not remove it [m]
+  Scalar<V> wanted;   ///< wanted speed of parting [m/s]
+  Scalar<V> overlap;  ///< to be removed by moving the bodies, unless their parting removes it [m]
   Scalar<V> mass;     ///< effective mass 1 / (c_i·w_i + c_j·w_j) [kg]
 };
 
-/// What every kernel of the impulse response reads.
+/// The data that every kernel of the impulse response reads.
 template <class V>
 struct ImpulseView {
   using Real = Scalar<V>;
@@ -48,7 +49,7 @@ struct ImpulseView {
     walls.for_each(i, bodies.position[i], bodies.radius[i], visit);
   }
 
-  /// How much faster body i, at `velocity`, is to part from a wall [m/s]; at most 0 where it does by itself.
+  /// By how much body i, at `velocity`, must part faster from a wall [m/s]; at most 0 if it is fast enough.
   HOST_DEVICE Real missing_at_wall(int i, const V& velocity, int axis, int side, Real overlap) const {
     Real before = -Real(side) * bodies.velocity[i][axis], later = 0;
     if (walls.is_swept()) {
@@ -59,32 +60,32 @@ struct ImpulseView {
     return wanted(wall_restitution, before, overlap, bodies.radius[i], later) + Real(side) * velocity[axis];
   }
 
-  /// What the rest of the step's kick adds to the speed at which contact c parts [m/s]: nothing where contacts are not
-  /// swept, and nothing between spheres that both fall.
+  /// The speed that the rest of the step's kick adds to the parting of contact c [m/s]: 0 unless contacts are swept,
+  /// and 0 between spheres that both fall.
   HOST_DEVICE Real later(int c, const Pair& pair, const V& normal) const {
     if (!walls.is_swept()) return 0;
     return dot(walls.sweep.kick_of(pair.j) - walls.sweep.kick_of(pair.i), normal) * (1 - walls.sweep.time[c]);
   }
 
-  /// How far a contact that parted at `separation` before the step moved into overlap during the last one [m].
+  /// The overlap that a contact with this separation has entered during the last step [m].
   HOST_DEVICE Real entered_overlap(Real separation, Real overlap) const {
     const Real moved = separation < 0 ? -separation * dt : Real(0);
     return moved < overlap ? moved : overlap;
   }
 
-  /// The overlap that was there before the last step, less the slop [m].
+  /// The overlap from before the last step, less the slop [m].
   HOST_DEVICE Real old_overlap(Real separation, Real overlap, Real radii) const {
     const Real old = overlap - entered_overlap(separation, overlap) - slop * radii;
     return old > 0 ? old : Real(0);
   }
 
-  /// The overlap to be removed by position [m].
+  /// The overlap to be removed by moving the bodies [m].
   HOST_DEVICE Real removable(Real separation, Real overlap, Real radii) const {
     return entered * entered_overlap(separation, overlap) + correction * old_overlap(separation, overlap, radii);
   }
 
-  /// The speed of parting that a contact wants at the end of the step: what restitution asks for at the impact, and what
-  /// the kick adds `later`; or what pushes old overlap out.
+  /// The wanted speed of parting at the end of the step [m/s]: the larger one of the rebound by restitution, plus the
+  /// kick that is added `later`, and of the speed that pushes out old overlap.
   HOST_DEVICE Real wanted(Real e, Real separation, Real overlap, Real radii, Real later) const {
     const Real rebound = separation < 0 ? later - e * separation : Real(0);
     const Real out = push * old_overlap(separation, overlap, radii) / dt;
@@ -93,16 +94,16 @@ struct ImpulseView {
   }
 };
 
-/// What the walls at min (low) and max (high) have given each body so far, along each axis [kg·m/s]; anything where it touches
-/// none, and empty where a domain has none.
+/// The total impulses of the walls at min (low) and max (high) on each body, along each axis [kg·m/s]. Undefined for
+/// bodies without a wall; empty if the domain has no walls.
 template <class V>
 struct WallSums {
   Span<V> low, high;
   HOST_DEVICE Scalar<V>& at(int i, int axis, int side) const { return side < 0 ? low[i][axis] : high[i][axis]; }
 };
 
-/// Adds `more` to what a contact has exchanged so far, as far as the sum does not pull; returns what was added. So an
-/// iteration may take back what an earlier one gave too much.
+/// Adds `more` to the total impulse of a contact, but limits the sum so that it does not pull; returns the change. So
+/// an iteration may take back an excess of an earlier one.
 template <class Real>
 HOST_DEVICE Real add_unless_pulling(Real& sum, Real more) {
   const Real before = sum, asked = before + more;
@@ -110,7 +111,7 @@ HOST_DEVICE Real add_unless_pulling(Real& sum, Real more) {
   return sum - before;
 }
 
-/// Kernel: adds what contact c has exchanged to the notes of a tally.
+/// Kernel: adds the impulse of contact c to the notes of a tally.
 template <class Real>
 struct NoteSum {
   Span<const Real> exchanged;
@@ -118,7 +119,7 @@ struct NoteSum {
   HOST_DEVICE void operator()(int c) const { notes[c] += exchanged[c]; }
 };
 
-/// Kernel: the same for what body i gave the floor.
+/// Kernel: the same for the impulse of body i on the floor.
 template <class V>
 struct NoteFloorSum {
   ImpulseView<V> view;
@@ -132,7 +133,7 @@ struct NoteFloorSum {
   }
 };
 
-/// Kernel: how many contacts body i splits its mass among. Walls at right angles do not disturb each other, so they have
+/// Kernel: the number of contacts that share the mass of body i. Walls at right angles are independent, so they have
 /// one share together.
 template <class V>
 struct CountShares {
@@ -164,7 +165,7 @@ struct ConstrainContact {
   }
 };
 
-/// Kernel: how far body i steps back out of what it entered, as far as the velocities do not take it out themselves.
+/// Kernel: how far body i moves out of the overlap that its new velocity does not remove [m].
 template <class V>
 struct CorrectPosition {
   using Real = Scalar<V>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a response records impulses.
+// Arrays in which a response records impulses.
 #pragma once
 
 #include "core/host_device.h"
@@ -8,11 +8,11 @@
 
 namespace ballpit {
 
-/// Where a response notes what it does, for a tally; empty spans where none is kept.
+/// The impulses that a response applies, noted for a tally; empty spans if no tally is kept.
 template <class V>
 struct ImpulseNotes {
-  Span<Scalar<V>> contact;  ///< [kg·m/s] exchanged by each contact
-  Span<Scalar<V>> floor;    ///< [kg·m/s] given by each body to the wall at min.y
+  Span<Scalar<V>> contact;  ///< [kg·m/s] of each contact
+  Span<Scalar<V>> floor;    ///< [kg·m/s] of each body on the wall at min.y
 
   HOST_DEVICE bool are_kept() const { return !floor.empty(); }
 };

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Kinematic: a sphere that has run into something steps back out of it, and its velocity is mirrored at the normal. The
-// first answer of the course's exercise sheet 2: plausible, and not physics.
+// Kinematic: a sphere that has run into something moves back out of it, and its velocity is mirrored at the normal. The
+// first response of the course's exercise sheet 2: it looks plausible, but is not physics.
 //
 //      last valid  ○╌╌╌╌▸◉ now, in contact       N = the part of v that runs into its contacts
 //                  ◂╌╌╌╌╌                         x ← x − N·dt      v ← v − (1 + e)·N
 //
-// N is the nearest point to v of the cone {Σ λ·n, λ ≥ 0} of the normals n from the sphere to what it touches (Moreau). With
-// one contact that is (v·n)·n; in a corner each component is mirrored by itself; and several contacts have no order.
+// N is the point of the cone {Σ λ·n, λ ≥ 0} that is nearest to v, where n are the normals from the sphere to the
+// obstacles that it touches (Moreau). With one contact N is (v·n)·n; in a corner each component is mirrored separately.
+// The order of contacts does not matter.
 //
-// Each sphere is mirrored as if what it touches were a wall: nothing is exchanged. So momentum is not conserved. Energy is,
-// for e = 1: back by N·dt and mirrored, the sphere flies on where it came from, along the same path, kick by kick. What
-// would part by less than half a kick has come to rest: it stays in contact, and the contact takes the kick.
-// Walls follow the same law. Cost: O(n + contacts), one launch. Source: Moreau, "Unilateral contact and dry friction in
-// finite freedom dynamics" (1988), doi 10.1007/978-3-7091-2624-0_1. Its siblings: impulse.h, penalty.h, position_based.h.
+// Each sphere is mirrored as if it had hit a wall, without an exchange of momentum. So momentum is not conserved.
+// Energy is conserved for e = 1: moved back by N·dt and mirrored, the sphere returns along the same path, kick by kick.
+// A sphere that would part by less than half a kick has come to rest: it stays in contact, and the contact takes the
+// kick. Walls follow the same law. Cost: O(n + contacts), one launch. Source: Moreau, "Unilateral contact and dry
+// friction in finite freedom dynamics" (1988), doi 10.1007/978-3-7091-2624-0_1. Its siblings: impulse.h, penalty.h,
+// position_based.h.
 #pragma once
 
 #include <cmath>
@@ -27,15 +29,15 @@
 
 namespace ballpit {
 
-/// What a sphere may run into.
+/// A sphere or a wall that a sphere touches.
 template <class V>
 struct Obstacle {
-  V normal;  ///< from the sphere to it
+  V normal;  ///< from the sphere to the obstacle
   Scalar<V> restitution = 0, overlap = 0;
   bool is_floor = false;
 };
 
-/// The obstacles that a vector presses on, and how much on each: at most as many as there are dimensions.
+/// The obstacles that a vector presses on, and by how much: at most as many as there are dimensions.
 template <class V>
 struct Pressed {
   using Real = Scalar<V>;
@@ -43,7 +45,7 @@ struct Pressed {
   Real amount[kDimensions<V> + 1];
   int count = 0;
 
-  /// Sets the amounts so that what is left of v is at right angles to all normals; returns what is left.
+  /// Sets the amounts so that the rest of v is at right angles to all normals; returns the rest.
   HOST_DEVICE V take_from(const V& v) {
     solve(v);
     V left = v;
@@ -65,10 +67,10 @@ struct Pressed {
   }
 
  private:
-  /// Least squares by the normal equations, by elimination; a normal that the others make up for takes nothing.
+  /// Least squares: solves the normal equations by elimination. A normal that depends on the others gets amount 0.
   HOST_DEVICE void solve(const V& v) {
-    constexpr int kMost = kDimensions<V> + 1;
-    Real matrix[kMost][kMost + 1];
+    constexpr int kMax = kDimensions<V> + 1;
+    Real matrix[kMax][kMax + 1];
     for (int r = 0; r < count; ++r) {
       for (int c = 0; c < count; ++c) matrix[r][c] = dot(obstacle[r].normal, obstacle[c].normal);
       matrix[r][count] = dot(obstacle[r].normal, v);
@@ -89,7 +91,7 @@ struct Pressed {
   static constexpr Real kDependent = Real(1e-4);
 };
 
-/// Kernel: mirrors the velocity of body i and tells how far it is to go back.
+/// Kernel: mirrors the velocity of body i and computes how far it moves back.
 template <class V>
 struct MirrorVelocity {
   using Real = Scalar<V>;
@@ -111,7 +113,7 @@ struct MirrorVelocity {
       return;
     }
     V before = bodies.velocity[i], kick = kicked[i] - before;
-    if (walls.is_swept()) {  // the velocity of the first contact, and what is left of the kick then
+    if (walls.is_swept()) {  // the velocity at the first contact, and the rest of the kick
       before += kick * walls.sweep.first[i];
       kick *= 1 - walls.sweep.first[i];
     }
@@ -128,11 +130,12 @@ struct MirrorVelocity {
   }
 
  private:
-  static constexpr Real kSlow = Real(1e-3);  // of the kick: what approaches no faster only rests
+  static constexpr Real kSlow = Real(1e-3);  // fraction of the kick: a sphere that approaches no faster is at rest
   static constexpr Real kSlop =
-      Real(0.001);  // of the radius: overlap that is left to what rests, which stays a contact
-  static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // not called on a device
-  static constexpr int kMostRounds = 12;
+      Real(0.001);  // fraction of the radius: overlap that a resting sphere keeps, so that it stays in contact
+  static constexpr Real kEpsilon =
+      std::numeric_limits<Real>::epsilon();  // a constant, since devices cannot call the function
+  static constexpr int kMaxRounds = 12;
 
   template <class Visit>
   HOST_DEVICE void for_each_obstacle(int i, Visit&& visit) const {
@@ -147,15 +150,15 @@ struct MirrorVelocity {
     });
   }
 
-  /// The part of v in the cone of the normals for which counts(normal): least squares with amounts that do not pull, by
-  /// adding the normal that is pressed most, and removing what pulls (Lawson and Hanson, "Solving Least Squares Problems",
+  /// The part of v in the cone of the normals for which counts(normal) is true: least squares with amounts ≥ 0. Adds
+  /// the normal that is pressed most, and removes those that pull (Lawson and Hanson, "Solving Least Squares Problems",
   /// 1974, chapter 23).
   template <class Counts>
   HOST_DEVICE Pressed<V> pressed_by(int i, const V& v, const Counts& counts) const {
     const Real least = 64 * kEpsilon * std::sqrt(dot(v, v));
     Pressed<V> pressed;
     V left = v;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
       Obstacle<V> most;
       Real pressure = least;
       for_each_obstacle(i, [&](const Obstacle<V>& obstacle) {
@@ -175,7 +178,8 @@ struct MirrorVelocity {
     return pressed;
   }
 
-  /// Σ e·λ·n, and no longer than `into`, which it mirrors: where spheres and walls differ in e, it might be.
+  /// Σ e·λ·n, limited to the length of `into`, which it mirrors: with different e at spheres and walls it could be
+  /// longer.
   HOST_DEVICE static V rebound(const Pressed<V>& hit, const V& into) {
     V sum{};
     for (int k = 0; k < hit.count; ++k) {
@@ -184,12 +188,12 @@ struct MirrorVelocity {
     return no_longer(sum, into);
   }
 
-  /// Back by what the last step has entered; what has come to rest stays in contact.
+  /// Moves back by the distance that the last step has entered; a sphere at rest stays in contact.
   HOST_DEVICE V step_back(const Pressed<V>& hit, const V& into, bool rests, Real radius) const {
     V move{};
     for (int k = 0; k < hit.count; ++k) {
       const Real overlap = hit.obstacle[k].overlap, most = overlap - kSlop * radius;
-      if (!(overlap > 0)) continue;  // it lies ahead
+      if (!(overlap > 0)) continue;  // the contact lies ahead
       Real distance = hit.amount[k] * dt;
       if (rests && distance > most) distance = most > 0 ? most : Real(0);
       move -= hit.obstacle[k].normal * distance;
@@ -197,7 +201,7 @@ struct MirrorVelocity {
     return no_longer(move, into * dt);
   }
 
-  /// `vector`, shortened where it is longer than `limit`: between obstacles that face each other, parts of it may be.
+  /// `vector`, shortened to the length of `limit` if it is longer, as it may be between obstacles that face each other.
   HOST_DEVICE static V no_longer(const V& vector, const V& limit) {
     const Real has = dot(vector, vector), most = dot(limit, limit);
     return has > most ? vector * std::sqrt(most / has) : vector;
@@ -215,7 +219,8 @@ struct MirrorVelocity {
   }
 };
 
-/// Kernel: what contact c exchanges, as far as that can be said where nothing is: the mean of what its two bodies take.
+/// Kernel: notes the impulse of contact c. Nothing is exchanged, so it takes the mean of the two bodies' changes of
+/// momentum.
 template <class V>
 struct NoteMirrored {
   using Real = Scalar<V>;
@@ -244,8 +249,8 @@ class KinematicResponse {
   KinematicResponse(double restitution, double wall_restitution)
       : restitution_(Real(restitution)), wall_restitution_(Real(wall_restitution)) {}
 
-  /// `bodies` hold the velocities before the kick, `kicked` those after it; on return `velocity` holds the response's. It
-  /// may be the same as `kicked`.
+  /// `bodies` has the velocities before the kick, `kicked` those after it. Writes the new ones to `velocity`, which may
+  /// be the same array as `kicked`.
   void respond(Exec& exec, const BodiesView<V>& bodies, const WallsView<V>& walls, const ContactsView<V>& contacts,
                Real dt, Span<const V> kicked, Buffer<V>& velocity, const ImpulseNotes<V>& notes) {
     const int64_t n = bodies.size();
@@ -258,7 +263,7 @@ class KinematicResponse {
                                         velocity.span(), back_.span(), notes});
   }
 
-  /// How far each body is to move beside its velocity [m], after respond().
+  /// After respond(): how far each body moves in addition to its velocity [m].
   Span<const V> correction() const { return back_.span(); }
 
   int64_t bytes() const { return back_.bytes(); }

@@ -77,7 +77,7 @@ class OrderedForces<V, CpuExecutor> {
     CpuExecutor& exec = state.exec();
     const int64_t n = state.count();
     for (HostBuffer<Vec4>* buffer : {&position_, &velocity_, &sum_}) buffer->resize(n);
-    const BodiesView<V> bodies = state.bodies();
+    const BodiesView<V> bodies = state.view();
     exec.parallel_for("pack bodies", n, PackBody<V>{bodies, position_.span(), velocity_.span(), sum_.span()});
     exec.parallel_for_blocks("pair forces", 1, [&](int64_t) {
       add_ordered_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The force between two spheres of the penalty response: the laws that penalty.h explains, for one pair at a time.
+// The force between two spheres in the penalty response, by the laws of penalty.h.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace ballpit {
 
-/// The force of a contact.
+/// The law of a contact's force.
 template <class Real>
 struct PenaltyLaw {
   Real stiffness;     ///< k [N/m], or K [N/m^1.5]
@@ -20,7 +20,7 @@ struct PenaltyLaw {
   bool is_hertz;
   bool ends_with_force;
 
-  /// What the dashpot's force is proportional to, for a reduced mass.
+  /// The factor of the dashpot's force, for a reduced mass.
   HOST_DEVICE Real dashpot(Real zeta, Real mass) const { return zeta * std::sqrt(stiffness * mass); }
 
   /// [N] pushing apart.
@@ -35,7 +35,7 @@ struct PenaltyLaw {
     return ends_with_force && force < 0 ? Real(0) : force;
   }
 
-  /// [J] held by the spring.
+  /// [J] in the spring.
   HOST_DEVICE double energy(Real overlap) const {
     const double d = double(overlap);
     return is_hertz ? 0.4 * double(stiffness) * d * d * std::sqrt(d) : 0.5 * double(stiffness) * d * d;
@@ -44,7 +44,7 @@ struct PenaltyLaw {
   static constexpr Real kRootOf5 = Real(2.2360679774997896964);
 };
 
-/// The force on the second of two bodies; that on the first is opposite.
+/// The force on the second of two bodies; the force on the first is opposite.
 template <class V>
 struct PairForce {
   using Real = Scalar<V>;
@@ -52,7 +52,7 @@ struct PairForce {
   BodiesView<V> bodies;
   Box<V> box;
 
-  /// [N] 0 where they do not touch. `along` is its part along the line of centres.
+  /// [N] 0 if they do not touch. `along` is its component along the line of centres.
   HOST_DEVICE V operator()(const Pair& pair, Real& along) const {
     const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
     const Real radii = bodies.radius[pair.i] + bodies.radius[pair.j], squared = dot(d, d);
@@ -61,7 +61,7 @@ struct PairForce {
     const V v = bodies.velocity[pair.j] - bodies.velocity[pair.i];
     const Real mass = 1 / (bodies.inverse_mass[pair.i] + bodies.inverse_mass[pair.j]);
     const Real distance = std::sqrt(squared), dashpot = law.dashpot(law.damping, mass);
-    if (!(distance > 0)) {  // centres that coincide part along the last axis
+    if (!(distance > 0)) {  // if centres coincide, they part along the last axis
       V force{};
       force[kDimensions<V> - 1] = along = law.force(dashpot, radii, v[kDimensions<V> - 1]);
       return force;

@@ -141,31 +141,38 @@ class PenaltyResponse {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  explicit PenaltyResponse(const PenaltyLaw<Real>& law) : law_(law) {}
+  /// `notes_impulses`: impulses will be recorded.
+  PenaltyResponse(const PenaltyLaw<Real>& law, bool notes_impulses) : law_(law), notes_impulses_(notes_impulses) {}
 
   /// Whether velocities matter to the forces.
   bool depends_on_velocity() const { return law_.damping > 0 || law_.wall_damping > 0 || law_.shear > 0; }
 
-  /// The accelerations of all bodies of `state` [m/s²] at its present positions and velocities, which act for `duration`
-  /// [s]. Sums run in the order of pairs, whoever makes them.
-  template <class State>
-  void accelerate(State& state, Real duration, const ImpulseNotes<V>& notes, Span<V> acceleration) {
+  /// Whether one thread adds up the forces along the pairs. Otherwise pairs are to be listed by body.
+  bool adds_in_order(const Exec& exec) const {
+    if constexpr (kHasOrderedForces<V, Exec>) return exec.runs_in_order() && !notes_impulses_ && law_.shear == 0;
+    return false;
+  }
+
+  /// The accelerations of all bodies [m/s²] at their present positions and velocities, which act for `duration` [s];
+  /// `pairs` include all contacts. Sums run in the order of the pairs, whichever thread makes them.
+  template <class Bodies>
+  void accelerate(Bodies& state, const ContactsView<V>& pairs, Real duration, const ImpulseNotes<V>& notes,
+                  Span<V> acceleration) {
+    Exec& exec = state.exec();
     if constexpr (kHasOrderedForces<V, Exec>) {
-      if (state.exec().runs_in_order() && !notes.are_kept() && law_.shear == 0) {
-        const Span<const Vec4> sum = ordered_.add_up(state, state.near_pairs().pairs, law_);
+      if (adds_in_order(exec)) {
+        const Span<const Vec4> sum = ordered_.add_up(state, pairs.pairs, law_);
         const Span<const int> at_walls = ordered_.accelerate(state, acceleration);
         if (at_walls.empty()) return;
-        state.exec().parallel_for(
+        exec.parallel_for(
             "accelerate at walls", at_walls.size(),
             AccelerateSome<V, Vec4>{acceleration_of(state, sum, duration, notes, acceleration), at_walls});
         return;
       }
     }
-    Exec& exec = state.exec();
-    const ContactsView<V> pairs = state.linked_near_pairs();
     force_.resize(pairs.pairs.size());
     sum_.resize(state.count());
-    const PairForce<V> force_of{law_, state.bodies(), state.box()};
+    const PairForce<V> force_of{law_, state.view(), state.box()};
     exec.parallel_for("pair forces", force_.size(),
                       StorePairForce<V>{force_of, pairs.pairs, force_.span(), duration, notes});
     exec.parallel_for("gather forces", state.count(), GatherForces<V>{pairs, force_.span(), sum_.span()});
@@ -185,10 +192,11 @@ class PenaltyResponse {
   template <class State, class Sum>
   Accelerate<V, Sum> acceleration_of(State& state, Span<const Sum> sum, Real duration, const ImpulseNotes<V>& notes,
                                      Span<V> acceleration) const {
-    return {law_, state.bodies(), state.box(), sum, state.gravity(), acceleration, duration, notes};
+    return {law_, state.view(), state.box(), sum, state.gravity(), acceleration, duration, notes};
   }
 
   PenaltyLaw<Real> law_;
+  bool notes_impulses_;
   Buffer<V> force_, sum_;
   OrderedForces<V, Exec> ordered_;
 };

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Position-based (XPBD): positions are predicted, moved apart until nothing overlaps, and the velocities follow from where the
-// bodies have come to. Unconditionally stable; how stiff a heap is depends on substeps and iterations.
+// Position-based (XPBD): predicts positions, moves bodies apart until nothing overlaps, and derives the velocities from
+// the new positions. Unconditionally stable; the stiffness of a heap depends on substeps and iterations.
 //
 //     v ← v + h·g     x ← x + h·v                       predict, and find the contacts there
 //     for each contact: C = r_i + r_j − |x_j − x_i|      overlap left; α̃ = compliance / h²
 //         Δλ = (C − α̃·λ) / (w_i + w_j + α̃),  λ + Δλ ≥ 0      x ← x ∓ w·Δλ·n
 //     v ← v + Σ Δx / h
-//     for each contact that pushed: speed of parting ← e·(speed of approach before)      restitution
+//     for each contact that pushed: speed of parting ← e·(earlier speed of approach)      restitution
 //
-// Contacts are solved one after another, walls first and then colour by colour (Gauss–Seidel, contact_colours.h), each from
-// where the others have left the bodies. With one iteration a stack of n rests with an overlap of (n−1)·g·h² at its foot:
-// substeps pay more than iterations (Macklin et al. 2019). Velocities are changed by Σ Δx / h instead of being computed as
-// (x − x₀)/h, which would lose in rounding what it divides by h. Restitution is asked for above 2·g·h only, lest a heap jitter.
+// Contacts are solved one after another (Gauss–Seidel, contact_colours.h), walls first and then colour by colour, each
+// with the positions that the ones before have left. With one iteration a stack of n rests with an overlap of
+// (n−1)·g·h² at its foot, so substeps pay more than iterations (Macklin et al. 2019). Velocities change by Σ Δx / h.
+// The alternative (x − x₀)/h would lose accuracy, since h divides a small difference of large numbers. Restitution
+// applies only above a speed of 2·g·h, so that heaps do not jitter.
 //
-// More overlap at the start of a run than its motion explains says nothing about the load that a contact carries, and v ← v + Σ Δx / h would
-// make any speed of it. In such a run Δx enters the velocity only until the contact parts at `push`, which is 0 without
-// gravity: the rest of the overlap is removed by position alone.
-// Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour.
-// Sources: Macklin, Müller, Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics
-// Simulation" (2019), doi 10.1145/3309486.3340247; Müller et al., "Detailed Rigid Body Simulation with Extended Position
-// Based Dynamics" (2020), doi 10.1111/cgf.14105 (restitution). Its siblings: kinematic.h, impulse.h, penalty.h.
+// If a run starts with more overlap than its motion explains, this overlap is unrelated to the load of a contact, and v
+// ← v + Σ Δx / h would turn it into arbitrary speed. In such a run Δx changes the velocity only until the contact parts
+// at `push` (0 without gravity); the rest of the overlap is removed without changing velocities. Walls follow the same
+// law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour. Sources: Macklin, Müller,
+// Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics Simulation" (2019),
+// doi 10.1145/3309486.3340247; Müller et al., "Detailed Rigid Body Simulation with Extended Position Based Dynamics"
+// (2020), doi 10.1111/cgf.14105 (restitution). Its siblings: kinematic.h, impulse.h, penalty.h.
 #pragma once
 
 #include <cmath>
@@ -42,7 +43,7 @@ struct PositionBasedParameters {
   int iterations = 1;
 };
 
-/// What the kernels of the position-based response share.
+/// The data that all kernels of the position-based response read.
 template <class V>
 struct PositionBasedView {
   using Real = Scalar<V>;
@@ -53,13 +54,13 @@ struct PositionBasedView {
   Real compliance;  ///< α̃ = compliance / h² [1/kg]
   Real restitution, wall_restitution, threshold;
   Span<const V> velocity;         ///< [m/s] kicked
-  Real push;                      ///< [m/s] contacts make bodies part at most so fast; negative: no limit
-  Span<V> low_given, high_given;  ///< [kg·m] what of the multipliers has entered velocities; empty without a limit
+  Real push;                      ///< [m/s] largest speed of parting that contacts cause; negative: no limit
+  Span<V> low_given, high_given;  ///< [kg·m] part of the multipliers that has changed velocities; empty without a limit
   Span<Real> given;
 
   HOST_DEVICE bool is_limited() const { return push >= 0; }
 
-  /// What of a multiplier that has become `sum` enters velocities now [kg·m], where bodies part at `parting`.
+  /// The part of a multiplier, now `sum`, that changes velocities now [kg·m], for bodies that part at `parting`.
   HOST_DEVICE Real give(Real sum, Real& given_so_far, Real parting, Real w) const {
     const Real before = given_so_far, asked = before + (push - parting) * h / w;
     given_so_far = asked < 0 ? Real(0) : (asked < sum ? asked : sum);
@@ -76,8 +77,8 @@ struct PositionBasedView {
   HOST_DEVICE Real rebound(Real e, Real before) const { return before < -threshold ? -e * before : Real(0); }
 };
 
-/// Kernel: moves body i out of the walls. `low` and `high` sum up the multipliers along each axis [kg·m], `shift` how far the
-/// body was moved.
+/// Kernel: moves body i out of the walls. `low` and `high` sum the multipliers along each axis [kg·m], `shift` the
+/// displacement of the body [m].
 template <class V>
 struct MoveOutOfWalls {
   using Real = Scalar<V>;
@@ -148,7 +149,7 @@ struct TakeVelocity {
   HOST_DEVICE void operator()(int i) const { velocity[i] += shift[i] / h; }
 };
 
-/// Kernel: restitution of body i at walls that pushed it; `before` are the velocities before the kick.
+/// Kernel: restitution of body i at walls that pushed it; `before` has the velocities before the kick.
 template <class V>
 struct ReboundFromWalls {
   using Real = Scalar<V>;
@@ -206,9 +207,9 @@ class PositionBasedResponse {
  public:
   explicit PositionBasedResponse(const PositionBasedParameters& parameters) : parameters_(parameters) {}
 
-  /// Moves the bodies of `state`, which are at their predicted positions with kicked velocities, apart, and changes their
-  /// velocities accordingly. `before` are the velocities before the kick. `push_steps`: contacts make bodies part at most as
-  /// fast as they fall in so many substeps; negative: no limit.
+  /// Moves the bodies of `state` apart and changes their velocities accordingly. They are at their predicted positions,
+  /// with kicked velocities; `before` has those before the kick. `push_steps` limits the speed of parting that contacts
+  /// cause to the speed of a fall during this number of substeps; negative: no limit.
   template <class State>
   void respond(State& state, const ContactsView<V>& contacts, Span<const V> before, Real h, Real push_steps,
                const ImpulseNotes<V>& notes) {
@@ -220,7 +221,6 @@ class PositionBasedResponse {
     colours_.build(exec, contacts, n);
     for (int k = 0; k < parameters_.iterations; ++k) move_apart(state, view);
     exec.parallel_for("take velocities", n, TakeVelocity<V>{h, shift_.span(), state.velocity.span()});
-    state.moved();
     if (!state.box().is_periodic()) {
       exec.parallel_for(
           "rebound from walls", n,
@@ -241,7 +241,7 @@ class PositionBasedResponse {
  private:
   template <class State>
   PositionBasedView<V> view_of(State& state, const ContactsView<V>& contacts, Real h, Real push_steps) {
-    const BodiesView<V> bodies = state.bodies();
+    const BodiesView<V> bodies = state.view();
     const auto& p = parameters_;
     return {bodies.radius,
             bodies.inverse_mass,
@@ -290,7 +290,7 @@ class PositionBasedResponse {
   PositionBasedParameters parameters_;
   Buffer<V> shift_, low_, high_;
   Buffer<Real> multiplier_;
-  Buffer<V> low_given_, high_given_;  // only with a limit
+  Buffer<V> low_given_, high_given_;  // used only with a limit
   Buffer<Real> given_;
   ContactColours<V, Exec> colours_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walls as a response sees them, at rest or along the paths of a swept step.
+// The walls for a response: those that bodies touch now, or those along the paths of a swept step.
 #pragma once
 
 #include "bodies/box.h"
@@ -7,19 +7,19 @@
 
 namespace ballpit {
 
-/// How bodies move in a step whose contacts are swept; empty where they are not.
+/// The motion of the bodies in a step with swept contacts; empty if contacts are not swept.
 template <class V>
 struct Sweep {
   using Real = Scalar<V>;
-  Span<const V> way;       ///< [m] of each body, if it met nothing
-  Span<const V> kick;      ///< [m/s] what gravity adds to its velocity in the step; empty without gravity
-  Span<const Real> first;  ///< when it meets its first contact, as a fraction of the step; 1: it does not
+  Span<const V> way;       ///< [m] of each body, if there were no contacts
+  Span<const V> kick;      ///< [m/s] change of velocity by gravity in the step; empty without gravity
+  Span<const Real> first;  ///< time of each body's first contact, as a fraction of the step; 1: none
   Span<const Real> time;   ///< the same for each contact
 
   HOST_DEVICE V kick_of(int i) const { return kick.empty() ? V{} : kick[i]; }
 };
 
-/// The walls as a response meets them: where bodies are, or along the way that they are about to go.
+/// The walls for a response, at the bodies' positions or along the way of the coming step.
 template <class V>
 struct WallsView {
   using Real = Scalar<V>;
@@ -28,7 +28,7 @@ struct WallsView {
 
   HOST_DEVICE bool is_swept() const { return !sweep.way.empty(); }
 
-  /// As Box::for_each_wall(), for body i at p; a wall that is met on the way has no overlap yet.
+  /// Like Box::for_each_wall(), for body i at p. A wall on the way has no overlap yet.
   template <class Visit>
   HOST_DEVICE void for_each(int i, const V& p, Real radius, Visit&& visit) const {
     if (!is_swept()) {

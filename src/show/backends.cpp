@@ -6,12 +6,12 @@
 
 namespace ballpit {
 
-Backend select_backend(const std::string& name, const std::string& response) {
-  const bool is_cpu_alone = misfit(response, "backend", "cuda").has_value();
-  if (name == "cpu" || (name == "auto" && is_cpu_alone)) return cpu_backend();
+Backend select_backend(BackendName name, Response response) {
+  const bool is_cpu_only = misfit(response, "backend", "cuda").has_value();
+  if (name == BackendName::cpu || (name == BackendName::automatic && is_cpu_only)) return cpu_backend();
   Backend cuda = cuda_backend();
   if (cuda.unavailable_reason.empty()) return cuda;
-  if (name == "auto") return cpu_backend();
+  if (name == BackendName::automatic) return cpu_backend();
   throw UserError("--backend", "cuda, which cannot serve here: " + cuda.unavailable_reason, "auto, cpu");
 }
 

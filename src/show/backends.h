@@ -2,14 +2,12 @@
 // The processors that a world can run on, and the choice among them.
 #pragma once
 
-#include <string>
-
 #include "world/world.h"
 
 namespace ballpit {
 
-/// The backend that --backend asks for. "auto" takes CUDA where a device answers, else the CPU.
+/// The backend of this name; automatic takes CUDA where a device answers and the response runs there, else the CPU.
 /// Throws UserError with the reason where the one asked for cannot serve.
-Backend select_backend(const std::string& name, const std::string& response = "impulse");
+Backend select_backend(BackendName name, Response response = Response::impulse);
 
 }  // namespace ballpit

@@ -169,7 +169,9 @@ Wanted Demo::wanted() {
 }
 
 /// About; 0 for event-driven motion, which reports all its forecasts so far, and lists the few pairs in reach.
-int64_t Demo::candidates_to_list() { return session.settings().response == "event-driven" ? 0 : report().candidates; }
+int64_t Demo::candidates_to_list() {
+  return session.settings().response == Response::event_driven ? 0 : report().candidates;
+}
 
 /// What of it would take longer than a picture may.
 Wanted Demo::too_much(const Wanted& wanted) {

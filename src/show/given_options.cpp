@@ -24,9 +24,9 @@ void check_given(const Settings& settings, const std::vector<GivenOption>& given
 Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<GivenOption>& given) {
   Settings settings;
   for (const DefaultOption& option : defaults) apply_setting(settings, option.key, option.value, option.where);
-  const std::string of_scene = settings.response;
+  const Response of_scene = settings.response;
   apply_given(settings, given);
-  const std::string response = settings.response;
+  const Response response = settings.response;
   check_given(settings, given);
   Settings fitting;
   for (const DefaultOption& option : defaults) {

@@ -82,7 +82,8 @@ bool Session::detect_by(const std::vector<GivenOption>& given) {
 void Session::set(const std::string& name, const std::string& value) {
   std::vector<GivenOption> given;
   for (const GivenOption& option : given_) {
-    const bool fits = name != "response" || value.empty() || goes_with(value, option.name, option.value);
+    const bool fits =
+        name != "response" || value.empty() || goes_with(named<Response>(value), option.name, option.value);
     if (option.name != name && fits) given.push_back(option);
   }
   if (!value.empty()) given.push_back({name, value});

@@ -56,13 +56,13 @@ void Panel::draw_detection(Demo& demo) {
   for (const Method& method : methods()) {
     if (method.family != Family::broadphase) continue;
     const std::string name(method.name);
-    if (ImGui::RadioButton(std::string(method.label).c_str(), settings.broadphase == method.name)) {
+    if (ImGui::RadioButton(std::string(method.label).c_str(), name_of(settings.broadphase) == method.name)) {
       demo.set("broadphase", name);
     }
     note("broadphase " + name);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(method.cost).c_str());
   }
-  const Method& method = find_method(Family::broadphase, settings.broadphase);
+  const Method& method = find_method(settings.broadphase);
   for (const SettingInfo& info : setting_table()) {
     const bool is_kind = info.name == "cell-size" || info.name == "table" || info.name == "axis";
     if (info.group != SettingGroup::detection || info.name == "broadphase") continue;
@@ -73,7 +73,7 @@ void Panel::draw_detection(Demo& demo) {
 
 void Panel::draw_response(Demo& demo) {
   if (!section("Response")) return;
-  const Method& method = find_method(Family::response, demo.session.settings().response);
+  const Method& method = find_method(demo.session.settings().response);
   for (const SettingInfo& info : setting_table()) {
     if (info.group == SettingGroup::response && (info.name == "response" || uses(method, info.name)))
       setting(demo, info);
@@ -85,7 +85,8 @@ void Panel::draw_response(Demo& demo) {
     demo.set_physics(physics);
   }
   auto stiffness = static_cast<float>(physics.stiffness);
-  if (method.name == "penalty" && slider("stiffness", "stiffness [N/m]", stiffness, {1e2f, 1e8f, true, "%.3g"})) {
+  if (demo.session.settings().response == Response::penalty &&
+      slider("stiffness", "stiffness [N/m]", stiffness, {1e2f, 1e8f, true, "%.3g"})) {
     physics.stiffness = stiffness;
     demo.set_physics(physics);
   }

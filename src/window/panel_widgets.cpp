@@ -40,7 +40,7 @@ const SliderRange* slider_of(std::string_view setting) {
 float value_in_use(const Settings& settings, std::string_view name) {
   if (name == "cell-size") return static_cast<float>(settings.cell_size.value_or(1));
   if (name == "skin") return static_cast<float>(skin_of(settings));
-  if (name == "iterations") return float(settings.iterations.value_or(settings.response == "impulse" ? 4 : 1));
+  if (name == "iterations") return float(settings.iterations.value_or(settings.response == Response::impulse ? 4 : 1));
   if (name == "compliance") return static_cast<float>(settings.compliance);
   if (name == "dt") return static_cast<float>(settings.dt);
   if (name == "substeps") return float(settings.substeps);
@@ -151,13 +151,13 @@ void Panel::number_setting(Demo& demo, const SettingInfo& info) {
 
 /// One shared option, as its table describes it. Names that the response does not go with are not offered.
 void Panel::setting(Demo& demo, const SettingInfo& info) {
-  if (!info.choices) {
+  if (info.choices.empty()) {
     number_setting(demo, info);
     return;
   }
   const std::string name(info.name), current = info.get(demo.session.settings());
   combo(name, name, current, [&] {
-    for (const std::string_view choice : info.choices()) {
+    for (const std::string_view choice : info.choices) {
       if (info.name != "response" && !goes_with(demo.session.settings().response, info.name, choice)) continue;
       if (entry(name + " " + std::string(choice), std::string(choice), choice == current))
         demo.set(name, std::string(choice));

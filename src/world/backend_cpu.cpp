@@ -11,7 +11,7 @@ namespace ballpit {
 Backend cpu_backend() {
   return {"cpu", "", std::to_string(CpuExecutor(0).threads()) + " threads",
           [](const Scene& scene, const Settings& settings) {
-            if (settings.response == "event-driven") return make_event_driven_world(scene, settings);
+            if (settings.response == Response::event_driven) return make_event_driven_world(scene, settings);
             return make_world_on(std::make_unique<CpuExecutor>(settings.threads), scene, settings);
           },
           [](const Settings& settings) -> std::unique_ptr<PairSearch> {

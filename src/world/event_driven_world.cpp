@@ -183,12 +183,12 @@ class EventDrivenWorld final : public World {
 
   /// Energy, momentum, overlap with walls and the hash of the present state.
   void measure_bodies(Report& report) const {
-    Motion sum;
+    EnergyAndMomentum sum;
     for (int i = 0; i < motion_.size(); ++i) {
       const V p = position(i), v = velocity(i);
       const double radius = motion_.radius(i), inverse_mass = 1 / motion_.mass(i);
       const BodiesView<V> body{{&p, 1}, {&v, 1}, {&radius, 0}, {&inverse_mass, 0}};
-      sum = sum + MotionOf<V>{body, motion_.rules().gravity}(0);
+      sum = sum + EnergyAndMomentumOf<V>{body, motion_.rules().gravity}(0);
       report.max_overlap = std::max(report.max_overlap, WallOverlap<V>{body, motion_.rules().box}(0));
       report.state_hash += hash_body(i, p, v);
     }

@@ -3,18 +3,20 @@
 // overlap or an energy beyond their limits. A state that passes is kept as the last good one.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
 #include "bodies/pair.h"
 #include "core/error.h"
 #include "core/span.h"
-#include "world/step_state.h"
+#include "world/body_store.h"
 #include "world/sums.h"
 
 namespace ballpit {
@@ -68,7 +70,7 @@ struct OverlapsWallTooMuch {
 /// Map: kinetic energy of body i, and who has it.
 template <class V>
 struct EnergyOffender {
-  MotionOf<V> motion;
+  EnergyAndMomentumOf<V> motion;
   HOST_DEVICE Offender operator()(int i) const { return {motion(i).kinetic, i, -1}; }
 };
 
@@ -88,68 +90,79 @@ class Guard {
   using Buffer = typename Exec::template Buffer<V>;
 
  public:
+  /// What a snapshot holds of the guard. Where the last good state is the present one, it is held once, by the bodies.
+  struct Saved {
+    double max_overlap = 0, overlap_at_start = 0, energy_at_start = 0, explained = 0, good_time = 0;
+    bool is_started = false, is_present_good = false;
+    std::vector<V> good_position, good_velocity;
+  };
+
   /// `h` [s]: length of a substep. `hint`: what helps against too much overlap, and against spheres that leave.
   Guard(double max_overlap, double max_energy, double h, std::string hint)
       : max_overlap_(max_overlap), max_energy_(max_energy), h_(h), hint_(std::move(hint)) {}
 
-  /// To be called before the first step. `elastic` is the energy in springs [J].
-  void start(StepState<V, Exec>& state, double elastic) {
-    overlap_at_start_ = worst_overlap(state).amount;
+  /// Call before the first step. `near` are pairs that include all contacts; `elastic` is the energy in springs [J].
+  void start(const BodyStore<V, Exec>& bodies, Span<const Pair> near, double elastic) {
+    overlap_at_start_ = worst_overlap(bodies, near).amount;
     max_overlap_ = std::fmax(max_overlap_, 2 * overlap_at_start_);  // a start may overlap, and settles
-    energy_at_start_ = energy(state) + elastic;
-    explained_ = std::fmax(energy_at_start_, least_energy(state));
-    keep(state, 0);
+    energy_at_start_ = energy(bodies) + elastic;
+    explained_ = std::fmax(energy_at_start_, least_energy(bodies));
+    keep(bodies, 0);
   }
 
   bool is_started() const { return good_position_.size() > 0; }
+  double overlap_at_start() const { return overlap_at_start_; }  ///< of the smaller radius; −1: nothing touches
 
   /// Whether check() is to be called after this step.
   static bool is_due(int64_t step) { return step % kSteps == 0; }
 
-  /// Throws RunError where a body is not a number, or outside the domain. In every step. A body that is in its skin, and
-  /// whose skin is inside, is inside.
-  void check_inside(StepState<V, Exec>& state, int64_t step, double time) const {
-    if (!is_due(step) && state.shows_all_inside()) return;  // velocities are looked at when check() is due
-    const int64_t bad = first_outside(state.exec(), state.bodies(), state.box(), state.order().id_at());
+  /// Throws RunError where a body is not a number, or outside the domain.
+  void check_inside(const BodyStore<V, Exec>& bodies, int64_t step, double time) const {
+    const int64_t bad = first_outside(bodies.exec(), bodies.view(), bodies.box(), bodies.order().id_at());
     if (bad < 0) return;
-    const Vec3d p = widen(state.downloaded(state.position)[static_cast<size_t>(bad)]);
+    const Vec3d p = widen(bodies.downloaded(bodies.position)[static_cast<size_t>(bad)]);
     std::ostringstream message;
     message << "sphere " << bad << " left the domain: its centre is at (" << p.x << ", " << p.y << ", " << p.z << ")";
     stop(step, time, message.str(), hint_);
   }
 
-  /// Throws RunError where overlap or energy are beyond their limits; else the state is the last good one.
-  void check(StepState<V, Exec>& state, int64_t step, double time) {
-    check_overlap(state, step, time);
-    check_energy(state, step, time);
-    keep(state, time);
+  /// Throws RunError where overlap or energy are beyond their limits; else the state is the last good one. `near` are pairs
+  /// that include all contacts.
+  void check(const BodyStore<V, Exec>& bodies, Span<const Pair> near, int64_t step, double time) {
+    check_overlap(bodies, near, step, time);
+    check_energy(bodies, step, time);
+    keep(bodies, time);
   }
 
-  Bodies last_good(const StepState<V, Exec>& state) const { return state.download(good_position_, good_velocity_); }
+  Bodies last_good(const BodyStore<V, Exec>& bodies) const { return bodies.download(good_position_, good_velocity_); }
   double last_good_time() const { return good_time_; }  ///< [s]
 
-  /// Calls rearrange(values) for what is kept for each body.
-  template <class Rearrange>
-  void for_each_kept(const Rearrange& rearrange) {
-    rearrange(good_position_);
-    rearrange(good_velocity_);
+  /// The last good state, by slot.
+  std::array<Buffer*, 2> kept() { return {&good_position_, &good_velocity_}; }
+
+  /// The guard of `bodies` at `time` [s].
+  Saved save(const BodyStore<V, Exec>& bodies, double time) const {
+    Saved saved{max_overlap_, overlap_at_start_, energy_at_start_, explained_, good_time_, is_started(), false, {}, {}};
+    saved.is_present_good = saved.is_started && good_time_ == time;
+    if (!saved.is_present_good) {
+      saved.good_position = bodies.exec().download(good_position_.span());
+      saved.good_velocity = bodies.exec().download(good_velocity_.span());
+    }
+    return saved;
   }
 
-  /// Calls visit(value) for all that a snapshot of `state` at `time` holds. Where the last good state is this one, it is
-  /// held once: each 16th step's snapshot is half as large.
-  template <class Visit>
-  void for_each_saved(StepState<V, Exec>& state, double time, const Visit& visit) {
-    bool is_now = is_started() && good_time_ == time;
-    visit(is_now);
-    visit(max_overlap_);
-    visit(overlap_at_start_);
-    visit(energy_at_start_);
-    visit(explained_);
-    visit(good_time_);
-    if (is_now) {
-      keep(state, good_time_);  // where it is put back; else it is kept already
+  /// `bodies` are those of the snapshot.
+  void restore(const BodyStore<V, Exec>& bodies, const Saved& saved) {
+    max_overlap_ = saved.max_overlap;
+    overlap_at_start_ = saved.overlap_at_start;
+    energy_at_start_ = saved.energy_at_start;
+    explained_ = saved.explained;
+    if (saved.is_present_good) {
+      keep(bodies, saved.good_time);
     } else {
-      for_each_kept(visit);
+      bodies.exec().upload(good_position_, saved.good_position);
+      bodies.exec().upload(good_velocity_, saved.good_velocity);
+      good_time_ = saved.good_time;
     }
   }
 
@@ -164,9 +177,8 @@ class Guard {
     throw RunError(where.str(), what, hint);
   }
 
-  static Offender worst_overlap(StepState<V, Exec>& state) {
-    const BodiesView<V> bodies = state.bodies();
-    const Span<const Pair> pairs = state.near_pairs().pairs;
+  static Offender worst_overlap(const BodyStore<V, Exec>& state, Span<const Pair> pairs) {
+    const BodiesView<V> bodies = state.view();
     const PairOverlap<V> of_pair{bodies, state.box(), pairs};
     const Offender spheres =
         reduce(state.exec(), "check overlap", pairs.size(), Offender{}, OverlapOffender<V>{of_pair}, WorseOffender{});
@@ -176,18 +188,17 @@ class Guard {
     return WorseOffender{}(spheres, walls);
   }
 
-  bool may_overlap_too_much(StepState<V, Exec>& state) const {
-    const BodiesView<V> bodies = state.bodies();
-    const Span<const Pair> pairs = state.near_pairs().pairs;
+  bool may_overlap_too_much(const BodyStore<V, Exec>& state, Span<const Pair> pairs) const {
+    const BodiesView<V> bodies = state.view();
     const MayOverlapTooMuch<V> of_pair{bodies, state.box(), pairs, static_cast<Scalar<V>>(max_overlap_)};
     const OverlapsWallTooMuch<V> of_wall{{bodies, state.box()}, max_overlap_};
     return any(state.exec(), "check overlap", pairs.size(), of_pair) ||
            (!state.box().is_periodic() && any(state.exec(), "check overlap", bodies.size(), of_wall));
   }
 
-  void check_overlap(StepState<V, Exec>& state, int64_t step, double time) const {
-    if (!may_overlap_too_much(state)) return;
-    const Offender worst = worst_overlap(state);
+  void check_overlap(const BodyStore<V, Exec>& state, Span<const Pair> near, int64_t step, double time) const {
+    if (!may_overlap_too_much(state, near)) return;
+    const Offender worst = worst_overlap(state, near);
     if (!(worst.amount > max_overlap_)) return;
     std::ostringstream message;
     message << "sphere " << id(state, worst.first);
@@ -201,12 +212,12 @@ class Guard {
   }
 
   /// Springs are left out: energy from nowhere does not stay in them.
-  void check_energy(StepState<V, Exec>& state, int64_t step, double time) const {
+  void check_energy(const BodyStore<V, Exec>& state, int64_t step, double time) const {
     if (state.box().is_periodic() && state.has_gravity()) return;  // falls for ever
     const double now = energy(state);
     if (now <= max_energy_ * explained_) return;
     const Offender fastest = reduce(state.exec(), "check energy", state.count(), Offender{},
-                                    EnergyOffender<V>{{state.bodies(), state.gravity()}}, WorseOffender{});
+                                    EnergyOffender<V>{{state.view(), state.gravity()}}, WorseOffender{});
     std::ostringstream message;
     message << "the energy is ";
     if (energy_at_start_ > 0) {
@@ -223,21 +234,22 @@ class Guard {
 
   /// [J] What needs no explanation, however little a run begins with: spheres lifted by their radius, as out of the floor,
   /// and positions rounded in a substep.
-  double least_energy(StepState<V, Exec>& state) const {
+  double least_energy(const BodyStore<V, Exec>& state) const {
     const V extent = state.box().max - state.box().min, g = state.gravity();
     const double speed = 64 * double(std::numeric_limits<Scalar<V>>::epsilon()) * length(widen(extent)) / h_;
     return reduce(state.exec(), "check energy", state.count(), 0.0,
-                  LeastEnergy<V>{state.bodies(), length(widen(g)), 0.5 * speed * speed}, Sum{});
+                  LeastEnergy<V>{state.view(), length(widen(g)), 0.5 * speed * speed}, Sum{});
   }
 
   /// [J] kinetic, and potential above the lowest corner of the domain.
-  static double energy(StepState<V, Exec>& state) {
-    const Motion sum = reduce(state.exec(), "check energy", state.count(), Motion{},
-                              MotionOf<V>{state.bodies(), state.gravity(), lowest_corner(state)}, Sum{});
+  static double energy(const BodyStore<V, Exec>& state) {
+    const EnergyAndMomentum sum =
+        reduce(state.exec(), "check energy", state.count(), EnergyAndMomentum{},
+               EnergyAndMomentumOf<V>{state.view(), state.gravity(), lowest_corner(state)}, Sum{});
     return sum.kinetic + sum.potential;
   }
 
-  static V lowest_corner(const StepState<V, Exec>& state) {
+  static V lowest_corner(const BodyStore<V, Exec>& state) {
     V corner{};
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       corner[axis] = state.gravity()[axis] < 0 ? state.box().min[axis] : state.box().max[axis];
@@ -245,12 +257,12 @@ class Guard {
     return corner;
   }
 
-  static int64_t id(StepState<V, Exec>& state, int64_t place) {
+  static int64_t id(const BodyStore<V, Exec>& state, int64_t place) {
     const Span<const int> id_at = state.order().id_at();
     return id_at.empty() ? place : state.exec().download(id_at)[static_cast<size_t>(place)];
   }
 
-  void keep(StepState<V, Exec>& state, double time) {
+  void keep(const BodyStore<V, Exec>& state, double time) {
     const int64_t n = state.count();
     good_position_.resize(n);
     good_velocity_.resize(n);

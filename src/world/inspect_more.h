@@ -1,48 +1,108 @@
 // SPDX-License-Identifier: MIT
-// What an inspection holds only where it is wanted: found by detectors made for the moment and without candidate lists,
-// so that the world's own stays as it is, its counts and the times of its stages included.
+// What an inspection holds only where it is wanted. It is found by colliders made for the moment, without candidate lists, so
+// that the world's own stays as it is, with its counts and the times of its stages.
 //
 // Cost: a search for candidates, endpoints and work; one by brute force for what was missed.
 #pragma once
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <vector>
 
-#include "bodies/pair.h"
 #include "exec/stage_times.h"
+#include "narrow_phase/candidate_pairs.h"
+#include "narrow_phase/collider.h"
+#include "world/body_store.h"
 #include "world/inspection.h"
-#include "world/step_state.h"
 
 namespace ballpit {
 
+/// Kernel: how many slots thread t looks at, and the body that it does so for, or −1.
+template <class Candidates>
+struct MeasureRanges {
+  Candidates candidates;
+  Span<int> work, worker;
+
+  HOST_DEVICE void operator()(int t) const {
+    int sum = 0;
+    const int slot = candidates.slot_of(t);
+    if (slot >= 0) candidates.for_each_range(slot, [&](const SlotRange& range) { sum += range.size(); });
+    work[t] = sum;
+    worker[t] = slot >= 0 ? candidates.slots().body[slot] : -1;
+  }
+};
+
+/// The work of a search, thread by thread.
+struct ThreadWork {
+  std::vector<int> work;    ///< in the units of the method
+  std::vector<int> worker;  ///< the body that each thread works for, or −1
+};
+
+/// Of the last search that `collider` made without a candidate list.
+template <class V, class Exec>
+ThreadWork thread_work(Exec& exec, const Collider<V, Exec>& collider) {
+  return std::visit(
+      [&](const auto& method) {
+        const auto candidates = method.candidates();
+        ThreadWork result;
+        if constexpr (GivesRanges<decltype(candidates)>) {
+          typename Exec::template Buffer<int> work, worker;
+          work.resize(candidates.threads());
+          worker.resize(candidates.threads());
+          exec.parallel_for("measure ranges", work.size(),
+                            MeasureRanges<decltype(candidates)>{candidates, work.span(), worker.span()});
+          result = {exec.download(work.span()), exec.download(worker.span())};
+        } else {  // a thread for each body, in their order
+          result.work = exec.download(collider.tested());
+          result.worker.resize(result.work.size());
+          std::iota(result.worker.begin(), result.worker.end(), 0);
+        }
+        if constexpr (requires { method.walks(exec); }) result.work = method.walks(exec);
+        return result;
+      },
+      collider.broad_phase());
+}
+
 /// Contacts by brute force that are not among those found.
 template <class V, class Exec>
-std::vector<Pair> missed_pairs(StepState<V, Exec>& state, const std::vector<Pair>& found) {
-  Detector<V, Exec> oracle("brute-force", state.parameters(), 0);
-  oracle.find(state.exec(), state.bodies());
-  const std::vector<Pair> all = state.exec().download(oracle.pairs());
+std::vector<Pair> missed_pairs(const BodyStore<V, Exec>& bodies, const BroadPhaseParameters<V>& parameters,
+                               const std::vector<Pair>& found) {
+  Collider<V, Exec> oracle;
+  oracle.plan({BroadPhase::brute_force, ""}, parameters, 0);
+  const std::vector<Pair> all = bodies.exec().download(oracle.pairs(bodies.exec(), bodies.view()));
   std::vector<Pair> missed;
   std::set_difference(all.begin(), all.end(), found.begin(), found.end(), std::back_inserter(missed));
   return missed;
 }
 
-/// Adds what is wanted to an inspection that holds the contacts. Bodies are named by their places, as there.
+/// Adds what is wanted to an inspection that holds the contacts found by `collider`. Bodies are named by their slots, as there.
 template <class V, class Exec>
-void inspect_more(StepState<V, Exec>& state, const Wanted& wanted, Inspection& seen) {
-  Exec& exec = state.exec();
+void inspect_more(const BodyStore<V, Exec>& bodies, const Collider<V, Exec>& collider, const Wanted& wanted,
+                  Inspection& seen) {
+  Exec& exec = bodies.exec();
   const StageTimes times = exec.stage_times();
   if (wanted.candidates || wanted.endpoints || wanted.work) {
-    Detector<V, Exec> detector(state.choice().method, state.parameters(), 0);
-    detector.find(exec, state.bodies());
-    if (wanted.candidates) seen.candidates = detector.candidate_pairs(exec, state.bodies());
-    if (wanted.endpoints) detector.inspect_sweep(exec, state.bodies(), seen);
+    Collider<V, Exec> search;
+    search.plan(collider.choice(), collider.parameters(), 0);
+    search.pairs(exec, bodies.view());
+    if (wanted.candidates) {
+      seen.candidates =
+          std::visit([&](const auto& method) { return candidate_pairs(exec, method.candidates(), bodies.count()); },
+                     search.broad_phase());
+    }
+    const auto* const sweep = std::get_if<SortAndSweep<V, Exec>>(&search.broad_phase());
+    if (wanted.endpoints && sweep) {
+      seen.axis = sweep->axis();
+      seen.endpoints = sweep->endpoints(exec, bodies.view());
+    }
     if (wanted.work) {
-      seen.work = detector.work_per_thread(exec);
-      seen.worker = detector.body_per_thread(exec);
+      ThreadWork work = thread_work(exec, search);
+      seen.work = std::move(work.work);
+      seen.worker = std::move(work.worker);
     }
   }
-  if (wanted.missed) seen.missed = missed_pairs(state, seen.contacts);
+  if (wanted.missed) seen.missed = missed_pairs(bodies, collider.parameters(), seen.contacts);
   exec.stage_times() = times;
 }
 

@@ -7,11 +7,12 @@
 // Without the second, each response's file would compile all broad phases and their kernels again.
 #pragma once
 
-#include "world/step_state.h"
+#include "narrow_phase/collider.h"
+#include "world/body_store.h"
 #include "world/tally_on.h"
 
 #define BALLPIT_DETECTION(EXTERN, V, Exec)             \
-  EXTERN template class ballpit::Detector<V, Exec>;    \
+  EXTERN template class ballpit::Collider<V, Exec>;    \
   EXTERN template class ballpit::ContactList<V, Exec>; \
-  EXTERN template class ballpit::StepState<V, Exec>;   \
+  EXTERN template class ballpit::BodyStore<V, Exec>;   \
   EXTERN template class ballpit::TallyKeeper<V, Exec>

@@ -18,7 +18,7 @@ std::unique_ptr<World> make_world_of(std::unique_ptr<Exec> exec, const Scene& sc
 template <class Exec>
 std::unique_ptr<World> make_world_on(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings) {
   const bool is_planar = scene.domain.dimensions == 2;
-  if (settings.precision == "double") {
+  if (settings.precision == Precision::float64) {
     return is_planar ? make_world_of<Vec2d>(std::move(exec), scene, settings)
                      : make_world_of<Vec3d>(std::move(exec), scene, settings);
   }

@@ -12,9 +12,9 @@
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
 #include "bodies/pair.h"
-#include "broad_phase/choose_broad_phase.h"
 #include "core/span.h"
 #include "narrow_phase/collider.h"
+#include "world/inspect_more.h"
 #include "world/pair_search.h"
 #include "world/spatial_order.h"
 
@@ -63,11 +63,10 @@ class SearchOn {
   void plan(Exec& exec, const Settings& settings, const Box<V>& box, const SphereArrays& spheres) {
     auto parameters = broad_phase_parameters<V>(settings, box, spheres.radius, spheres.position.size());
     parameters.occupied_volume = occupied_volume(box, spheres.position);
-    choice_ = choose_broad_phase(settings, parameters);
-    detector_.plan(choice_.method, parameters, skin_of(settings));
+    collider_.plan(choose_broad_phase(settings, parameters), parameters, skin_of(settings));
     exec.upload(radius_, spheres.radius.data(), spheres.radius.size());
     order_.resize(0);
-    if (choice_.method == "linked-cell" && spheres.position.size() >= kFewestToOrder) {
+    if (collider_.choice().method == BroadPhase::linked_cell && spheres.position.size() >= kFewestToOrder) {
       upload_positions(exec, spheres);
       sort_by_cells(exec, grid_of_one_each(box, parameters.count, 2 * parameters.largest_radius()));
     }
@@ -75,26 +74,21 @@ class SearchOn {
 
   void find(Exec& exec, const SphereArrays& spheres) {
     upload_positions(exec, spheres);
-    detector_.moved();
-    if (order_.size() == 0) {
-      detector_.find(exec, bodies());
-      return;
-    }
-    take_in_order(exec, position_, ordered_position_);
-    detector_.find(exec, bodies());
-    const Span<const Pair> found = detector_.pairs();
+    collider_.moved();
+    if (order_.size() > 0) take_in_order(exec, position_, ordered_position_);
+    const Span<const Pair> found = collider_.pairs(exec, bodies());
+    if (order_.size() == 0) return;
     named_.resize(found.size());
     exec.parallel_for("name bodies", found.size(), NameBodies{found, order_.span(), named_.span()});
     put_into_rows(exec, Span<const Pair>(named_.span()), order_.size(), rows_);
   }
 
   /// Those found last, in canonical order.
-  Span<const Pair> pairs() const { return order_.size() > 0 ? rows_.pairs() : detector_.pairs(); }
+  Span<const Pair> pairs() const { return order_.size() > 0 ? rows_.pairs() : collider_.pairs(); }
 
-  Detector<V, Exec>& detector() { return detector_; }
-  const BroadPhaseChoice& choice() const { return choice_; }
+  const Collider<V, Exec>& collider() const { return collider_; }
   int64_t bytes() const {
-    return detector_.bytes() + position_.bytes() + radius_.bytes() + ordered_position_.bytes() + order_.bytes() +
+    return collider_.bytes() + position_.bytes() + radius_.bytes() + ordered_position_.bytes() + order_.bytes() +
            offsets_.bytes() + named_.bytes() + rows_.bytes();
   }
 
@@ -132,8 +126,7 @@ class SearchOn {
     return {position_.span(), {}, {radius_.span().data(), radius_.size() == 1 ? 0 : 1}, {}};
   }
 
-  BroadPhaseChoice choice_;
-  Detector<V, Exec> detector_;
+  Collider<V, Exec> collider_;
   Buffer<V> position_, ordered_position_;
   Buffer<Real> radius_;
   Buffer<int> order_, offsets_;  // bodies by place; empty where they are searched as they come
@@ -162,11 +155,11 @@ class PairSearchOn final : public PairSearch {
   SearchReport report() override {
     SearchReport report;
     visit([&](auto& search) {
-      report.method = search.choice().method;
-      report.reason = search.choice().reason;
-      report.candidates = search.detector().candidates(*exec_);
-      report.contacts = search.detector().pairs().size();
-      report.searches = searches_ + search.detector().searches();
+      report.method = name_of(search.collider().choice().method);
+      report.reason = search.collider().choice().reason;
+      report.candidates = search.collider().tests(*exec_);
+      report.contacts = search.collider().pairs().size();
+      report.searches = searches_ + search.collider().searches();
       report.bytes = search.bytes();
     });
     report.stages = exec_->stage_times().stages();
@@ -175,7 +168,7 @@ class PairSearchOn final : public PairSearch {
 
   std::vector<int> work_per_thread() override {
     std::vector<int> work;
-    visit([&](auto& search) { work = search.detector().work_per_thread(*exec_); });
+    visit([&](auto& search) { work = thread_work(*exec_, search.collider()).work; });
     return work;
   }
 
@@ -202,15 +195,15 @@ class PairSearchOn final : public PairSearch {
     if (*settings_.skin == 0 || spheres.period || count_ != spheres.position.size()) return false;
     if (!std::equal(spheres.radius.begin(), spheres.radius.end(), radius_.begin(), radius_.end())) return false;
     int64_t searches = 0;
-    visit([&](auto& search) { searches = search.detector().searches(); });
+    visit([&](auto& search) { searches = search.collider().searches(); });
     return searches < kSearchesInABox;
   }
 
   void start(const SphereArrays& spheres, const Box<Vec3>& box) {
-    visit([&](auto& search) { searches_ += search.detector().searches(); });
+    visit([&](auto& search) { searches_ += search.collider().searches(); });
     count_ = spheres.position.size();
     if (*settings_.skin > 0) radius_.assign(spheres.radius.begin(), spheres.radius.end());
-    const bool is_planar = count_ > 0 && is_in_a_plane(spheres.position) && settings_.axis != "z";
+    const bool is_planar = count_ > 0 && is_in_a_plane(spheres.position) && settings_.axis != SweepAxis::z;
     if (is_planar && *settings_.skin == 0) {  // with a skin, they may leave the plane
       spatial_.reset();
       if (!planar_) planar_.emplace();

@@ -102,13 +102,11 @@ class SpatialOrder {
     id_at_ = order_.span();
   }
 
-  /// Calls visit(values) for what a snapshot holds; restored() is to follow where it was put back.
-  template <class Visit>
-  void for_each_saved(const Visit& visit) {
-    visit(order_);
-  }
-  void restored(Exec& exec) {
-    place_.resize(order_.size());  // 0 before the first sorting
+  /// For a snapshot: the ids by slot; empty before the first sorting.
+  std::vector<int> save(Exec& exec) const { return exec.download(order_.span()); }
+  void restore(Exec& exec, const std::vector<int>& order) {
+    exec.upload(order_, order);
+    place_.resize(order_.size());
     id_at_ = {};
     if (order_.size() > 0) commit(exec);
   }

@@ -23,21 +23,21 @@ struct Smallest {
 };
 
 /// Energy and momentum of one body, or of many.
-struct Motion {
+struct EnergyAndMomentum {
   double kinetic = 0, potential = 0, px = 0, py = 0, pz = 0;
 
-  HOST_DEVICE Motion operator+(const Motion& other) const {
+  HOST_DEVICE EnergyAndMomentum operator+(const EnergyAndMomentum& other) const {
     return {kinetic + other.kinetic, potential + other.potential, px + other.px, py + other.py, pz + other.pz};
   }
 };
 
 template <class V>
-struct MotionOf {
+struct EnergyAndMomentumOf {
   BodiesView<V> bodies;
   V gravity;
   V zero{};  ///< [m] where potential energy is 0
 
-  HOST_DEVICE Motion operator()(int i) const {
+  HOST_DEVICE EnergyAndMomentum operator()(int i) const {
     const double mass = 1.0 / double(bodies.inverse_mass[i]);
     const V v = bodies.velocity[i], x = bodies.position[i];
     double squared = 0, height = 0, p[3] = {0, 0, 0};
@@ -52,7 +52,8 @@ struct MotionOf {
 
 template <class V, class Exec>
 void measure_motion(Exec& exec, const BodiesView<V>& bodies, const V& gravity, Report& report) {
-  const Motion motion = reduce(exec, "sum motion", bodies.size(), Motion{}, MotionOf<V>{bodies, gravity}, Sum{});
+  const EnergyAndMomentum motion =
+      reduce(exec, "sum motion", bodies.size(), EnergyAndMomentum{}, EnergyAndMomentumOf<V>{bodies, gravity}, Sum{});
   report.kinetic_energy = motion.kinetic;
   report.potential_energy = motion.potential;
   report.momentum = {motion.px, motion.py, motion.pz};

@@ -28,11 +28,12 @@
 #include "core/error.h"
 #include "core/span.h"
 #include "exec/reduce.h"
+#include "narrow_phase/collider.h"
 #include "narrow_phase/contact_list.h"
 #include "response/impulse_notes.h"
 #include "response/walls_view.h"
 #include "world/between_walls.h"
-#include "world/step_state.h"
+#include "world/body_store.h"
 #include "world/sums.h"
 
 namespace ballpit {
@@ -301,14 +302,15 @@ class SweptContacts {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  /// The contacts of a step of dt that begins at the state's positions and velocities.
-  ContactsView<V> find(StepState<V, Exec>& state, Real dt) {
-    Exec& exec = state.exec();
-    const Box<V>& box = state.box();
-    kick(exec, state, dt);
-    const BodiesView<V> bodies = this->bodies(state);
+  /// The contacts of a step of dt that begins at the present positions and velocities, found by the broad phase that
+  /// `collider` uses.
+  ContactsView<V> find(const BodyStore<V, Exec>& store, const Collider<V, Exec>& collider, Real dt) {
+    Exec& exec = store.exec();
+    const Box<V>& box = store.box();
+    kick(exec, store, dt);
+    const BodiesView<V> bodies = this->bodies(store);
     cover_ways(exec, bodies, box, dt);
-    search(state);
+    search(store, collider);
     keep_impacts(exec, bodies, box);
     list_.build(exec, pairs_.span(), first_.span(), bodies, box);
     time_.resize(pairs_.size());
@@ -322,8 +324,8 @@ class SweptContacts {
   }
 
   /// The bodies with the velocities that they begin the step with: what lies on a wall has none against it. After find().
-  BodiesView<V> bodies(const StepState<V, Exec>& state) const {
-    BodiesView<V> bodies = state.bodies();
+  BodiesView<V> bodies(const BodyStore<V, Exec>& store) const {
+    BodiesView<V> bodies = store.view();
     if (kick_.size() > 0) bodies.velocity = start_.span();
     return bodies;
   }
@@ -332,14 +334,14 @@ class SweptContacts {
   Sweep<V> sweep() const { return {way_.span(), kick_.span(), met_.span(), time_.span()}; }
 
   /// Velocities after the kick; those of the state without gravity. After find().
-  Span<const V> kicked(const StepState<V, Exec>& state) const {
-    return kick_.size() > 0 ? kicked_.span() : state.bodies().velocity;
+  Span<const V> kicked(const BodyStore<V, Exec>& store) const {
+    return kick_.size() > 0 ? kicked_.span() : store.view().velocity;
   }
 
   int64_t bytes() const {
     return way_.bytes() + middle_.bytes() + start_.bytes() + kick_.bytes() + kicked_.bytes() + reach_.bytes() +
            met_.bytes() + is_hit_.bytes() + place_.bytes() + first_.bytes() + pairs_.bytes() + time_.bytes() +
-           detector_.bytes();
+           collider_.bytes();
   }
 
  private:
@@ -347,12 +349,12 @@ class SweptContacts {
     return {bodies, box, way_.span(), middle_.span()};
   }
 
-  void kick(Exec& exec, StepState<V, Exec>& state, Real dt) {
-    if (!state.has_gravity()) return;
-    const int64_t n = state.count();
+  void kick(Exec& exec, const BodyStore<V, Exec>& store, Real dt) {
+    if (!store.has_gravity()) return;
+    const int64_t n = store.count();
     for (Buffer<V>* buffer : {&start_, &kick_, &kicked_}) buffer->resize(n);
     exec.parallel_for("kick", n,
-                      KickUnlessHeld<V>{state.bodies(), state.box(), state.gravity() * dt, dt, start_.span(),
+                      KickUnlessHeld<V>{store.view(), store.box(), store.gravity() * dt, dt, start_.span(),
                                         kick_.span(), kicked_.span()});
   }
 
@@ -365,17 +367,17 @@ class SweptContacts {
                       SweepBody<V>{bodies, box, kick_.span(), dt, way_.span(), middle_.span(), reach_.span()});
   }
 
-  void search(StepState<V, Exec>& state) {
-    Exec& exec = state.exec();
-    BroadPhaseParameters<V> parameters = state.parameters();
+  void search(const BodyStore<V, Exec>& store, const Collider<V, Exec>& collider) {
+    Exec& exec = store.exec();
+    BroadPhaseParameters<V> parameters = collider.parameters();
     const double reach = reduce(exec, "largest reach", reach_.size(), 0.0, ReachAt<Real>{reach_.span()}, Largest{});
-    check_period(state.box(), reach);
+    check_period(store.box(), reach);
     parameters.classes = {{static_cast<Real>(reach), reach_.size()}};
-    detector_.plan(state.choice().method, parameters, 0);
-    BodiesView<V> swept = state.bodies();
+    collider_.plan(collider.choice(), parameters, 0);
+    BodiesView<V> swept = store.view();
     swept.position = middle_.span();
     swept.radius = {reach_.span().data(), 1};
-    detector_.find(exec, swept);
+    candidates_ = collider_.pairs(exec, swept);
   }
 
   /// A pair must meet across one border of a periodic domain only.
@@ -391,7 +393,7 @@ class SweptContacts {
   }
 
   void keep_impacts(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
-    const Span<const Pair> candidates = detector_.pairs();
+    const Span<const Pair> candidates = candidates_;
     is_hit_.resize(candidates.size());
     place_.resize(candidates.size() + 1);
     exec.parallel_for("find impacts", candidates.size(),
@@ -399,10 +401,11 @@ class SweptContacts {
     pairs_.resize(exec.exclusive_scan("scan impacts", is_hit_.span(), place_.span()));
     exec.parallel_for("keep impacts", candidates.size(), KeepMarked{candidates, place_.span(), pairs_.span()});
     first_.resize(bodies.size() + 1);
-    exec.parallel_for("keep impacts", first_.size(), KeepRows{detector_.first(), place_.span(), first_.span()});
+    exec.parallel_for("keep impacts", first_.size(), KeepRows{collider_.first(), place_.span(), first_.span()});
   }
 
-  Detector<V, Exec> detector_;
+  Collider<V, Exec> collider_;  // of the spheres around the ways
+  Span<const Pair> candidates_;
   ContactList<V, Exec> list_;
   Buffer<V> way_, middle_, start_, kick_, kicked_;
   Buffer<Real> reach_, time_;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
@@ -74,17 +75,18 @@ class TallyKeeper {
   void end(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs,
            Span<const ContactGeometry<V>> geometry, bool counts = true);
 
-  /// Calls rearrange(values) for what is kept for each body.
-  template <class Rearrange>
-  void for_each_kept(const Rearrange& rearrange) {
-    rearrange(before_);
-  }
+  /// The positions of the substep before, by slot.
+  Buffer<V>& kept() { return before_; }
 
-  /// Calls visit(value) for all that a snapshot holds.
-  template <class Visit>
-  void for_each_saved(const Visit& visit) {
-    visit(tally_);
-    for_each_kept(visit);
+  /// What a snapshot holds of the tally.
+  struct Saved {
+    Tally tally;
+    std::vector<V> before;
+  };
+  Saved save(Exec& exec) const { return {tally_, exec.download(before_.span())}; }
+  void restore(Exec& exec, const Saved& saved) {
+    tally_ = saved.tally;
+    exec.upload(before_, saved.before);
   }
 
   const Tally& tally() const { return tally_; }

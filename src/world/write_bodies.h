@@ -8,7 +8,7 @@
 #include "bodies/pair.h"
 #include "core/span.h"
 #include "exec/atomics.h"
-#include "world/step_state.h"
+#include "world/body_store.h"
 
 namespace ballpit {
 
@@ -43,15 +43,15 @@ struct WriteBody {
   }
 };
 
+/// `pairs` are in contact.
 template <class V, class Exec>
-void write_bodies(StepState<V, Exec>& state, const BodyTarget& target) {
-  Exec& exec = state.exec();
-  const Span<const Pair> pairs = state.pairs();
-  const Span<int> touching = exec.template scratch<int>(0, state.count());
+void write_bodies(const BodyStore<V, Exec>& bodies, Span<const Pair> pairs, const BodyTarget& target) {
+  Exec& exec = bodies.exec();
+  const Span<int> touching = exec.template scratch<int>(0, bodies.count());
   exec.fill("write bodies", touching, 0);
   exec.parallel_for("write bodies", pairs.size(), NoteTouching{pairs, touching});
-  exec.parallel_for("write bodies", state.count(),
-                    WriteBody<V>{state.bodies(), state.order().id_at(), touching, target});
+  exec.parallel_for("write bodies", bodies.count(),
+                    WriteBody<V>{bodies.view(), bodies.order().id_at(), touching, target});
 }
 
 }  // namespace ballpit

@@ -34,7 +34,7 @@ class PairCounts {
 template <class V>
 void add_range(const SlotsView<V>& slots, int slot, const SlotRange& range, PairCounts& counts) {
   for (int s = range.first; s < range.last; ++s) {
-    if (slots.is_meant(s, range)) counts.add(slots.body[slot], slots.body[s]);
+    if (slots.matches_tag(s, range)) counts.add(slots.body[slot], slots.body[s]);
   }
 }
 
@@ -129,8 +129,8 @@ TEST_CASE("each pair is a candidate at most once, and each contact is one, by th
   }
 }
 
-TEST_CASE("tables of few places, shared by many cells, give no pair twice") {
-  // With two to ten spheres a hashed table has 4 to 32 places: the 9 or 27 cells of a block meet again and again.
+TEST_CASE("tables of few buckets, shared by many cells, give no pair twice") {
+  // With two to ten spheres a hashed table has 8 to 32 buckets: the 9 or 27 cells of a block meet again and again.
   for (uint64_t seed = 1; seed <= 600; ++seed) {
     Random random(seed);
     Cloud cloud{.count = 2 + static_cast<int>(random.bits() % 9),

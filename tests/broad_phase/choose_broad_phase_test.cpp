@@ -27,7 +27,7 @@ BroadPhaseChoice choice_for(const Scene& scene, const Settings& settings = autom
 TEST_CASE("a method that is asked for is taken, without a reason") {
   for (const char* const method : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid"}) {
     const BroadPhaseChoice choice = choice_for(make_cloud({}, 1), settings_of({.broadphase = method}));
-    CHECK(choice.method == method);
+    CHECK(name_of(choice.method) == method);
     CHECK(choice.reason.empty());
   }
 }
@@ -35,16 +35,16 @@ TEST_CASE("a method that is asked for is taken, without a reason") {
 TEST_CASE("a choice is a method that there is, with a reason that names the number of spheres and all predictions") {
   for (const int count : {2, 100, 3000, 50000}) {
     const BroadPhaseChoice choice = choice_for(make_cloud({.count = count, .smallest = 0.01, .largest = 0.01}, 1));
-    const auto names = method_names(Family::broadphase);
-    CHECK(std::count(names.begin(), names.end(), choice.method) == 1);
-    CHECK(choice.method != "auto");
+    const auto names = kNames<BroadPhase>;
+    CHECK(std::count(names.begin(), names.end(), name_of(choice.method)) == 1);
+    CHECK(choice.method != BroadPhase::automatic);
     CHECK_THAT(choice.reason, Catch::Contains(std::to_string(count) + " spheres"));
     for (const std::string_view name : names) {
       if (name != "auto") CHECK_THAT(choice.reason, Catch::Contains(std::string(name)));
     }
     // The chosen one comes first.
-    CHECK(choice.reason.find(choice.method) <
-          choice.reason.find(choice.method == "brute-force" ? "sorted-grid" : "brute-force"));
+    CHECK(choice.reason.find(name_of(choice.method)) <
+          choice.reason.find(choice.method == BroadPhase::brute_force ? "sorted-grid" : "brute-force"));
   }
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("few spheres are tested one against the other") {
     for (const int count : {0, 1, 2, 10, 30}) {
       const BroadPhaseChoice choice = choice_for(make_cloud({.count = count, .dimensions = dimensions}, 1));
       INFO(count << " spheres, dimensions " << dimensions);
-      CHECK(choice.method == "brute-force");
+      CHECK(choice.method == BroadPhase::brute_force);
       CHECK_FALSE(choice.reason.empty());
     }
   }
@@ -62,10 +62,10 @@ TEST_CASE("few spheres are tested one against the other") {
 TEST_CASE("many spheres are sorted into a grid") {
   for (const char* const family : {"u05", "u30", "pile", "poly"}) {
     INFO(family);
-    CHECK(choice_for(scene_of(make_family(family, 50000, 1))).method == "sorted-grid");
+    CHECK(choice_for(scene_of(make_family(family, 50000, 1))).method == BroadPhase::sorted_grid);
   }
   CHECK(choice_for(make_cloud({.count = 50000, .dimensions = 2, .smallest = 0.002, .largest = 0.002}, 1)).method ==
-        "sorted-grid");
+        BroadPhase::sorted_grid);
 }
 
 TEST_CASE("worlds and pair searches tell what they chose, and why") {
@@ -89,7 +89,7 @@ TEST_CASE("settings and radii make parameters") {
   CHECK(parameters.axis == 1);
   CHECK(parameters.largest_radius() == *std::max_element(planar.radius.begin(), planar.radius.end()));
   CHECK(planar.parameters({}).table == CellTable::automatic);
-  CHECK(planar.parameters({}).axis == kLargestAxis);
+  CHECK(planar.parameters({}).axis == kAutoAxis);
   CHECK(planar.parameters(settings_of({.table = "dense"})).table == CellTable::dense);
 }
 

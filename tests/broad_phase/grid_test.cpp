@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "broad_phase/grid.h"
 
-#include <numeric>
 #include <set>
 
 #include <catch2/catch.hpp>
 
-#include "broad_phase/sorted_grid.h"
 #include "core/error.h"
-#include "tests/support/body_arrays.h"
 #include "tests/support/inputs.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
@@ -27,9 +24,9 @@ Grid<V> unit_cells(const IVec3& cells, bool is_periodic = false) {
 }
 
 template <class V>
-Grid<V> hashed(Grid<V> grid, unsigned places) {
+Grid<V> hashed(Grid<V> grid, unsigned buckets) {
   grid.is_hashed = true;
-  grid.mask = places - 1;
+  grid.mask = buckets - 1;
   return grid;
 }
 
@@ -50,11 +47,6 @@ BroadPhaseParameters<V> in_box(const Box<V>& box, float radius, int64_t count) {
   parameters.count = count;
   parameters.classes = {{radius, count}};
   return parameters;
-}
-
-std::vector<SizeClass<Vec3>> classes_of(const std::vector<float>& radius, int64_t count = -1) {
-  return size_classes<Vec3>({radius.data(), static_cast<int64_t>(radius.size())},
-                            count < 0 ? static_cast<int64_t>(radius.size()) : count);
 }
 
 }  // namespace
@@ -112,10 +104,10 @@ TEST_CASE("a block is left where the visitor asks for it") {
   CHECK(visits == 5);
 }
 
-TEST_CASE("cells that are neighbours along x have neighbouring places") {
-  for (const unsigned places : {0u, 4u, 64u}) {
+TEST_CASE("cells that are neighbours along x have neighbouring buckets") {
+  for (const unsigned buckets : {0u, 4u, 64u}) {
     Grid<Vec3> grid = unit_cells<Vec3>({10, 10, 10});
-    if (places > 0) grid = hashed(grid, places);
+    if (buckets > 0) grid = hashed(grid, buckets);
     for (int k = 0; k < 100; ++k) {
       const IVec3 cell(k % 9, k / 10, (k * 7) % 10);
       const int64_t at = grid.index(cell), next = grid.index(cell + IVec3(1, 0, 0));
@@ -125,13 +117,13 @@ TEST_CASE("cells that are neighbours along x have neighbouring places") {
   }
 }
 
-TEST_CASE("cells of one block differ in place or in tag, however few places there are") {
+TEST_CASE("cells of one block differ in bucket or in tag, however few buckets there are") {
   // In an unbounded hashed grid tags tell rows apart, in a periodic one cells.
-  for (const unsigned places : {4u, 8u, 16u, 64u}) {
+  for (const unsigned buckets : {4u, 8u, 16u, 64u}) {
     for (const int wrap : {0, 3, 4, 7}) {
       const bool is_periodic = wrap > 0;
-      const Grid<Vec3> grid = hashed(unit_cells<Vec3>({wrap, wrap, wrap}, is_periodic), places);
-      Random random(places);
+      const Grid<Vec3> grid = hashed(unit_cells<Vec3>({wrap, wrap, wrap}, is_periodic), buckets);
+      Random random(buckets);
       for (int k = 0; k < 200; ++k) {
         const int reach = is_periodic ? wrap : 40000;
         const auto coordinate = [&] {
@@ -147,13 +139,13 @@ TEST_CASE("cells of one block differ in place or in tag, however few places ther
   }
 }
 
-TEST_CASE("hashing spreads rows over the places") {
+TEST_CASE("hashing spreads rows over the buckets") {
   const Grid<Vec3> grid = hashed(unit_cells<Vec3>({100, 100, 100}), 1024);
   std::vector<int> uses(1024, 0);
   for (int z = 0; z < 64; ++z) {
     for (int y = 0; y < 64; ++y) ++uses[static_cast<size_t>(grid.index({0, y, z}))];
   }
-  // 4096 rows in 1024 places, 4 each: by chance, a place in a thousand has more than 11, and one in fifty none.
+  // 4096 rows in 1024 buckets, 4 each: by chance, one bucket in a thousand has more than 11, and one in fifty has none.
   CHECK(*std::max_element(uses.begin(), uses.end()) < 20);
   CHECK(std::count(uses.begin(), uses.end(), 0) < 60);
 }
@@ -281,79 +273,4 @@ TEST_CASE("cells are listed for the audience, bodies beyond the border at the bo
   CHECK(vast.cells == IVec3(1 << 15, 1 << 15, 1));
   CHECK(vast.head.empty());
   CHECK(vast.next.empty());
-}
-
-TEST_CASE("spheres of one size make one class") {
-  CHECK(classes_of({}).empty());
-  for (const auto& classes : {classes_of({0.5f}, 1000), classes_of(std::vector<float>(1000, 0.5f))}) {
-    REQUIRE(classes.size() == 1);
-    CHECK(classes[0].largest == 0.5f);
-    CHECK(classes[0].count == 1000);
-  }
-}
-
-TEST_CASE("size classes are steps of about 2.5, largest first, and count every sphere once") {
-  const auto [ratio, expected] = GENERATE(table<double, int>({{1.4, 1}, {2.5, 1}, {10, 3}, {100, 5}, {1000, 8}}));
-  std::vector<float> radius;
-  for (int k = 0; k <= 1000; ++k) radius.push_back(static_cast<float>(0.01 * std::pow(ratio, k / 1000.0)));
-  const auto classes = classes_of(radius);
-  REQUIRE(classes.size() == static_cast<size_t>(expected));
-  CHECK(classes[0].largest == radius.back());
-  int64_t sum = 0;
-  for (size_t k = 0; k < classes.size(); ++k) {
-    sum += classes[k].count;
-    if (k + 1 < classes.size())
-      CHECK(classes[k].largest / classes[k + 1].largest == Approx(std::pow(ratio, 1.0 / expected)).epsilon(0.02));
-  }
-  CHECK(sum == 1001);
-}
-
-TEST_CASE("a sphere belongs to the class that counted it") {
-  const Scene scene = make_cloud({.count = 2000, .smallest = 1e-3, .largest = 1.0, .is_log_uniform = true}, 5);
-  const std::vector<float> radius(scene.bodies.radius.begin(), scene.bodies.radius.end());
-  const auto classes = classes_of(radius);
-  ClassGrids<Vec3> grids;
-  for (const auto& spheres : classes) grids.largest[grids.count++] = spheres.largest;
-  std::vector<int64_t> counts(classes.size(), 0);
-  for (const float r : radius) {
-    const int k = grids.class_of(r);
-    CHECK(r <= classes[static_cast<size_t>(k)].largest);
-    ++counts[static_cast<size_t>(k)];
-  }
-  for (size_t k = 0; k < classes.size(); ++k) CHECK(counts[k] == classes[k].count);
-}
-
-TEST_CASE("classes without spheres are left out, and what is too small for eight belongs to the last") {
-  CHECK(classes_of({1.0f, 0.001f, 0.001f}).size() == 2);
-  const auto classes = classes_of({1.0f, 1e-3f, 1e-6f, 1e-9f});
-  REQUIRE(classes.size() <= 8);
-  CHECK(classes.front().count == 1);
-  CHECK(classes.back().largest <= 1e-3f);
-  int64_t sum = 0;
-  for (const auto& spheres : classes) sum += spheres.count;
-  CHECK(sum == 4);
-}
-
-TEST_CASE("evenly spread points occupy the whole box, gathered ones little of it") {
-  const auto occupied = [](const Scene& scene) {
-    const std::vector<Vec3> points = spheres_of(scene).position;
-    const auto count = static_cast<int64_t>(points.size());
-    const double volume = scene.domain.dimensions == 2
-                              ? occupied_volume(BodyArrays<Vec2>(scene).box, Span<const Vec3>{points.data(), count})
-                              : occupied_volume(BodyArrays<Vec3>(scene).box, Span<const Vec3>{points.data(), count});
-    return volume / std::pow(2.0, scene.domain.dimensions);
-  };
-  for (const int dimensions : {2, 3}) {
-    for (const int count : {200, 3000, 50000}) {
-      CHECK(occupied(make_cloud({.count = count, .dimensions = dimensions}, 1)) > 0.7);
-      CHECK(occupied(make_cloud({.count = count, .dimensions = dimensions}, 1)) <= 1.0);
-      CHECK(occupied(make_cloud({.count = count, .dimensions = dimensions, .clusters = 5, .scatter = 0.02}, 1)) < 0.1);
-    }
-    CHECK(occupied(make_cloud({.count = 1, .dimensions = dimensions}, 1)) == 1.0);
-    CHECK(occupied(make_cloud({.count = 0, .dimensions = dimensions}, 1)) == 1.0);
-  }
-  // Half of the box filled evenly.
-  Scene half = make_cloud({.count = 50000}, 1);
-  for (Vec3d& p : half.bodies.position) p.x = (p.x - 1) / 2;
-  CHECK(occupied(half) == Approx(0.5).epsilon(0.25));
 }

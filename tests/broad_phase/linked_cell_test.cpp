@@ -111,8 +111,8 @@ TEST_CASE("linking by a read and a store loses the body that is stored between a
 
 // Hidden, since its race is meant to be there. Under the thread sanitizer, run by name,
 //     TSAN_OPTIONS=suppressions=tests/sanitizers/tsan.supp build/tsan/test_simulate "[.race]"
-// it must end in "WARNING: ThreadSanitizer: data race" in LinkBodyInTwoSteps and a failing status: so the sanitizer sees
-// what the test above would hide if LinkBody were written like that.
+// it must end in "WARNING: ThreadSanitizer: data race" in LinkBodyInTwoSteps and a failing status: so the sanitizer
+// sees what the test above would hide if LinkBody were written like that.
 TEST_CASE("linking by a read and a store is a data race where threads insert into one cell at once", "[.race]") {
   Crowd crowd;
   CHECK(count_lost(crowd.kernel<LinkBodyInTwoSteps>()) >= 0);
@@ -135,13 +135,13 @@ TEST_CASE("a list holds the bodies of its cell, each in one list") {
   CHECK(std::count(times.begin(), times.end(), 1) == 500);
 }
 
-TEST_CASE("lists that one thread links fall, and give the candidates that lists in any order give") {
+TEST_CASE("lists that one thread links are in descending order, and give the candidates that lists in any order give") {
   const BodyArrays<Vec3> bodies(make_cloud({.count = 2000, .smallest = 0.05, .largest = 0.05}, 4));
   CpuExecutor exec(1);
   LinkedCell<Vec3, CpuExecutor> cells(bodies.parameters({}));
   cells.prepare(exec, bodies.view());
   LinkedCellCandidates<Vec3> candidates = cells.candidates();
-  REQUIRE(candidates.is_falling);
+  REQUIRE(candidates.is_descending);
   for (int i = 0; i < 2000; ++i) CHECK(candidates.next[i] < i);
 
   const auto candidates_of = [&](int i) {
@@ -163,12 +163,12 @@ TEST_CASE("lists that one thread links fall, and give the candidates that lists 
   for (int i = 1999; i >= 0; --i) link(i);
   candidates.head = {head.data(), candidates.head.size()};
   candidates.next = {next.data(), 2000};
-  candidates.is_falling = false;
+  candidates.is_descending = false;
   for (int i = 0; i < 2000; ++i) REQUIRE(candidates_of(i) == falling[static_cast<size_t>(i)]);
 
   CpuExecutor team(2);
   cells.prepare(team, bodies.view());
-  CHECK_FALSE(cells.candidates().is_falling);
+  CHECK_FALSE(cells.candidates().is_descending);
 }
 
 TEST_CASE("candidates end where the visitor asks them to") {

@@ -39,8 +39,8 @@ TEST_CASE("slots follow the cells, and within a cell the bodies") {
   grid.prepare(exec, bodies.view());
   const auto candidates = grid.candidates();
   const auto key = [&](int slot) {
-    return PlaceOfBody<Vec3>{candidates.grids, bodies.view().position,
-                             bodies.view().radius}(candidates.slots().body[slot]);
+    return BucketOfBody<Vec3>{candidates.grids, bodies.view().position,
+                              bodies.view().radius}(candidates.slots().body[slot]);
   };
   for (int slot = 0; slot < 500; ++slot) {
     const int body = candidates.slots().body[slot];
@@ -147,7 +147,7 @@ TEST_CASE("memory does not grow with a domain that stays empty") {
   CHECK(bytes(1e6) == bytes(1e5));
 }
 
-TEST_CASE("a huge sphere looks up no more rows of small cells than there are places for them") {
+TEST_CASE("a huge sphere looks up no more rows of small cells than there are buckets for them") {
   for (const Boundary boundary : {Boundary::walls, Boundary::periodic}) {
     Scene scene = make_cloud({.count = 1000, .smallest = 0.001, .largest = 0.001, .boundary = boundary}, 1);
     scene.bodies.radius[0] = 0.9;

@@ -31,7 +31,7 @@ Outcome bench(Arguments arguments) {
 
 std::vector<std::string> measured_methods() {
   std::vector<std::string> names;
-  for (const std::string_view name : method_names(Family::broadphase)) {
+  for (const std::string_view name : kNames<BroadPhase>) {
     if (name != "auto") names.emplace_back(name);
   }
   return names;

@@ -90,7 +90,7 @@ TEST_CASE(
     REQUIRE(count < list["methods"].size());
     const nlohmann::json& entry = list["methods"][count++];
     CHECK(entry["name"] == method.name);
-    CHECK(entry["family"] == family_name(method.family));
+    CHECK(entry["family"] == name_of(method.family));
   }
   CHECK(list["methods"].size() == count);
 }

@@ -115,7 +115,7 @@ TEST_CASE("contacts that small cells miss are counted, and are those that brute 
 
 TEST_CASE("no broad phase misses a contact with cells of its own choice") {
   const Scratch folder;
-  for (const std::string_view method : method_names(Family::broadphase)) {
+  for (const std::string_view method : kNames<BroadPhase>) {
     INFO(method);
     CHECK(observed({row_of_spheres(folder, "periodic"), "--time", "0", "--broadphase", std::string(method), "--observe",
                     "missed-contacts"})["missed-contacts"]["value"] == 0);

@@ -55,7 +55,7 @@ nlohmann::json pairs(Arguments arguments) {
 
 std::vector<std::string> broad_phases() {
   std::vector<std::string> names;
-  for (const std::string_view name : method_names(Family::broadphase)) names.emplace_back(name);
+  for (const std::string_view name : kNames<BroadPhase>) names.emplace_back(name);
   return names;
 }
 

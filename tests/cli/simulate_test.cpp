@@ -87,7 +87,7 @@ TEST_CASE("500 steps give the same bits for 1, 2 and 8 threads and for every bro
   CHECK(hash_of({"--threads", "1"}) == expected);
   CHECK(hash_of({"--threads", "2"}) == expected);
   CHECK(hash_of({"--threads", "8"}) == expected);
-  for (const std::string_view method : method_names(Family::broadphase)) {
+  for (const std::string_view method : kNames<BroadPhase>) {
     INFO(method);
     CHECK(hash_of({"--threads", "2", "--broadphase", std::string(method)}) == expected);
   }

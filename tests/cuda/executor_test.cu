@@ -25,7 +25,7 @@ std::vector<int> random_ints(int n, int limit, uint64_t seed) {
 
 struct CountCall {
   Span<int> calls;
-  HOST_DEVICE void operator()(int i) const { atomic_add(&calls[i], 1); }
+  __device__ void operator()(int i) const { atomicAdd(&calls[i], 1); }
 };
 
 struct LinkAll {

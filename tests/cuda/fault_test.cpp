@@ -18,8 +18,8 @@ Scene small_scene() { return make_cloud({.count = 40, .low = -0.4, .high = 0.4, 
 
 Settings settings_of(const std::string& broadphase, double skin = 0) {
   Settings settings;
-  settings.broadphase = broadphase;
-  settings.table = skin > 0 ? "hashed" : "auto";
+  settings.broadphase = named<BroadPhase>(broadphase);
+  settings.table = named<CellTable>(skin > 0 ? "hashed" : "auto");
   settings.skin = skin;
   settings.dt = 1.0 / 480;
   return settings;

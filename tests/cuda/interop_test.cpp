@@ -14,7 +14,7 @@ namespace {
 
 std::unique_ptr<World> world_of(const Cloud& cloud) {
   Settings settings;
-  settings.broadphase = "sorted-grid";
+  settings.broadphase = BroadPhase::sorted_grid;
   settings.dt = 1.0 / 480;
   return cuda_backend().make_world(make_cloud(cloud, 5), settings);
 }

@@ -89,8 +89,8 @@ TEST_CASE("pair searches on CUDA find the CPU's pairs by the CPU's candidates, b
       GENERATE(Method{"brute-force", "auto"}, Method{"sort-and-sweep", "auto"}, Method{"linked-cell", "dense"},
                Method{"linked-cell", "hashed"}, Method{"sorted-grid", "dense"}, Method{"sorted-grid", "hashed"});
   Settings settings;
-  settings.broadphase = method.name;
-  settings.table = method.table;
+  settings.broadphase = named<BroadPhase>(method.name);
+  settings.table = named<CellTable>(method.table);
   settings.threads = 2;
   const Twins searches(settings);  // one for all families: what one leaves in memory must not show in the next
   for (const Input& family : families()) {
@@ -102,34 +102,34 @@ TEST_CASE("pair searches on CUDA find the CPU's pairs by the CPU's candidates, b
 
 TEST_CASE("the sweep on CUDA goes along the axis that it is given") {
   Settings settings;
-  settings.broadphase = "sort-and-sweep";
-  settings.axis = GENERATE("x", "y", "z");
+  settings.broadphase = BroadPhase::sort_and_sweep;
+  settings.axis = named<SweepAxis>(GENERATE("x", "y", "z"));
   const Twins searches(settings);
   for (const Input& family : families()) {
-    INFO("axis " << settings.axis << ", " << family.name);
+    INFO("axis " << name_of(settings.axis) << ", " << family.name);
     searches.find(Spheres(family.cloud));
   }
 }
 
 TEST_CASE("cells of other sizes on CUDA give the CPU's candidates, also those too small to find every pair") {
   Settings settings;
-  settings.broadphase = GENERATE("linked-cell", "sorted-grid");
+  settings.broadphase = named<BroadPhase>(GENERATE("linked-cell", "sorted-grid"));
   settings.cell_size = GENERATE(0.5, 1.5, 4.0);
   const Twins searches(settings);
-  CAPTURE(settings.broadphase, *settings.cell_size);
+  CAPTURE(name_of(settings.broadphase), *settings.cell_size);
   searches.find(Spheres({.count = 260, .smallest = 0.08, .largest = 0.12}));
   searches.find(Spheres({.count = 260, .dimensions = 2, .smallest = 0.05, .largest = 0.05}));
 }
 
 TEST_CASE("a pair search on CUDA keeps its candidate list as long as the CPU does") {
   Settings settings;
-  settings.broadphase = GENERATE("sorted-grid", "linked-cell");
+  settings.broadphase = named<BroadPhase>(GENERATE("sorted-grid", "linked-cell"));
   settings.skin = 0.2;
   const Twins searches(settings);
   Spheres spheres({.count = 200, .smallest = 0.08, .largest = 0.12});
   Random random(12);
   for (int k = 0; k < 6; ++k) {
-    CAPTURE(settings.broadphase, k);
+    CAPTURE(name_of(settings.broadphase), k);
     CHECK(searches.find(spheres) > 20);
     for (Vec3& p : spheres.position) p += Vec3(0.006 * random.uniform() * random.direction(3));
   }
@@ -139,7 +139,7 @@ TEST_CASE("a pair search on CUDA keeps its candidate list as long as the CPU doe
 
 TEST_CASE("many spheres in lists are sorted by place on CUDA as on the CPU, and named as they came") {
   Settings settings;
-  settings.broadphase = "linked-cell";
+  settings.broadphase = BroadPhase::linked_cell;
   const Twins searches(settings);
   CHECK(searches.find(Spheres({.count = 16500, .smallest = 0.015, .largest = 0.03})) > 1000);
   const std::vector<Stage> stages = searches.cuda->report().stages;
@@ -149,7 +149,7 @@ TEST_CASE("many spheres in lists are sorted by place on CUDA as on the CPU, and 
 
 TEST_CASE("auto chooses on CUDA as on the CPU, and changes its choice with the spheres") {
   Settings settings;
-  settings.broadphase = "auto";
+  settings.broadphase = BroadPhase::automatic;
   const Twins searches(settings);
   searches.find(Spheres({.count = 30, .smallest = 0.1, .largest = 0.1}));
   const std::string few = searches.cuda->report().method;
@@ -167,7 +167,7 @@ TEST_CASE("a row of very many contacts is sorted on CUDA as on the CPU", "[sanit
   for (const std::string method : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid"}) {
     CAPTURE(method);
     Settings settings;
-    settings.broadphase = method;
+    settings.broadphase = named<BroadPhase>(method);
     CHECK(Twins(settings).find(spheres) > 60);
   }
 }

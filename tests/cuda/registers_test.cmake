@@ -44,7 +44,7 @@ set(allowed
   # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum, the largest overlap and
   # who has it; for a tally, collisions.
   "ReduceBlock.*AxisSums" 48
-  "ReduceBlock.*Motion" 48
+  "ReduceBlock.*EnergyAndMomentum" 48
   "ReduceBlock.*Offender" 48
   "ReduceBlock.*Collisions" 48
   "ReduceBlock.*Overlap" 48

@@ -10,7 +10,7 @@ namespace {
 
 Settings settings_of(const std::string& broadphase, double skin = 0) {
   Settings settings;
-  settings.broadphase = broadphase;
+  settings.broadphase = named<BroadPhase>(broadphase);
   settings.skin = skin;
   settings.dt = 1.0 / 480;
   settings.threads = 2;
@@ -73,7 +73,7 @@ TEST_CASE("CUDA finds the contacts that the CPU finds, by every broad phase", "[
       Cloud{.count = 200, .dimensions = 2, .smallest = 0.02, .largest = 0.1, .boundary = Boundary::periodic});
   if (table == "hashed" && (broadphase == "brute-force" || broadphase == "sort-and-sweep")) return;
   Settings settings = settings_of(broadphase);
-  settings.table = table;
+  settings.table = named<CellTable>(table);
   const Twins worlds(make_cloud(cloud, 3), settings);
   const Inspection cpu = worlds.cpu->inspect(), cuda = worlds.cuda->inspect();
   CAPTURE(broadphase, table, cloud.dimensions, cloud.largest, static_cast<int>(cloud.boundary));
@@ -96,7 +96,7 @@ TEST_CASE("CUDA shows the candidates, missed pairs, endpoints and work that the 
       Cloud{.count = 200, .smallest = 0.1, .largest = 0.1}, Cloud{.count = 200, .smallest = 0.02, .largest = 0.2},
       Cloud{.count = 200, .dimensions = 2, .smallest = 0.05, .largest = 0.05, .boundary = Boundary::periodic});
   Settings settings = settings_of(broadphase);
-  settings.table = table;
+  settings.table = named<CellTable>(table);
   settings.cell_size = 0.5;
   const Twins worlds(make_cloud(cloud, 3), settings);
   const Wanted all{true, true, true, true, true};
@@ -167,11 +167,11 @@ TEST_CASE("every response moves worlds on CUDA by the bits that it has on the CP
                                Cloud{.count = 80, .dimensions = 2, .smallest = 0.05, .largest = 0.05},
                                Cloud{.count = 120, .smallest = 0.1, .largest = 0.15, .boundary = Boundary::periodic});
   Settings settings = settings_of("sorted-grid", std::string(way.response) == "penalty" ? 0.3 : 0.0);
-  settings.response = way.response;
-  settings.integrator = way.integrator;
-  settings.solver = way.solver;
+  settings.response = named<Response>(way.response);
+  settings.integrator = named<Integrator>(way.integrator);
+  settings.solver = named<Solver>(way.solver);
   settings.is_swept = way.is_swept;
-  settings.precision = precision;
+  settings.precision = named<Precision>(precision);
   settings.max_overlap = settings.max_energy = 1e15;
   settings.keeps_tally = true;
   CAPTURE(way.response, way.integrator, way.solver, way.is_swept, precision, cloud.dimensions);
@@ -193,7 +193,7 @@ TEST_CASE("every response moves worlds on CUDA by the bits that it has on the CP
 
 TEST_CASE("event-driven motion is refused on CUDA, with what is allowed") {
   Settings settings = settings_of("sorted-grid");
-  settings.response = "event-driven";
+  settings.response = Response::event_driven;
   CHECK_THROWS_WITH(cuda_backend().make_world(heap({.count = 10}), settings), Catch::Contains("allowed auto, cpu"));
 }
 

@@ -49,7 +49,7 @@ inline Scene mixed_heap() {
 
 inline Settings event_driven(double dt) {
   Settings settings;
-  settings.response = "event-driven";
+  settings.response = Response::event_driven;
   settings.dt = dt;
   return settings;
 }

@@ -17,14 +17,3 @@ TEST_CASE("exchange hands each value on exactly once, however many threads swap"
   for (int i = head; i != -1; i = next[static_cast<size_t>(i)]) ++length;
   CHECK(length == n);
 }
-
-TEST_CASE("addition hands out each sum exactly once, however many threads add") {
-  CpuExecutor exec(8);
-  const int n = 20000;
-  int sum = 0;
-  std::vector<int> before(n), seen(n, 0);
-  exec.parallel_for("add", n, [&](int i) { before[static_cast<size_t>(i)] = atomic_add(&sum, 1); });
-  for (const int value : before) ++seen.at(static_cast<size_t>(value));
-  CHECK(sum == n);
-  CHECK(std::count(seen.begin(), seen.end(), 1) == n);
-}

@@ -17,7 +17,7 @@ TEST_CASE("parallel_for calls each index once") {
   const int n = GENERATE(0, 1, 511, 512, 513, 100000);
   CpuExecutor exec(threads);
   std::vector<int> calls(static_cast<size_t>(n), 0);
-  exec.parallel_for("count", n, [&](int i) { atomic_add(&calls[static_cast<size_t>(i)], 1); });
+  exec.parallel_for("count", n, [&](int i) { ++std::atomic_ref<int>(calls[static_cast<size_t>(i)]); });
   CHECK(std::count(calls.begin(), calls.end(), 1) == n);
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("parallel_for_blocks calls each block once") {
   const int blocks = GENERATE(0, 1, 2, 7, 300);
   CpuExecutor exec(threads);
   std::vector<int> calls(static_cast<size_t>(blocks), 0);
-  exec.parallel_for_blocks("count", blocks, [&](int64_t b) { atomic_add(&calls[static_cast<size_t>(b)], 1); });
+  exec.parallel_for_blocks("count", blocks, [&](int64_t b) { ++std::atomic_ref<int>(calls[static_cast<size_t>(b)]); });
   CHECK(std::count(calls.begin(), calls.end(), 1) == blocks);
   CHECK(exec.stage_times().stages().at(0).launches == 1);
 }

@@ -148,7 +148,7 @@ TEST_CASE("quick runs leave out all single precision but that of main methods") 
   CHECK(all.size() == contact_methods().size());
   CHECK(quick.size() < all.size());
   for (const ContactMethod* method : quick) {
-    CHECK((method->settings.precision == "double" || is_float_of_main(*method)));
+    CHECK((method->settings.precision == Precision::float64 || is_float_of_main(*method)));
   }
 }
 

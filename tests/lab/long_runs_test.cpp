@@ -60,12 +60,12 @@ TEST_CASE("every response but the kinematic one keeps momentum to rounding") {
   for (const ContactMethod& method : contact_methods()) {
     const LargestDrift drift = drift_in_gas(method.name);
     INFO(method.name << ": momentum " << drift.momentum << ", energy " << drift.energy);
-    if (method.settings.response == "kinematic") {
+    if (method.settings.response == Response::kinematic) {
       CHECK(drift.momentum > 0.01);
     } else if (std::isfinite(drift.momentum)) {
-      CHECK(drift.momentum < (method.settings.precision == "float" ? 1e-5 : 1e-13));
+      CHECK(drift.momentum < (method.settings.precision == Precision::float32 ? 1e-5 : 1e-13));
     } else {
-      CHECK(method.settings.integrator == "explicit-euler");
+      CHECK(method.settings.integrator == Integrator::explicit_euler);
     }
   }
 }

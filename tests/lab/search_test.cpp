@@ -96,7 +96,7 @@ TEST_CASE("intervals overlap as often as expected, on the long side of a box and
     const SphereSet spheres = uniform_spheres(wanted, 5);
     for (const char* axis : {"x", "y", "z"}) {
       Settings settings = search_by("sort-and-sweep");
-      settings.axis = axis;
+      settings.axis = named<SweepAxis>(axis);
       const double length = axis[0] == 'z' ? box_of(wanted).z : box_of(wanted).x;
       INFO("aspect " << aspect << ", axis " << axis);
       CHECK(candidates(settings, spheres) == Approx(expected_interval_overlaps(10'000, length)).epsilon(0.02));

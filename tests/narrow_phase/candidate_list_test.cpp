@@ -26,6 +26,7 @@ struct Started {
     list.moved();
     return list.is_valid(exec, bodies.view(), bodies.box);
   }
+  bool shows_all_inside() { return list.shows_all_inside(exec, bodies.view(), bodies.box); }
 };
 
 Scene cloud(double low = -1.0, double largest = 0.05) {
@@ -100,13 +101,13 @@ TEST_CASE("a list shows that all spheres are inside where no skin reaches out of
   Scene scene = cloud();
   scene.domain.min = {-2, -2, -2};
   scene.domain.max = {2, 2, 2};
-  CHECK(Started<Vec3>(scene).list.shows_all_inside());
+  CHECK(Started<Vec3>(scene).shows_all_inside());
   scene.bodies.position[5].y = 1.996;  // the skin is 0.005
-  CHECK_FALSE(Started<Vec3>(scene).list.shows_all_inside());
+  CHECK_FALSE(Started<Vec3>(scene).shows_all_inside());
   scene.domain.boundary = Boundary::open_top;
-  CHECK(Started<Vec3>(scene).list.shows_all_inside());
+  CHECK(Started<Vec3>(scene).shows_all_inside());
   scene.bodies.position[6].x = -1.996;
-  CHECK_FALSE(Started<Vec3>(scene).list.shows_all_inside());
+  CHECK_FALSE(Started<Vec3>(scene).shows_all_inside());
 }
 
 TEST_CASE("a list is checked once for the same positions") {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a detector counts, and that a candidate list changes what is found in no step.
+// What a collider counts, and that a candidate list changes what is found in no step.
 #include "narrow_phase/collider.h"
-
-#include <numeric>
 
 #include <catch2/catch.hpp>
 
@@ -34,9 +32,11 @@ struct Stirred {
 };
 
 template <class V>
-Detector<V, CpuExecutor> detector(const Way& way, const BodyArrays<V>& bodies) {
+Collider<V, CpuExecutor> collider(const Way& way, const BodyArrays<V>& bodies) {
   const Settings settings = settings_of(way);
-  return {way.broadphase, bodies.parameters(settings), way.skin};
+  Collider<V, CpuExecutor> collider;
+  collider.plan({named<BroadPhase>(way.broadphase), ""}, bodies.parameters(settings), way.skin);
+  return collider;
 }
 
 std::vector<Pair> listed(Span<const Pair> pairs) { return {pairs.begin(), pairs.end()}; }
@@ -46,14 +46,15 @@ template <class V>
 int64_t compare_steps(const Scene& scene, const Way& way, int steps, float dt) {
   Stirred<V> stirred{BodyArrays<V>(scene)};
   CpuExecutor exec(way.threads);
-  auto with = detector(way, stirred.bodies);
+  auto with = collider(way, stirred.bodies);
   Way bare = way;
   bare.skin = 0;
-  auto without = detector(bare, stirred.bodies);
+  auto without = collider(bare, stirred.bodies);
   for (int step = 0; step < steps; ++step) {
     with.moved();
-    with.find(exec, stirred.bodies.view());
-    without.find(exec, stirred.bodies.view());
+    without.moved();
+    with.pairs(exec, stirred.bodies.view());
+    without.pairs(exec, stirred.bodies.view());
     INFO("step " << step);
     REQUIRE(difference(listed(with.pairs()), listed(without.pairs())) == "");
     REQUIRE(exec.download(with.first()) == exec.download(without.first()));
@@ -68,13 +69,13 @@ int64_t compare_steps(const Scene& scene, const Way& way, int steps, float dt) {
                                       : compare_steps<Vec3>(scene, way, steps, dt);
 }
 
-/// The pairs of a detector that look at no search: candidates of the last find().
+/// The pairs of a collider that look at no search: candidates of the last find().
 int64_t candidates_by_hand(const Scene& scene, const Way& way) {
   const BodyArrays<Vec2> bodies(scene);
   CpuExecutor exec(way.threads);
-  auto found = detector(way, bodies);
-  found.find(exec, bodies.view());
-  return found.candidates(exec);
+  auto found = collider(way, bodies);
+  found.pairs(exec, bodies.view());
+  return found.tests(exec);
 }
 
 }  // namespace
@@ -109,16 +110,16 @@ TEST_CASE("spheres too fast for a skin are searched for in every step, and found
 TEST_CASE("a skin that fails at once is tried again after a while") {
   Stirred<Vec3> stirred{BodyArrays<Vec3>(make_cloud({.count = 500, .smallest = 0.07, .largest = 0.07}, 3))};
   CpuExecutor exec(1);
-  auto found = detector({.broadphase = "sorted-grid", .skin = 0.1}, stirred.bodies);
+  auto found = collider({.broadphase = "sorted-grid", .skin = 0.1}, stirred.bodies);
   for (int step = 0; step < 50; ++step) {
     found.moved();
-    found.find(exec, stirred.bodies.view());
+    found.pairs(exec, stirred.bodies.view());
     stirred.step(0.05f);
   }
   CHECK(found.searches() == 50);
   for (int step = 0; step < 100; ++step) {  // all at rest
     found.moved();
-    found.find(exec, stirred.bodies.view());
+    found.pairs(exec, stirred.bodies.view());
   }
   CHECK(found.searches() < 100);
 }
@@ -131,18 +132,18 @@ TEST_CASE("a fast sphere expires the list, and is found where it went") {
   BodyArrays<Vec3> bodies(scene);
   for (const char* const method : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid"}) {
     CpuExecutor exec(1);
-    auto found = detector({.broadphase = method, .skin = 0.1}, bodies);
+    auto found = collider({.broadphase = method, .skin = 0.1}, bodies);
     const Vec3 start = bodies.position[20];
     for (int k = 0; k < 5; ++k) {
       found.moved();
-      found.find(exec, bodies.view());
+      found.pairs(exec, bodies.view());
       CHECK(found.pairs().empty());
       bodies.position[20].x += 0.003f;
     }
     CHECK(found.searches() == 1);
     bodies.position[20] = bodies.position[4] + Vec3(0.0f, 0.3f, 0.0f);
     found.moved();
-    found.find(exec, bodies.view());
+    found.pairs(exec, bodies.view());
     CHECK(found.searches() == 2);
     CHECK(listed(found.pairs()) == std::vector<Pair>{{4, 20}});
     bodies.position[20] = start;
@@ -153,12 +154,12 @@ TEST_CASE("a discarded list is made anew, for bodies that are others now") {
   Scene scene = make_cloud({.count = 300, .smallest = 0.07, .largest = 0.07}, 3);
   BodyArrays<Vec3> bodies(scene);
   CpuExecutor exec(1);
-  auto found = detector({.broadphase = "sorted-grid", .skin = 0.1}, bodies);
-  found.find(exec, bodies.view());
+  auto found = collider({.broadphase = "sorted-grid", .skin = 0.1}, bodies);
+  found.pairs(exec, bodies.view());
   std::reverse(bodies.position.begin(), bodies.position.end());
   std::reverse(scene.bodies.position.begin(), scene.bodies.position.end());
   found.discard();
-  found.find(exec, bodies.view());
+  found.pairs(exec, bodies.view());
   CHECK(found.searches() == 2);
   CHECK(difference(listed(found.pairs()), pairs_by_definition(scene)) == "");
 }
@@ -186,40 +187,13 @@ TEST_CASE("candidates of each method on four spheres are those counted by hand")
   CHECK(candidates_by_hand(scene, {.broadphase = "linked-cell", .skin = 0.1}) == 1);
 }
 
-TEST_CASE("what threads walk adds up to the candidates, but for the sweep") {
-  for (const Input& input : inputs()) {
-    const Scene scene = input.make(51);
-    const auto check = [&]<class V>(const BodyArrays<V>& bodies) {
-      for (const Way& way : ways(kDimensions<V>)) {
-        if (way.broadphase == "sort-and-sweep" || way.broadphase == "auto") continue;
-        CpuExecutor exec(way.threads);
-        auto found = detector(way, bodies);
-        found.find(exec, bodies.view());
-        const std::vector<int> work = found.work_per_thread(exec);
-        INFO(input.name << ", " << way);
-        REQUIRE(work.size() == bodies.position.size());
-        REQUIRE(std::accumulate(work.begin(), work.end(), int64_t{0}) == found.candidates(exec));
-      }
-    };
-    scene.domain.dimensions == 2 ? check(BodyArrays<Vec2>(scene)) : check(BodyArrays<Vec3>(scene));
-  }
-}
-
-TEST_CASE("brute force walks one body less from thread to thread") {
-  const BodyArrays<Vec3> bodies(make_cloud({.count = 5}, 1));
-  CpuExecutor exec(1);
-  auto found = detector({.broadphase = "brute-force"}, bodies);
-  found.find(exec, bodies.view());
-  CHECK(found.work_per_thread(exec) == std::vector<int>{4, 3, 2, 1, 0});
-}
-
-TEST_CASE("a detector tells what memory it holds") {
+TEST_CASE("a collider tells what memory it holds") {
   const BodyArrays<Vec3> bodies(make_cloud({.count = 1000}, 1));
   for (const char* const method : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid"}) {
     for (const double skin : {0.0, 0.2}) {
       CpuExecutor exec(1);
-      auto found = detector({.broadphase = method, .skin = skin}, bodies);
-      found.find(exec, bodies.view());
+      auto found = collider({.broadphase = method, .skin = skin}, bodies);
+      found.pairs(exec, bodies.view());
       CHECK(found.bytes() > 8 * 1000);
       CHECK(found.bytes() < 1000 * 1000);
     }

@@ -88,7 +88,7 @@ TEST_CASE("contacts do not depend on the number of threads", "[slow]") {
   const Scene scene = make_cloud(cloud, 9);
   const std::vector<Pair> expected = pairs_by_definition(scene);
   REQUIRE(expected.size() > 1000);
-  for (const std::string_view method : method_names(Family::broadphase)) {
+  for (const std::string_view method : kNames<BroadPhase>) {
     for (const int threads : {1, 2, 8}) {
       INFO(method << ", threads " << threads);
       for (int repeat = 0; repeat < 2; ++repeat) {
@@ -161,7 +161,7 @@ TEST_CASE("cells of c diameters find 1 − 3(1 − c)²/(2c) of touching pairs, 
     const double error = std::sqrt(row.recall * (1 - row.recall) / 20000);
     for (const char* const method : {"linked-cell", "sorted-grid"}) {
       Settings settings = settings_of({.broadphase = method, .cell_size = row.c});
-      settings.precision = "double";
+      settings.precision = Precision::float64;
       const double found = double(make_cpu_world(scene, settings)->report().contacts) / 20000;
       INFO(method << ", c = " << row.c << ": " << found << " ± " << error << " for " << row.recall);
       CHECK(std::fabs(found - row.recall) < 3 * error);
@@ -248,7 +248,7 @@ TEST_CASE("spheres that touch exactly are found at any height above an open top"
 
 TEST_CASE("a few spheres in a vast domain need little memory and are found") {
   for (const Boundary boundary : {Boundary::walls, Boundary::open_top, Boundary::periodic}) {
-    for (const std::string_view method : method_names(Family::broadphase)) {
+    for (const std::string_view method : kNames<BroadPhase>) {
       INFO(method << ", boundary " << static_cast<int>(boundary));
       Scene scene;
       scene.domain.max = Vec3d(1000.0);

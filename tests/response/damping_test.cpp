@@ -9,7 +9,8 @@
 using namespace ballpit;
 
 TEST_CASE("a contact damped by a tenth has the restitution of the closed form, by either end") {
-  // exp(−πζ/√(1−ζ²)), and exp(−2ζ·acos ζ/√(1−ζ²)) (Schwager and Pöschel 2007); digits verified by independent experiment.
+  // exp(−πζ/√(1−ζ²)), and exp(−2ζ·acos ζ/√(1−ζ²)) (Schwager and Pöschel 2007); digits verified by independent
+  // experiment.
   CHECK(restitution_to_overlap_end(0.1) == Approx(0.729248).margin(5e-7));
   CHECK(restitution_to_force_end(0.1) == Approx(0.744079).margin(5e-7));
   CHECK(restitution_to_overlap_end(0.6) == Approx(0.0948).margin(5e-5));
@@ -26,7 +27,7 @@ TEST_CASE("damping and restitution are each other's inverse") {
 }
 
 TEST_CASE("restitution 0 is damped as the least that springs can have") {
-  CHECK(damping_of(0.0, false) == damping_of(kLeastRestitution, false));
+  CHECK(damping_of(0.0, false) == damping_of(kMinRestitution, false));
   CHECK(std::isfinite(damping_of(0.0, true)));
 }
 

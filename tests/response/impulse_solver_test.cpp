@@ -26,8 +26,8 @@ Scene stack(const std::vector<double>& masses) {
 /// The largest speed left after one step of so many iterations, as a fraction of gravity's kick.
 double residual(const Scene& scene, const std::string& solver, int iterations) {
   Settings settings = settings_of("impulse", 0.01);
-  settings.solver = solver;
-  settings.correction = "none";
+  settings.solver = named<Solver>(solver);
+  settings.correction = Correction::none;
   settings.iterations = iterations;
   const auto world = make_cpu_world(scene, settings);
   world->step();
@@ -81,7 +81,7 @@ TEST_CASE("a dense elastic gas gains no energy by iterations, and keeps it where
   const Scene gas = make_lattice_gas(4, 0.5, 1);
   const auto kept = [&](const std::string& solver, int iterations) {
     Settings settings = settings_of("impulse", 0.02);  // a seventh of the time between a sphere's collisions
-    settings.solver = solver;
+    settings.solver = named<Solver>(solver);
     settings.iterations = iterations;
     const auto world = make_cpu_world(gas, settings);
     const double start = world->report().kinetic_energy;
@@ -107,7 +107,7 @@ TEST_CASE(
     add_sphere(scene, {width / 2, -0.5, width / 2}, Vec3d(0), 0.5);
     for (const char* const correction : {"none", "split", "surface"}) {
       Settings settings = settings_of("impulse", dt);
-      settings.correction = correction;
+      settings.correction = named<Correction>(correction);
       const auto world = make_cpu_world(scene, settings);
       step_until(*world, 10);
       const double sunk = -1.5 - world->bodies().position[0].y;
@@ -128,7 +128,7 @@ TEST_CASE("pushing a ball back to the surface gains about g·v·dt/2 in its firs
     scene.physics.gravity = {0, -g, 0};
     add_sphere(scene, {0, -4.9 + h + (k + 0.5) / kPhases * v * dt, 0}, Vec3d(0), 0.1);
     Settings settings = settings_of("impulse", dt);
-    settings.correction = "surface";
+    settings.correction = Correction::surface;
     const auto world = make_cpu_world(scene, settings);
     const auto energy = [&] {  // E − m·g·dt·v/2 is what symplectic Euler keeps in free fall
       const Report report = world->report();

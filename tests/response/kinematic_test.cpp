@@ -80,7 +80,7 @@ TEST_CASE("kinematic balls at rest on the floor, on each other and beside a wall
       add_sphere(scene, {0, 0.5 + 1e-9, 0}, Vec3d(0), 0.1);
       add_sphere(scene, {9.9, 0.1, 9.9}, Vec3d(0), 0.1);
       Settings settings = settings_of("kinematic", 1.0 / 240);
-      settings.precision = precision;
+      settings.precision = named<Precision>(precision);
       settings.is_swept = is_swept;
       const auto world = make_cpu_world(scene, settings);
       const double before = energy(*world);

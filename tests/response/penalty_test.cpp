@@ -19,7 +19,7 @@ Hit run_hit(Scene scene, double speed, const std::string& contact_end, double dt
   const double gap = (2 + phase) * speed * dt;
   scene.bodies.position = head_on(speed, gap).bodies.position;
   Settings settings = settings_of("penalty", dt, "rk4");
-  settings.contact_end = contact_end;
+  settings.contact_end = named<ContactEnd>(contact_end);
   const auto world = make_cpu_world(scene, settings);
   double largest = 0, begin = -1, end = -1, last = -gap;
   while (end < 0) {

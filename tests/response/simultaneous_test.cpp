@@ -16,7 +16,7 @@ Settings method(const std::string& response, double dt, bool is_swept = false, c
                 int iterations = 4) {
   Settings settings = settings_of(response, dt);
   settings.is_swept = is_swept;
-  settings.solver = solver;
+  settings.solver = named<Solver>(solver);
   if (response == "impulse") settings.iterations = iterations;
   return settings;
 }
@@ -60,7 +60,7 @@ TEST_CASE("a ball that runs into an edge or a corner keeps e of its speed along 
       add_sphere(scene, Vec3d(0), way, 0.5);
       const auto world = make_cpu_world(scene, settings);
       step_until(*world, 2);
-      INFO(settings.response << ", swept " << settings.is_swept << ", " << settings.solver);
+      INFO(name_of(settings.response) << ", swept " << settings.is_swept << ", " << name_of(settings.solver));
       CHECK(length(world->bodies().velocity[0] + 0.8 * way) < 1e-3);
     }
   }
@@ -100,7 +100,7 @@ TEST_CASE("a break is symmetric, whatever the order of the balls, where all impa
         Row{method("impulse", 1e-2, true, "gauss-seidel"), -0.2, 0.6, 0.3464, -0.08, 0.54},
         Row{method("kinematic", 1e-3), -1, 0, 0, -0.8, 0}, Row{method("kinematic", 1e-2, true), -1, 0, 0, -0.8, 0},
         Row{method("penalty", 1e-5), -0.1994, 0.5997, 0.3471, -0.0671, 0.5336}}) {
-    INFO(row.settings.response << ", swept " << row.settings.is_swept << ", " << row.settings.solver);
+    INFO(name_of(row.settings.response) << ", swept " << row.settings.is_swept << ", " << name_of(row.settings.solver));
     // A normal that is met 1 mm late is turned by about as much; the last digits are those of the order.
     for (const std::vector<size_t>& order : kOrders) {
       const std::vector<Vec3d> v = after(kBreak, order, 1, row.settings),
@@ -120,7 +120,7 @@ TEST_CASE("one after another, a break depends on the order of the two balls alon
   for (const Settings& settings : {method("event-driven", 1e-2), method("position-based", 1e-3)}) {
     const std::vector<Vec3d> first = after(kBreak, {0, 1, 2}, 1, settings),
                              second = after(kBreak, {0, 2, 1}, 1, settings);
-    INFO(settings.response);
+    INFO(name_of(settings.response));
     CHECK(std::fabs(first[0].y) > 0.05);
     for (const auto& [a, b] : {std::pair{0, 0}, {1, 2}, {2, 1}}) {
       CHECK(length(first[size_t(a)] - Vec3d(1, -1, 1) * second[size_t(b)]) < 1e-9);
@@ -145,7 +145,7 @@ TEST_CASE("a ball that two strike at once stays at rest, and they return alike",
         Row{method("impulse", 1e-3, false, "gauss-seidel", 32), 1, 0.8, 1e-6},
         Row{method("kinematic", 1e-3), 1, 0.8, 1e-9}, Row{method("kinematic", 1e-2, true), 1, 0.8, 1e-9},
         Row{method("penalty", 1e-5), 1, 0.8541, 1e-9}, Row{method("event-driven", 1e-2), 1, 0.95, 0.1}}) {
-    INFO(row.settings.response << ", swept " << row.settings.is_swept << ", " << row.settings.solver);
+    INFO(name_of(row.settings.response) << ", swept " << row.settings.is_swept << ", " << name_of(row.settings.solver));
     for (const std::vector<size_t>& order : kOrders) {
       const std::vector<Vec3d> v = after(kBetween, order, 1, row.settings),
                                lossy = after(kBetween, order, 0.8, row.settings);

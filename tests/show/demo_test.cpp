@@ -107,7 +107,7 @@ TEST_CASE("options that do not go with another response are dropped, not refused
   demo.set("iterations", "8");
   demo.set("response", "penalty");
   CHECK(demo.message().empty());
-  CHECK(demo.session.settings().response == "penalty");
+  CHECK(demo.session.settings().response == Response::penalty);
   CHECK_FALSE(demo.session.settings().iterations.has_value());
 }
 
@@ -170,7 +170,7 @@ TEST_CASE("each key is one key, and names a method or an overlay that there is")
   std::set<int> codes;
   for (const Key& key : key_table()) {
     CHECK(codes.insert(key.code).second);
-    if (key.action == Action::use_method) CHECK_NOTHROW(find_method(Family::broadphase, key.argument));
+    if (key.action == Action::use_method) CHECK_NOTHROW(named<BroadPhase>(key.argument));
     const auto is_named = [&](const OverlayEntry& overlay) { return overlay.name == key.argument; };
     const auto& overlays = overlay_table();
     CHECK((key.action != Action::toggle_overlay || std::any_of(overlays.begin(), overlays.end(), is_named)));

@@ -15,9 +15,9 @@ TEST_CASE("by every response, in both precisions, what was is there again to the
         const Boundary boundary = turn / 2 % 2 == 0 ? Boundary::walls : Boundary::periodic;
         const Scene scene = crowd(dimensions, dimensions == 2 ? 8 : 4, kind, boundary);
         Settings settings = settings_of(kind, turn++);
-        settings.precision = precision;
+        settings.precision = named<Precision>(precision);
         settings.skin = skin;
-        INFO(kind << ", " << precision << ", skin " << skin << ", " << settings.broadphase);
+        INFO(kind << ", " << precision << ", skin " << skin << ", " << name_of(settings.broadphase));
         for (const int64_t budget : {Timeline::kBudget, int64_t(0)}) {  // each step is kept, or none but the first
           Run run(scene, settings, budget);
           run.first_time(40);
@@ -36,12 +36,12 @@ TEST_CASE("so many spheres that they are sorted in memory are there again in the
     const Scene scene = crowd(2, 65, kind);
     REQUIRE(scene.bodies.size() >= 4096);
     Settings settings = settings_of(kind, turn);
-    settings.broadphase = "sorted-grid";
-    settings.precision = turn % 2 == 0 ? "float" : "double";
+    settings.broadphase = BroadPhase::sorted_grid;
+    settings.precision = named<Precision>(turn % 2 == 0 ? "float" : "double");
     settings.skin = turn++ % 3 * 0.05;
     Run run(scene, settings, turn % 2 == 0 ? Timeline::kBudget : 2'000'000);
     run.first_time(72, {0, 1, 40, 60, 64, 65, 70, 72});
-    INFO(kind << ", " << settings.precision << ", bytes " << run.timeline.bytes());
+    INFO(kind << ", " << name_of(settings.precision) << ", bytes " << run.timeline.bytes());
     for (const int64_t step : {70, 58, 63, 39, 0}) run.check_from(step, step == 58 ? 14 : 2);
   }
 }

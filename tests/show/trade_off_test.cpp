@@ -102,7 +102,7 @@ TEST_CASE("a demonstration tries what it plays, and goes back to it") {
     CHECK(trial.overlap > 0);
   }
   demo.return_to(demo.trade_off.trials()[1]);
-  CHECK(demo.session.settings().response == "penalty");
+  CHECK(demo.session.settings().response == Response::penalty);
   CHECK(demo.session.settings().substeps == 10);  // the scene's
   CHECK(demo.trade_off.current() == 1);
   demo.load("cradle");

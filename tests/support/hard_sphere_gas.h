@@ -39,7 +39,7 @@ inline Scene make_lattice_gas(int cells, double rho, uint64_t seed) {
 /// Settings of exact motion.
 inline Settings event_driven_gas(double dt) {
   Settings settings;
-  settings.response = "event-driven";
+  settings.response = Response::event_driven;
   settings.dt = dt;
   settings.contact_duration = 0;
   return settings;

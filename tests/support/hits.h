@@ -22,10 +22,10 @@ inline Scene wide_box(double half = 50.0) {
 
 inline Settings settings_of(const std::string& response, double dt, const std::string& integrator = "auto") {
   Settings settings;
-  settings.response = response;
-  settings.integrator = integrator;
-  settings.precision = "double";
-  settings.broadphase = "brute-force";
+  settings.response = named<Response>(response);
+  settings.integrator = named<Integrator>(integrator);
+  settings.precision = Precision::float64;
+  settings.broadphase = BroadPhase::brute_force;
   settings.dt = dt;
   settings.threads = 1;
   return settings;

@@ -150,9 +150,9 @@ std::vector<Way> ways_with_cell_sizes() {
 
 Settings settings_of(const Way& way) {
   Settings settings;
-  settings.broadphase = way.broadphase;
-  settings.table = way.table;
-  settings.axis = way.axis;
+  settings.broadphase = named<BroadPhase>(way.broadphase);
+  settings.table = named<CellTable>(way.table);
+  settings.axis = named<SweepAxis>(way.axis);
   settings.threads = way.threads;
   settings.skin = way.skin;
   if (way.cell_size > 0) settings.cell_size = way.cell_size;

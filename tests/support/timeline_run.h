@@ -52,9 +52,9 @@ inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
 inline Settings settings_of(const Kind& kind, int turn = 0) {
   constexpr const char* kBroadPhases[] = {"linked-cell", "sort-and-sweep", "sorted-grid", "brute-force", "auto"};
   Settings settings = settings_of(kind.response, 1.0 / 480, kind.integrator);
-  settings.solver = kind.solver;
+  settings.solver = named<Solver>(kind.solver);
   settings.is_swept = kind.is_swept;
-  settings.broadphase = kBroadPhases[turn % 5];
+  settings.broadphase = named<BroadPhase>(kBroadPhases[turn % 5]);
   settings.threads = 1 + turn % 2;
   settings.max_energy = 1e15;  // explicit Euler gains it
   settings.keeps_tally = true;

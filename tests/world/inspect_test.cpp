@@ -246,7 +246,7 @@ TEST_CASE("each sphere begins and ends once in the sorted list, a radius before 
       for (const char* const precision : {"float", "double"}) {
         INFO("axis " << axis << ", dimensions " << cloud.dimensions << ", " << precision);
         Settings settings = settings_of({.broadphase = "sort-and-sweep", .axis = axis, .threads = 2});
-        settings.precision = precision;
+        settings.precision = named<Precision>(precision);
         const Inspection seen = make_cpu_world(scene, settings)->inspect(kAll);
         if (axis != std::string("auto")) CHECK(seen.axis == axis[0] - 'x');
         check_endpoints(seen);
@@ -316,7 +316,7 @@ TEST_CASE("looking at all that may be wanted changes neither the motion nor a co
         way.skin = skin;
         INFO(way << ", " << response);
         Settings settings = settings_of(way);
-        settings.response = response;
+        settings.response = named<Response>(response);
         const Scene scene = heap();
         const auto watched = make_cpu_world(scene, settings), glanced_at = make_cpu_world(scene, settings),
                    alone = make_cpu_world(scene, settings);
@@ -391,7 +391,7 @@ TEST_CASE("worlds that sorted their bodies show candidates, missed pairs and end
 
 TEST_CASE("event-driven: candidates are the pairs in neighbouring cells, each once") {
   Settings settings;
-  settings.response = "event-driven";
+  settings.response = Response::event_driven;
   for (const Boundary boundary : {Boundary::walls, Boundary::periodic}) {
     for (const int dimensions : {2, 3}) {
       // Across a periodic domain of two cells, spheres are neighbours by several images.

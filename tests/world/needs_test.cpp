@@ -37,7 +37,7 @@ Scene spheres(int dimensions, Boundary boundary = Boundary::walls, double last_r
 std::unique_ptr<World> world_after(const Scene& scene, const std::string& response, int steps,
                                    const std::string& integrator = "auto", const std::string& precision = "float") {
   Settings settings = settings_of(response, 1.0 / 1000, integrator);
-  settings.precision = precision;
+  settings.precision = named<Precision>(precision);
   auto world = make_cpu_world(scene, settings);
   for (int k = 0; k < steps; ++k) world->step();
   return world;

@@ -17,7 +17,7 @@ namespace {
 
 std::vector<Pair> contacts_in(const std::string& precision, const Scene& scene, const Way& way) {
   Settings settings = settings_of(way);
-  settings.precision = precision;
+  settings.precision = named<Precision>(precision);
   return make_cpu_world(scene, settings)->inspect().contacts;
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("far from the origin a slow sphere stands still in float and moves in 
   for (const char* const response : {"kinematic", "impulse", "penalty", "position-based"}) {
     for (const char* const precision : {"float", "double"}) {
       Settings settings = settings_of(response, 1.0 / 60);
-      settings.precision = precision;
+      settings.precision = named<Precision>(precision);
       const auto world = make_cpu_world(far_out(), settings);
       for (int k = 0; k < 60; ++k) world->step();
       INFO(response << ", " << precision);
@@ -200,7 +200,7 @@ TEST_CASE("far from the origin float moves what goes more than half the distance
   Scene scene = far_out();
   scene.bodies.velocity[0].x = 0.24;  // 4.0 mm a step, more than 3.9
   Settings settings = settings_of("impulse", 1.0 / 60);
-  settings.precision = "float";
+  settings.precision = Precision::float32;
   const auto world = make_cpu_world(scene, settings);
   for (int k = 0; k < 60; ++k) world->step();
   CHECK(world->bodies().position[0].x - 65536 == Approx(60 / 128.0));  // twice as fast as it should

@@ -45,7 +45,7 @@ uint64_t hash_after(const Scene& scene, int steps, const Way& way) {
 /// Every broad phase, with and without a skin, on this number of threads.
 std::vector<Way> ways_on(int threads) {
   std::vector<Way> list;
-  for (const std::string_view method : method_names(Family::broadphase)) {
+  for (const std::string_view method : kNames<BroadPhase>) {
     for (const double skin : {0.0, 0.1})
       list.push_back({.broadphase = std::string(method), .threads = threads, .skin = skin});
   }
@@ -75,11 +75,11 @@ struct Kind {
 
   Settings settings(const Way& way = {}) const {
     Settings settings = settings_of(way);
-    settings.response = response;
-    settings.integrator = integrator;
-    settings.solver = solver;
+    settings.response = named<Response>(response);
+    settings.integrator = named<Integrator>(integrator);
+    settings.solver = named<Solver>(solver);
     settings.is_swept = is_swept;
-    settings.precision = precision;
+    settings.precision = named<Precision>(precision);
     settings.dt = 1.0 / 480;
     settings.max_energy = 1e15;  // explicit Euler gains it
     return settings;
@@ -315,13 +315,13 @@ TEST_CASE("a change of the broad phase that cannot be leaves the world as it was
   add_sphere(scene, Vec3d(500.0), Vec3d(1.0), 0.05, 1.0);
   add_sphere(scene, Vec3d(500.09, 500, 500), Vec3d(0.0), 0.05, 1.0);
   Settings too_fine;  // far more cells than can be numbered
-  too_fine.broadphase = "linked-cell";
-  too_fine.table = "dense";
+  too_fine.broadphase = BroadPhase::linked_cell;
+  too_fine.table = CellTable::dense;
   too_fine.cell_size = 0.05;
   for (const char* const method : {"brute-force", "linked-cell", "sorted-grid"}) {
     Settings settings;
-    settings.broadphase = method;
-    settings.table = "hashed";
+    settings.broadphase = named<BroadPhase>(method);
+    settings.table = CellTable::hashed;
     const auto world = world_after(scene, 3, settings), twin = world_after(scene, 4, settings);
     CHECK_THROWS_AS(world->detect_by(too_fine), UserError);
     world->step();

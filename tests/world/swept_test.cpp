@@ -12,7 +12,7 @@ namespace {
 Settings swept(double dt, const std::string& broadphase = "brute-force") {
   Settings settings = settings_of("impulse", dt);
   settings.is_swept = true;
-  settings.broadphase = broadphase;
+  settings.broadphase = named<BroadPhase>(broadphase);
   return settings;
 }
 
@@ -71,9 +71,9 @@ TEST_CASE("a swept elastic ball has its energy after 1 000 bounces, as one that 
   const double seconds = 1000 * 2 * std::sqrt(2 * 0.2 / 9.81);
   const auto mean_energy = [&](bool is_swept, const std::string& precision) {
     Settings settings = swept(dt);
-    settings.response = response;
+    settings.response = named<Response>(response);
     settings.is_swept = is_swept;
-    settings.precision = precision;
+    settings.precision = named<Precision>(precision);
     const auto world = make_cpu_world(dropped(1), settings);
     step_until(*world, seconds);
     double sum = 0;  // symplectic Euler's energy goes up and down by g·v·dt/2 in each bounce
@@ -98,7 +98,7 @@ TEST_CASE("a swept elastic ball keeps its energy on a heavy one that lies on the
     Scene scene = dropped_on_heavy(1);
     scene.domain.dimensions = dimensions;
     Settings settings = swept(dt);
-    settings.response = response;
+    settings.response = named<Response>(response);
     const auto world = make_cpu_world(scene, settings);
     const auto energy_above_rest = [&] {
       const Bodies b = world->bodies();
@@ -131,7 +131,7 @@ TEST_CASE("a swept ball rises to e²ⁿ of its height, off the floor and off a h
   const std::string response = GENERATE("impulse", "kinematic");
   for (const bool is_on_heavy : {false, true}) {
     Settings settings = swept(dt);
-    settings.response = response;
+    settings.response = named<Response>(response);
     const auto world = make_cpu_world(is_on_heavy ? dropped_on_heavy(e) : dropped(e), settings);
     const double rest = is_on_heavy ? 0.65 : 0.05;
     double t = std::sqrt(2 * 0.2 / 9.81), speed = 9.81 * t;
@@ -153,7 +153,7 @@ TEST_CASE("swept steps that hold several impacts with walls lose no energy and n
   add_sphere(scene, {0.12, 0.2, 0}, {7, 9, -11}, 0.2);  // 0.6 m to fly
   const auto run = [&](const std::string& response, double dt) {
     Settings settings = swept(dt);
-    settings.response = response;
+    settings.response = named<Response>(response);
     auto world = make_cpu_world(scene, settings);
     step_until(*world, 2 - dt / 2);
     return world;
@@ -175,7 +175,7 @@ TEST_CASE("a floor carries the weight of swept balls that bounce, rest and are s
   scene.bodies.mass[1] = 10;
   for (const char* const response : {"impulse", "kinematic"}) {
     Settings settings = swept(1.0 / 240);
-    settings.response = response;
+    settings.response = named<Response>(response);
     settings.keeps_tally = true;
     scene.bodies.position[0] = {0.7, 0.25, 0};  // both on the floor: kinematic spheres carry nothing
     const auto world = make_cpu_world(scene, settings);
@@ -261,7 +261,7 @@ TEST_CASE("swept contacts are the same for every broad phase and number of threa
   for (Vec3d& p : scene.bodies.position) p = glm::clamp(p, Vec3d(-0.9), Vec3d(0.9));
   const auto hash = [&](const std::string& broadphase, int threads) {
     Settings settings = swept(0.02, broadphase);
-    settings.precision = "float";
+    settings.precision = Precision::float32;
     settings.threads = threads;
     const auto world = make_cpu_world(scene, settings);
     for (int k = 0; k < 20; ++k) world->step();

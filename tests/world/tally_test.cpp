@@ -23,7 +23,7 @@ TEST_CASE("a head-on hit is one collision, and its virial the impulse times the 
   Scene scene = head_on(1.0, 0.05);
   scene.physics.stiffness = 1e6;
   Settings settings = tallied(response, 2e-5);
-  settings.solver = solver;
+  settings.solver = named<Solver>(solver);
   const auto world = make_cpu_world(scene, settings);
   step_until(*world, 0.2);
   const Tally tally = world->report().tally;
@@ -47,7 +47,7 @@ TEST_CASE("spheres under gravity give the floor N·m·g in the mean, by every re
     add_sphere(scene, Vec3d(0.2) + 0.3 * Vec3d(k % 3, k / 3 % 3, k / 9), {0.1 * (k % 5), 0, 0.1 * (k % 7)}, 0.1, 0.5);
   }
   Settings settings = tallied(response, 2e-4);
-  settings.solver = solver;
+  settings.solver = named<Solver>(solver);
   const auto world = make_cpu_world(scene, settings);
   step_until(*world, 2);
   const Report report = world->report();

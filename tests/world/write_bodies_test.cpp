@@ -53,7 +53,7 @@ TEST_CASE("the bodies that a world writes are those that it shows") {
                                Cloud{.count = 100, .dimensions = 2, .smallest = 0.05, .largest = 0.05});
   const std::string precision = GENERATE("float", "double");
   Settings settings;
-  settings.precision = precision;
+  settings.precision = named<Precision>(precision);
   const auto world = cpu_backend().make_world(make_cloud(cloud, 5), settings);
   CAPTURE(cloud.dimensions, cloud.largest, precision);
   CHECK(check_written(*world) > 10);
@@ -66,7 +66,7 @@ TEST_CASE("the bodies that a world writes are those that it shows") {
 
 TEST_CASE("bodies that are sorted in memory are written in the order of their ids") {
   Settings settings;
-  settings.broadphase = "sorted-grid";
+  settings.broadphase = BroadPhase::sorted_grid;
   settings.threads = 2;
   const auto world =
       cpu_backend().make_world(make_cloud({.count = 5000, .smallest = 0.02, .largest = 0.04}, 5), settings);
@@ -76,7 +76,7 @@ TEST_CASE("bodies that are sorted in memory are written in the order of their id
 
 TEST_CASE("event-driven motion writes its bodies as well") {
   Settings settings;
-  settings.response = "event-driven";
+  settings.response = Response::event_driven;
   const auto world = cpu_backend().make_world(load_scene("cradle", {}), settings);
   CHECK(check_written(*world) > 1);
 }

@@ -58,7 +58,7 @@ Trial mean_of_spring_hits(const SpringHit& hit, const Settings& settings, int ph
   });
 }
 
-bool is_of_springs(const ContactMethod& method) { return method.settings.response == "penalty"; }
+bool is_of_springs(const ContactMethod& method) { return method.settings.response == Response::penalty; }
 
 Task springs_of(const SpringHit& hit, const std::string& name, const std::string& title, const std::string& truth) {
   constexpr int kPhases = 32;
@@ -175,7 +175,7 @@ double restitution_error(const std::string& integrator, const std::string& preci
                          double restitution, double steps, int phases) {
   const SpringHit hit = spring_hit(law, restitution);
   Settings settings = settings_of("penalty", hit.duration / steps, integrator);
-  settings.precision = precision;
+  settings.precision = named<Precision>(precision);
   return mean_of_spring_hits(hit, settings, phases).off;
 }
 

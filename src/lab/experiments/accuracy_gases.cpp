@@ -100,7 +100,7 @@ Trial run_paths(Scene scene, double time, const ContactMethod& method, double dt
   return {*middle, run.seconds()};
 }
 
-bool is_not_the_truth(const ContactMethod& method) { return method.settings.response != "event-driven"; }
+bool is_not_the_truth(const ContactMethod& method) { return method.settings.response != Response::event_driven; }
 
 Task paths_task(double rho, const std::string& name, const std::string& title) {
   constexpr double kCollisions = 2;  // of each sphere; errors grow by e^0.8 to e^2.5 in each

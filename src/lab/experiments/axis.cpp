@@ -39,7 +39,7 @@ int64_t swept_count(bool is_quick) { return is_quick ? 10'000 : 30'000; }
 
 double candidates_along(const std::string& axis, const UniformSpheres& spheres, uint64_t seed) {
   Settings settings = search_by("sort-and-sweep");
-  settings.axis = axis;
+  settings.axis = named<SweepAxis>(axis);
   const std::unique_ptr<PairSearch> search = cpu_backend().make_pair_search(settings);
   const SphereSet set = uniform_spheres(spheres, seed);
   search->find(set.arrays());

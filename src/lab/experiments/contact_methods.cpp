@@ -35,10 +35,10 @@ struct Variant {
   void (*apply)(Settings&);
 };
 
-std::vector<Variant> variants_of(std::string_view response) {
+std::vector<Variant> variants_of(Response response) {
   std::vector<Variant> variants{{"", [](Settings&) {}}};
   if (goes_with(response, "solver", "gauss-seidel")) {
-    variants.push_back({"gauss-seidel", [](Settings& settings) { settings.solver = "gauss-seidel"; }});
+    variants.push_back({"gauss-seidel", [](Settings& settings) { settings.solver = Solver::gauss_seidel; }});
   }
   if (goes_with(response, "swept", "on")) {
     variants.push_back({"swept", [](Settings& settings) { settings.is_swept = true; }});
@@ -48,40 +48,41 @@ std::vector<Variant> variants_of(std::string_view response) {
 
 /// "penalty, rk4, float": what differs among those of the response.
 std::string name_of(const Settings& settings, const Variant& variant, bool has_integrators) {
-  std::string name = settings.response;
-  if (has_integrators) name += ", " + settings.integrator;
+  std::string name(name_of(settings.response));
+  if (has_integrators) name.append(", ").append(name_of(settings.integrator));
   if (!variant.words.empty()) name += ", " + variant.words;
-  if (settings.precision == "float") name += ", float";
+  if (settings.precision == Precision::float32) name += ", float";
   return name;
 }
 
 /// The response's own integrator and solver go by its name, the others by what they have instead.
 std::string label_of(const Settings& settings, const Variant& variant, bool is_own) {
   if (!variant.words.empty()) return "+ " + variant.words;
-  return is_own ? settings.response : "+ " + settings.integrator;
+  return is_own ? std::string(name_of(settings.response)) : "+ " + std::string(name_of(settings.integrator));
 }
 
-void add_methods(std::string_view response, std::vector<ContactMethod>& list) {
-  std::vector<std::string> integrators, precisions;
-  for (const std::string_view name : method_names(Family::integrator)) {
-    if (name != "auto" && goes_with(response, "integrator", name)) integrators.emplace_back(name);
+void add_methods(Response response, std::vector<ContactMethod>& list) {
+  std::vector<Integrator> integrators;
+  std::vector<Precision> precisions;
+  for (const std::string_view name : kNames<Integrator>) {
+    if (name != "auto" && goes_with(response, "integrator", name)) integrators.push_back(named<Integrator>(name));
   }
-  for (const std::string_view name : method_names(Family::precision)) {
-    if (goes_with(response, "precision", name)) precisions.emplace_back(name);
+  for (const std::string_view name : kNames<Precision>) {
+    if (goes_with(response, "precision", name)) precisions.push_back(named<Precision>(name));
   }
-  Settings own = settings_of(std::string(response), 0);
+  Settings own = settings_of(std::string(name_of(response)), 0);
   own.integrator = integrator_of(own);
-  for (const std::string& integrator : integrators) {
+  for (const Integrator integrator : integrators) {
     for (const Variant& variant : variants_of(response)) {
-      for (const std::string& precision : precisions) {
+      for (const Precision precision : precisions) {
         Settings settings = own;
         settings.integrator = integrator;
         settings.precision = precision;
         variant.apply(settings);
         const bool is_own = integrator == own.integrator;
-        const bool is_main = is_own && variant.words.empty() && precision == "double";
+        const bool is_main = is_own && variant.words.empty() && precision == Precision::float64;
         list.push_back({name_of(settings, variant, integrators.size() > 1), label_of(settings, variant, is_own),
-                        role_of(response), is_main, settings});
+                        role_of(name_of(response)), is_main, settings});
       }
     }
   }
@@ -92,7 +93,7 @@ void add_methods(std::string_view response, std::vector<ContactMethod>& list) {
 const std::vector<ContactMethod>& contact_methods() {
   static const std::vector<ContactMethod> table = [] {
     std::vector<ContactMethod> list;
-    for (const std::string_view response : method_names(Family::response)) add_methods(response, list);
+    for (const std::string_view name : kNames<Response>) add_methods(named<Response>(name), list);
     return list;
   }();
   return table;
@@ -105,7 +106,7 @@ bool is_float_of_main(const ContactMethod& method) {
 }
 
 Series series_of(const ContactMethod& method) {
-  const bool is_float = method.settings.precision == "float";
+  const bool is_float = method.settings.precision == Precision::float32;
   return {is_float ? "" : method.label, method.role, {}, Stroke::line_and_points, is_float, !method.is_main};
 }
 

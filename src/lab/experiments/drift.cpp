@@ -28,8 +28,8 @@ std::vector<double> times(bool is_quick) { return spaced(0.2, duration(is_quick)
 std::vector<std::string> integrators() {
   std::vector<std::string> names;
   for (const ContactMethod& method : contact_methods()) {
-    if (method.settings.response != "penalty" || method.settings.precision != "double") continue;
-    names.push_back(method.settings.integrator);
+    if (method.settings.response != Response::penalty || method.settings.precision != Precision::float64) continue;
+    names.emplace_back(name_of(method.settings.integrator));
   }
   return names;
 }

@@ -100,7 +100,7 @@ double recall_of_cells(double edge, int pairs, uint64_t seed) {
   }
   const float radius = 0.5f;
   Settings settings;
-  settings.broadphase = "linked-cell";
+  settings.broadphase = BroadPhase::linked_cell;
   settings.cell_size = edge;
   settings.threads = 1;
   const auto search = cpu_backend().make_pair_search(settings);
@@ -113,8 +113,8 @@ double speed_left(const std::vector<double>& masses, int sweeps) {
   Scene scene = make_stack(masses, 0.05);
   for (size_t k = 0; k < masses.size(); ++k) scene.bodies.position[k].y -= 1e-9 * static_cast<double>(k + 1);
   Settings settings = settings_of("impulse", kStep);
-  settings.solver = "gauss-seidel";
-  settings.correction = "none";
+  settings.solver = Solver::gauss_seidel;
+  settings.correction = Correction::none;
   settings.iterations = sweeps;
   const auto world = make_cpu_world(scene, settings);
   world->step();
@@ -127,7 +127,7 @@ double part_of_way(double x, double step) {
   scene.domain = {Vec3d(-2 * x), Vec3d(2 * x), Boundary::walls, 3};
   add_sphere(scene, {x, 0, 0}, {step, 0, 0}, x / 1024, 1);
   Settings settings = settings_of("impulse", 1);
-  settings.precision = "float";
+  settings.precision = Precision::float32;
   const auto world = make_cpu_world(scene, settings);
   const double start = world->bodies().position[0].x;  // x, rounded
   for (int k = 0; k < kSteps; ++k) world->step();

@@ -19,7 +19,7 @@ std::vector<double> block_z(const GasRun& run, const Settings& settings, const S
   const double count = count_of(run), block = run.collisions / collision_rate(run.rho, count);
   Settings own = settings;
   own.keeps_tally = true;
-  if (settings.response == "event-driven") own.dt = block;
+  if (settings.response == Response::event_driven) own.dt = block;
   Scene scene = gas;
   std::vector<double> values;
   for (int k = 0; k < run.blocks; ++k) {
@@ -37,8 +37,8 @@ std::vector<double> block_z(const GasRun& run, const Settings& settings, const S
 
 Settings elastic_impulses(double dt, bool is_swept) {
   Settings settings = settings_of("impulse", dt);
-  settings.solver = "gauss-seidel";
-  settings.correction = "none";
+  settings.solver = Solver::gauss_seidel;
+  settings.correction = Correction::none;
   settings.is_swept = is_swept;
   return settings;
 }

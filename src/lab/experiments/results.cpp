@@ -61,7 +61,7 @@ Result result_of(const ContactMethod& method, double dt, const std::vector<Trial
 std::vector<const ContactMethod*> methods_of(const Task& task, bool is_quick) {
   std::vector<const ContactMethod*> methods;
   for (const ContactMethod& method : contact_methods()) {
-    const bool is_left_out = is_quick && method.settings.precision == "float" && !is_float_of_main(method);
+    const bool is_left_out = is_quick && method.settings.precision == Precision::float32 && !is_float_of_main(method);
     if (task.serves(method) && !is_left_out) methods.push_back(&method);
   }
   return methods;
@@ -98,7 +98,7 @@ double floor_of(const Task& task, const std::vector<Result>& results) {
   return floors.empty() ? 0 : spread_of(floors).median;
 }
 
-bool has_steps(const ContactMethod& method) { return method.settings.response != "event-driven"; }
+bool has_steps(const ContactMethod& method) { return method.settings.response != Response::event_driven; }
 
 int64_t trial_count(const Task& task, bool is_quick) {
   size_t count = 0;

@@ -18,7 +18,7 @@ namespace {
 constexpr double kContactSteps = 20;  // of penalty
 
 Settings stepping(Settings settings) {
-  settings.broadphase = "auto";  // with a candidate list, as short steps deserve
+  settings.broadphase = BroadPhase::automatic;  // with a candidate list, as short steps deserve
   return settings;
 }
 

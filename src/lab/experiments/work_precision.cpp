@@ -127,7 +127,7 @@ std::string never_served(const Task& task, const std::vector<Result>& results, b
   for (const ContactMethod* method : methods_of(task, is_quick)) {
     const bool is_served = std::any_of(results.begin(), results.end(),
                                        [&](const Result& r) { return r.method == method && !r.has_failed(); });
-    if (method->settings.precision == "double" && !is_served) names.push_back(method->name);
+    if (method->settings.precision == Precision::float64 && !is_served) names.push_back(method->name);
   }
   return join(names, "; ");
 }
@@ -171,7 +171,7 @@ Findings run(Lab& lab) {
     std::vector<Cell>& row = best.rows.emplace_back(1, task.name);
     for (const double tolerance : kTolerances) row.emplace_back(text_of(fastest(front, tolerance), tolerance < floor));
     const Result* winner = fastest(front, 0.01);
-    if (winner) winners.push_back(winner->method->settings.response);
+    if (winner) winners.emplace_back(name_of(winner->method->settings.response));
     scenes.rows.push_back({task.name, task.error, task.truth, never_served(task, results, lab.is_quick())});
   }
   findings.answer = "An error of one percent costs least by " + counts_of(winners, tasks().size()) + ".";

@@ -133,10 +133,10 @@ Scene equilibrium_column(uint64_t seed) {
 
 Settings settings_of(const std::string& response, double dt, const std::string& integrator) {
   Settings settings;
-  settings.response = response;
-  settings.integrator = integrator;
-  settings.precision = "double";
-  settings.broadphase = "sorted-grid";
+  settings.response = named<Response>(response);
+  settings.integrator = named<Integrator>(integrator);
+  settings.precision = Precision::float64;
+  settings.broadphase = BroadPhase::sorted_grid;
   settings.dt = dt;
   settings.threads = 1;
   return settings;

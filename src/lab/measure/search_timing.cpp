@@ -83,21 +83,21 @@ std::vector<std::vector<SearchTiming>> time_searches(Lab& lab, const std::vector
 
 Settings search_by(std::string_view broadphase) {
   Settings settings;
-  settings.broadphase = broadphase;
+  settings.broadphase = named<BroadPhase>(broadphase);
   settings.threads = 1;
   return settings;
 }
 
 std::vector<std::string> broad_phases() {
   std::vector<std::string> names;
-  for (const std::string_view name : method_names(Family::broadphase)) {
+  for (const std::string_view name : kNames<BroadPhase>) {
     if (name != "auto") names.emplace_back(name);
   }
   return names;
 }
 
 std::string label_of(std::string_view broadphase) {
-  std::string label(find_method(Family::broadphase, broadphase).label);
+  std::string label(find_method(named<BroadPhase>(broadphase)).label);
   label[0] = static_cast<char>(label[0] - 'A' + 'a');
   return label;
 }

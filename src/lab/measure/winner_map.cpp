@@ -26,7 +26,7 @@ std::vector<SearchTiming> spread_out(std::vector<SearchTiming> timings, const st
   std::vector<SearchTiming> all;
   for (const std::string& name : broad_phases()) {
     const auto found =
-        std::find_if(ways.begin(), ways.end(), [&](const Settings& way) { return way.broadphase == name; });
+        std::find_if(ways.begin(), ways.end(), [&](const Settings& way) { return name_of(way.broadphase) == name; });
     all.push_back(found == ways.end() ? SearchTiming{} : timings[static_cast<size_t>(found - ways.begin())]);
   }
   return all;

@@ -34,7 +34,7 @@ struct Rest {
 };
 
 Rest rest_of(const Scene& scene, Settings settings, const std::string& precision) {
-  settings.precision = precision;
+  settings.precision = named<Precision>(precision);
   const auto world = make_cpu_world(scene, settings);
   step_until(*world, 5);
   double squared = 0;
@@ -45,7 +45,7 @@ Rest rest_of(const Scene& scene, Settings settings, const std::string& precision
 Settings settings_for(const std::string& response) {
   Settings settings = settings_of(response, response == "penalty" ? 1.0 / 4000 : 1.0 / 240);
   if (response == "position-based") settings.substeps = 8;
-  settings.broadphase = "sorted-grid";
+  settings.broadphase = BroadPhase::sorted_grid;
   return settings;
 }
 

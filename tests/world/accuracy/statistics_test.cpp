@@ -15,9 +15,9 @@ namespace {
 /// Impulses without losses, by the solver that keeps the energy of a gas best (see below).
 Settings impulses(double dt, const std::string& correction, bool is_swept = false) {
   Settings settings = settings_of("impulse", dt);
-  settings.broadphase = "sorted-grid";
-  settings.solver = "gauss-seidel";
-  settings.correction = correction;
+  settings.broadphase = BroadPhase::sorted_grid;
+  settings.solver = Solver::gauss_seidel;
+  settings.correction = named<Correction>(correction);
   settings.is_swept = is_swept;
   settings.keeps_tally = true;
   return settings;
@@ -82,7 +82,7 @@ TEST_CASE(
   const Scene scene = melted_gas(4, 0.5, 1);
   const auto part_left = [&](const std::string& solver, int iterations) {
     Settings settings = impulses(0.02, "none");
-    settings.solver = solver;
+    settings.solver = named<Solver>(solver);
     settings.iterations = iterations;
     const auto world = make_cpu_world(scene, settings);
     const double before = world->report().kinetic_energy;

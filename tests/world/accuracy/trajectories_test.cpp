@@ -52,7 +52,7 @@ double median_error(const std::vector<Course>& all, const Settings& settings, do
 
 Settings steps_of(const std::string& response, double steps) {
   Settings settings = settings_of(response, kTime / steps);
-  settings.broadphase = "sorted-grid";
+  settings.broadphase = BroadPhase::sorted_grid;
   return settings;
 }
 

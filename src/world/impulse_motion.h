@@ -3,7 +3,7 @@
 #pragma once
 
 #include "response/impulse.h"
-#include "world/velocity_substepper.h"
+#include "world/velocity_motion.h"
 
 namespace ballpit {
 
@@ -19,19 +19,19 @@ inline ImpulseParameters impulse_parameters(const Physics& physics, const Settin
   parameters.push_limit = kPushSteps * gravity * settings.dt / settings.substeps;
   parameters.correction = gravity > 0 ? 0.0 : 0.4;
   if (settings.iterations) parameters.iterations = *settings.iterations;
-  parameters.is_by_colour = settings.solver == "gauss-seidel";
-  if (settings.correction != "split") {
+  parameters.is_by_colour = settings.solver == Solver::gauss_seidel;
+  if (settings.correction != Correction::split) {
     parameters.push = parameters.foresight = parameters.slop = 0;
-    parameters.entered = parameters.correction = settings.correction == "surface" ? 1 : 0;
+    parameters.entered = parameters.correction = settings.correction == Correction::surface ? 1 : 0;
   }
   return parameters;
 }
 
 template <class V, class Exec>
-std::unique_ptr<Substepper<V, Exec>> make_impulse_substepper(const Scene& scene, const Settings& settings) {
-  using Response = ImpulseResponse<V, Exec>;
-  return std::make_unique<VelocitySubstepper<V, Exec, Response>>(Response(impulse_parameters(scene.physics, settings)),
-                                                                 settings.is_swept, scene.physics.wall_restitution);
+std::unique_ptr<Motion<V, Exec>> make_impulse_motion(const Scene& scene, const Settings& settings) {
+  using Law = ImpulseResponse<V, Exec>;
+  return std::make_unique<VelocityMotion<V, Exec, Law>>(Law(impulse_parameters(scene.physics, settings)),
+                                                        settings.is_swept, scene.physics.wall_restitution);
 }
 
 }  // namespace ballpit

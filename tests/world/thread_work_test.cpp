@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <numeric>
+
+#include <catch2/catch.hpp>
+
+#include "exec/cpu_executor.h"
+#include "tests/support/body_arrays.h"
+#include "tests/support/inputs.h"
+#include "tests/support/scenes.h"
+#include "world/inspect_more.h"
+
+using namespace ballpit;
+
+namespace {
+
+template <class V>
+Collider<V, CpuExecutor> collider(const Way& way, const BodyArrays<V>& bodies) {
+  const Settings settings = settings_of(way);
+  Collider<V, CpuExecutor> collider;
+  collider.plan({named<BroadPhase>(way.broadphase), ""}, bodies.parameters(settings), way.skin);
+  return collider;
+}
+
+}  // namespace
+
+TEST_CASE("what threads walk adds up to the candidates, but for the sweep") {
+  for (const Input& input : inputs()) {
+    const Scene scene = input.make(51);
+    const auto check = [&]<class V>(const BodyArrays<V>& bodies) {
+      for (const Way& way : ways(kDimensions<V>)) {
+        if (way.broadphase == "sort-and-sweep" || way.broadphase == "auto") continue;
+        CpuExecutor exec(way.threads);
+        auto found = collider(way, bodies);
+        found.pairs(exec, bodies.view());
+        const std::vector<int> work = thread_work(exec, found).work;
+        INFO(input.name << ", " << way);
+        REQUIRE(work.size() == bodies.position.size());
+        REQUIRE(std::accumulate(work.begin(), work.end(), int64_t{0}) == found.tests(exec));
+      }
+    };
+    scene.domain.dimensions == 2 ? check(BodyArrays<Vec2>(scene)) : check(BodyArrays<Vec3>(scene));
+  }
+}
+
+TEST_CASE("brute force walks one body less from thread to thread") {
+  const BodyArrays<Vec3> bodies(make_cloud({.count = 5}, 1));
+  CpuExecutor exec(1);
+  auto found = collider({.broadphase = "brute-force"}, bodies);
+  found.pairs(exec, bodies.view());
+  CHECK(thread_work(exec, found).work == std::vector<int>{4, 3, 2, 1, 0});
+}
