@@ -1,8 +1,8 @@
 #version 450 core
-// A line as a quad of constant width in pixels. An end behind the eye moves to where the line comes into view.
+// A line as a quad of constant width in pixels. An end behind the eye moves to the point where the line comes into view.
 #include "frame.glsl"
 
-// As the host has them. Read here, since drawing an instance for each line costs a software renderer far more.
+// In the layout of the host. Not an instance per line, which takes a software renderer much longer.
 struct Line {
   float a[3];
   uint color_a;

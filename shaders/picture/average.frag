@@ -1,5 +1,5 @@
 #version 450 core
-// The mean of a square of samples for each pixel.
+// Each pixel is the mean of a square of samples.
 layout(binding = 0) uniform sampler2D samples;
 uniform int per_side;
 

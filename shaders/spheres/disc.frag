@@ -1,5 +1,5 @@
 #version 450 core
-// A flat disc with a darker outline inside its radius, as drawn on a board.
+// A flat disc with a darker outline inside its radius.
 #include "frame.glsl"
 
 flat in vec3 color;

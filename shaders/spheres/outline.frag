@@ -1,5 +1,5 @@
 #version 450 core
-// The pixels that a sphere covers in part, blended by how much.
+// Blends the pixels that a sphere covers in part, by the covered fraction.
 #include "frame.glsl"
 #include "shade.glsl"
 

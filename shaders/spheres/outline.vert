@@ -1,6 +1,6 @@
 #version 450 core
-// A quad in the plane of the sphere's outline, half a pixel larger. Within the outline, the sphere lies before it: there
-// the depth test spares the fragment shader.
+// A quad in the plane of the sphere's outline, half a pixel larger. Inside the outline, the sphere is in front of the quad, so
+// the depth test skips the fragment shader there.
 #include "frame.glsl"
 
 layout(location = 0) in vec3 position;  // [m]
@@ -9,9 +9,9 @@ layout(location = 2) in uint mark;
 
 flat out vec3 color;
 flat out float outline;  // radius [pixel]
-flat out vec3 right;     // of the disc, times the share of the normal in its plane
+flat out vec3 right;     // of the disc, times the component of the normal in its plane
 flat out vec3 up;
-flat out vec3 outward;   // the rest of the normal
+flat out vec3 outward;   // the other component of the normal
 out vec2 disc;           // the outline is at length 1
 
 const float kSmallest = 1.0;  // [pixel] as in sphere.vert

@@ -1,5 +1,5 @@
 #version 450 core
-// Where every sphere is smaller than a pixel and a half: one point each, a quarter of the vertices of quads.
+// One point per sphere if all are smaller than a pixel and a half: a quarter of the vertices of quads.
 #include "frame.glsl"
 
 layout(location = 0) in vec3 position;  // [m]

@@ -1,5 +1,5 @@
-// Soft light that reads as a solid: from all around, more from above, one key light, a faint highlight and rim.
-// The viewer is taken to be far away, on the z axis: no square roots a pixel.
+// Soft light that makes spheres look solid: ambient, more from above, one key light, a faint highlight and rim.
+// Assumes a distant viewer on the z axis, so no pixel needs a square root.
 vec3 shade(vec3 base, vec3 normal) {
   float around = frame.sky.w * (0.81 + 0.19 * dot(normal, frame.sky.xyz));
   float key = frame.key_light.w * max(0.0, 0.25 + 0.75 * dot(normal, frame.key_light.xyz));

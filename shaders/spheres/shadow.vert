@@ -1,5 +1,5 @@
 #version 450 core
-// The darkness that a sphere close to the floor casts around the place under it.
+// The shadow of a sphere close to the floor, around the point under it.
 #include "frame.glsl"
 
 layout(location = 0) in vec3 position;  // [m]

@@ -1,5 +1,5 @@
 #version 450 core
-// Meets the eye's ray with the sphere: exact surface, normal and depth. Only pixels that it covers wholly.
+// Intersects the eye's ray with the sphere: exact surface, normal and depth. Only for pixels that it covers completely.
 #include "frame.glsl"
 #include "shade.glsl"
 

@@ -1,6 +1,6 @@
 #version 450 core
-// A quad in the sphere's near tangent plane, seen face on, that just covers the sphere's outline.
-// All of the sphere lies behind it, so that the fragment shader only ever moves depth away from the viewer.
+// A quad in the sphere's near tangent plane, facing the viewer, that just covers the sphere's outline.
+// The whole sphere is behind it, so the fragment shader only moves depth away from the viewer.
 #include "frame.glsl"
 
 layout(location = 0) in vec3 position;  // [m]
@@ -10,12 +10,12 @@ layout(location = 2) in uint mark;
 flat out vec3 center;     // view space
 flat out float curvature; // 1/radius
 flat out float power;     // of the eye with respect to the sphere: distance² − radius²
-flat out float covered;   // squared length of disc up to which pixels are covered wholly
+flat out float covered;   // squared length of disc up to which pixels are covered completely
 flat out vec3 color;
 out vec3 ray;             // from the eye to the tangent plane
 out vec2 disc;            // on that plane; the outline is at length 1
 
-const float kSmallest = 1.0;  // [pixel] radius below which spheres do not shrink, so that far ones do not vanish
+const float kSmallest = 1.0;  // [pixel] smallest radius, so that distant spheres remain visible
 
 void main() {
   center = (frame.view * vec4(in_units(position), 1)).xyz;

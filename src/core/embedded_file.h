@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A text file compiled into the program; cmake/embed.cmake makes tables of them.
+// A text file compiled into the program; cmake/embed.cmake generates tables of them.
 #pragma once
 
 #include <string_view>

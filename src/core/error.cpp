@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "core/error.h"
 
+#include <fmt/format.h>
+
 namespace ballpit {
 
 namespace {
 
-/// `first`, then `second` after the separator; one of them alone where the other is empty.
+/// Both texts with the separator between them, unless one is empty.
 std::string joined(std::string_view first, std::string_view separator, std::string_view second) {
-  std::string result(first);
-  if (!first.empty() && !second.empty()) result += separator;
-  return result += second;
+  return fmt::format("{}{}{}", first, first.empty() || second.empty() ? "" : separator, second);
 }
 
 std::string user_line(std::string_view where, std::string_view found, std::string_view allowed, std::string_view hint) {
-  const bool is_blank = found.find_first_not_of(' ') == std::string_view::npos;
-  const std::string shown = found.empty() ? "nothing" : is_blank ? '"' + std::string(found) + '"' : std::string(found);
-  return joined(std::string(where) + ": found " + shown + ", allowed " + std::string(allowed), "; ", hint);
+  const char* const quote = !found.empty() && found.find_first_not_of(' ') == std::string_view::npos ? "\"" : "";
+  const std::string_view shown = found.empty() ? "nothing" : found;
+  return joined(fmt::format("{0}: found {1}{2}{1}, allowed {3}", where, quote, shown, allowed), "; ", hint);
 }
 
 }  // namespace

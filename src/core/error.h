@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The two kinds of failure that a user sees; `main` catches both, once. A bug is an assert, not one of these. Each message
-// has one form, which its constructor makes: nobody writes it by hand.
+// The two kinds of failure that a user sees; only `main` catches them. A bug is an assert instead. The constructors give each
+// message its form.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ballpit {
 
-/// The user's input is wrong: "WHERE: found FOUND, allowed ALLOWED", and "; HINT" where there is one. Exit status 2.
+/// The user's input is wrong: "WHERE: found FOUND, allowed ALLOWED", and "; HINT" if there is one. Exit status 2.
 class UserError : public std::runtime_error {
  public:
-  /// `where` names an option ("--dt"), an argument ("SCENE"), a file, or a key with its file and line. An empty `found` reads
-  /// "nothing"; blanks are put in quotes.
+  /// `where` names an option ("--dt"), an argument ("SCENE"), a file, or a key with its file and line. An empty `found` becomes
+  /// "nothing"; blanks are quoted.
   UserError(std::string_view where, std::string_view found, std::string_view allowed, std::string_view hint = {});
 
   /// The same error in a larger place: "OUTER: WHERE: found …".
@@ -23,17 +24,17 @@ class UserError : public std::runtime_error {
   std::string where_, found_, allowed_, hint_;
 };
 
-/// Correct input, but the run could not go on: disk full, a sphere escaped, a device failed. "WHERE: WHAT HAPPENED", and
-/// "; MORE": what helps, or what is left. Exit status 1.
+/// The input is correct, but the run had to stop: disk full, a sphere escaped, a device failed. "WHERE: WHAT HAPPENED", and
+/// "; MORE": a remedy, or what was saved. Exit status 1.
 class RunError : public std::runtime_error {
  public:
   /// `where` names a file, a step, a device or a library ("OpenGL"), or the scene.
   RunError(std::string_view where, std::string_view what_happened, std::string_view more = {});
 
-  /// The same failure in a larger place: "OUTER: WHERE: …". A place is not named twice.
+  /// The same failure in a larger place: "OUTER: WHERE: …". The same place is not named twice.
   RunError inside(std::string_view outer) const;
 
-  /// With "; MORE" at its end, unless that is empty.
+  /// The same failure with "; MORE" at its end, unless `more` is empty.
   RunError with(std::string_view more) const;
 
  private:
@@ -49,6 +50,17 @@ std::string join(const Range& names, const std::string& separator = ", ") {
     result += name;
   }
   return result;
+}
+
+/// The entry of a table with this name. Throws UserError that lists the names of the table.
+template <class Table>
+const auto& entry_named(const Table& table, std::string_view name, std::string_view option) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : table) {
+    if (entry.name == name) return entry;
+    names.push_back(entry.name);
+  }
+  throw UserError(option, name, join(names));
 }
 
 }  // namespace ballpit

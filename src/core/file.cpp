@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -22,26 +23,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMaxLinks = 40;   // as Linux follows
-constexpr int kMaxParts = 100;  // runs that write to one output at once
+constexpr int kMaxLinks = 40;   // as in Linux
+constexpr int kMaxParts = 100;  // runs that write to one output at the same time
 
 [[noreturn]] void fail_writing(const fs::path& path, int reason = errno) {
-  throw RunError(path.string(), std::string("cannot write: ") + std::strerror(reason));
+  throw RunError(path.string(), fmt::format("cannot write: {}", std::strerror(reason)));
 }
 
 [[noreturn]] void fail_making(const fs::path& folder, const std::string& reason) {
   throw RunError(folder.string(), "cannot make the folder: " + reason);
 }
 
-/// What an output leads to.
+/// The file, pipe or device behind an output.
 struct Target {
-  fs::path place;           ///< links followed
-  int descriptor = -1;      ///< our own, where the output is one
+  fs::path place;           ///< after following links
+  int descriptor = -1;      ///< our own, if the output is one
   bool is_special = false;  ///< a pipe or a device
-  struct stat status {};    ///< of what is there; a st_mode of 0: nothing
+  struct stat status {};    ///< of the existing file; st_mode is 0 if there is none
 };
 
-/// N where a path is /proc/self/fd/N, by whatever name; else −1.
+/// N if a path is /proc/self/fd/N, or another name for it; else −1.
 int own_descriptor(const fs::path& path) {
   const std::string name = path.filename();
   if (name.empty() || name.size() > 9 || name.find_first_not_of("0123456789") != std::string::npos) return -1;
@@ -51,7 +52,7 @@ int own_descriptor(const fs::path& path) {
   return std::stoi(name);
 }
 
-/// Follows links, as far as they lead by name. Throws where that never ends.
+/// Follows links. Throws for a cycle of links.
 fs::path follow_links(const fs::path& path) {
   fs::path place = path;
   std::error_code no_link;
@@ -64,7 +65,7 @@ fs::path follow_links(const fs::path& path) {
   return place;
 }
 
-/// Throws where the output can be no file, or may not be written.
+/// Throws if the output cannot be a file, or must not be written.
 Target find_target(const fs::path& path) {
   Target target;
   target.place = follow_links(path);
@@ -89,10 +90,10 @@ Target find_target(const fs::path& path) {
   return target;
 }
 
-/// Whether a call was cut short by a signal that is not meant to end the run.
+/// Whether a signal that does not end the run has interrupted a system call.
 bool is_to_be_repeated() { return errno == EINTR && !was_interrupted(); }
 
-/// Opens what is no regular file of ours: an own descriptor, a pipe, a device. Of a pipe, waits for a reader.
+/// Opens one of our own descriptors, a pipe or a device. Waits for the reader of a pipe.
 int open_special(const Target& target) {
   if (target.descriptor >= 0) return ::fcntl(target.descriptor, F_DUPFD_CLOEXEC, 0);
   for (;;) {
@@ -101,7 +102,7 @@ int open_special(const Target& target) {
   }
 }
 
-/// Locks a temporary file. False where it is another one's: no regular file, another user's, locked, or meanwhile renamed.
+/// Locks a temporary file. Returns false if it belongs to another run: not a regular file, another user's, locked or renamed.
 bool lock_part(int descriptor, const fs::path& part) {
   struct stat opened {
   }, named{};
@@ -110,13 +111,12 @@ bool lock_part(int descriptor, const fs::path& part) {
   return ::lstat(part.c_str(), &named) == 0 && named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
 }
 
-/// Opens a temporary file beside a target, and tells its name. One that an interrupted run has left is opened as well, unless a
-/// new one is wanted. −1 with errno where there can be none.
+/// Opens a temporary file beside a target and sets its name. Reuses the file of an interrupted run unless `is_new`. Returns −1
+/// with errno if it cannot be opened.
 int open_part(const fs::path& target, fs::path& part, mode_t mode, bool is_new) {
   for (int k = 1; k <= kMaxParts; ++k) {
     part = target;
-    if (k > 1) part += std::string(".").append(std::to_string(k));
-    part += ".part";
+    part += k > 1 ? fmt::format(".{}.part", k) : ".part";
     const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | (is_new ? O_EXCL : 0);
     const int descriptor = ::open(part.c_str(), flags, mode);
     const int reason = errno;
@@ -133,7 +133,7 @@ int open_part(const fs::path& target, fs::path& part, mode_t mode, bool is_new) 
   return -1;
 }
 
-/// Makes a temporary file beside a target and removes it. −1 with errno where that cannot be.
+/// Makes a temporary file beside a target and removes it. Returns −1 with errno if it fails.
 int try_part(const fs::path& target) {
   fs::path part;
   const int descriptor = open_part(target, part, 0600, true);
@@ -142,9 +142,9 @@ int try_part(const fs::path& target) {
   return ::close(descriptor);
 }
 
-/// Gives a new file the permissions of the one that it will replace, and its owner where we may.
+/// Gives a new file the permissions of the file that it will replace, and its owner if this is allowed.
 void keep_permissions(int descriptor, const struct stat& old) {
-  (void)!::fchown(descriptor, old.st_uid, old.st_gid);  // first: it may take permissions away
+  (void)!::fchown(descriptor, old.st_uid, old.st_gid);  // first: it may remove permissions
   (void)::fchmod(descriptor, old.st_mode & 0777u);
 }
 
@@ -164,7 +164,7 @@ NewFile::NewFile(fs::path path) : path_(std::move(path)) {
   if (descriptor_ < 0) fail_writing(path_);
   part_ = part;
   if (is_there) keep_permissions(descriptor_, target.status);
-  cut_to(0);  // what an interrupted run has left
+  cut_to(0);  // the content from an interrupted run
 }
 
 NewFile::~NewFile() {
@@ -177,7 +177,7 @@ void NewFile::write(std::string_view bytes) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written >= 0) {
       bytes.remove_prefix(static_cast<size_t>(written));
-    } else if (errno == EAGAIN) {  // a descriptor that does not wait by itself
+    } else if (errno == EAGAIN) {  // a descriptor in non-blocking mode
       pollfd ready{descriptor_, POLLOUT, 0};
       if (::poll(&ready, 1, -1) < 0 && !is_to_be_repeated()) fail_writing(path_);
     } else if (!is_to_be_repeated() && !(errno == EINTR && !part_.empty())) {
@@ -192,11 +192,11 @@ void NewFile::cut_to(int64_t bytes) {
 
 void NewFile::commit() {
   if (!part_.empty()) {
-    // Some systems report a full disk when a file is closed. The lock lasts until both descriptors are.
+    // Some systems report a full disk when a file is closed. The lock lasts until both descriptors are closed.
     const int twin = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
     if (twin < 0 || ::close(twin) != 0) fail_writing(path_);
     if (::rename(part_.c_str(), target_.c_str()) != 0) fail_writing(path_);
-    part_.clear();  // nothing is left to remove
+    part_.clear();
   }
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0) fail_writing(path_);
@@ -220,7 +220,7 @@ void check_output_folder(const fs::path& folder) {
     if (try_part(folder / "ballpit") != 0) fail_writing(folder);
     return;
   }
-  // It will be made in the nearest folder that is there.
+  // The folder will be made in its nearest existing parent.
   fs::path there = folder;
   fs::file_status status = fs::symlink_status(there, error);
   while (status.type() == fs::file_type::not_found) {
@@ -264,7 +264,7 @@ void shorten_file(const fs::path& path, int64_t bytes) {
 }
 
 void fail_reading(const fs::path& path) {
-  throw UserError(path.string(), std::string("no readable file (") + std::strerror(errno) + ")", "a readable file");
+  throw UserError(path.string(), fmt::format("no readable file ({})", std::strerror(errno)), "a readable file");
 }
 
 std::string read_file(const fs::path& path) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// HOST_DEVICE marks functions that run on the CPU and, when compiled by nvcc, on the GPU as well.
-// One of the few places that know of CUDA; kernels everywhere else are plain C++.
+// HOST_DEVICE marks functions that run on the CPU and, when compiled by nvcc, also on the GPU.
+// Only a few headers depend on CUDA; all kernels are plain C++.
 #pragma once
 
 #ifdef __CUDACC__
@@ -11,7 +11,7 @@
 
 namespace ballpit {
 
-/// Whether this code is being compiled for the GPU: for the few places where what suits one processor hurts the other.
+/// Whether this code is compiled for the GPU, for the few places that need different code there.
 #ifdef __CUDA_ARCH__
 inline constexpr bool kOnDevice = true;
 #else

@@ -7,7 +7,7 @@ namespace ballpit {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;  // a signal handler can reach nothing else
+volatile std::sig_atomic_t interrupted = 0;  // a signal handler has no other access
 
 void note_interrupt(int) { interrupted = 1; }
 

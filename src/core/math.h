@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Vectors and matrices: the project's only include of GLM, and the aliases that everything else uses.
+// Vectors and matrices: the project's only include of GLM, and aliases for all other code.
 //
-// Simulation code is written once for planar and spatial scenes: it is templated on its vector type V (Vec2 or
-// Vec3), so a planar scene neither stores nor searches a third coordinate.
+// Simulation code is written once for planar and spatial scenes: the vector type V (Vec2 or Vec3) is a template parameter,
+// so a planar scene neither stores nor searches a third coordinate.
 #pragma once
 
 #ifdef __CUDACC__

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Other programs that may be there.
+// Other programs on this machine.
 #pragma once
 
 #include <string>
 
 namespace ballpit {
 
-/// Where a program is on the PATH; empty if it is not.
+/// The path of a program on the PATH; empty if there is none.
 std::string find_program(const std::string& name);
 
 }  // namespace ballpit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Seeded random numbers that are the same on every platform: integer arithmetic, and only IEEE-exact operations on
-// doubles (+, −, ×, ÷, √), so no distribution of <random> and no sin or cos.
+// Seeded random numbers that are equal on every platform: only integer arithmetic and IEEE-exact operations on doubles
+// (+, −, ×, ÷, √), so no distribution of <random>, no sin and no cos.
 // Source: SplitMix64 (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195).
 #pragma once
 
@@ -37,7 +37,7 @@ class Random {
     return {x, y, z};
   }
 
-  /// A unit vector of uniform direction, in the plane for `dimensions` 2: drawn in the ball and normalised.
+  /// A unit vector of uniform direction, planar for `dimensions` 2. Draws a point in the ball and normalises it.
   Vec3d direction(int dimensions) {
     for (;;) {
       Vec3d v = uniform(Vec3d(-1.0), Vec3d(1.0));

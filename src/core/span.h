@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Span: a pointer and a length that kernels may hold on any processor. It owns nothing.
-// std::span would do on the host; its checks and constexpr functions do not compile for every device.
+// Span: a pointer and a length, which kernels may hold on any processor. It owns nothing.
+// std::span works on the host only: its checks and constexpr functions do not compile for every device.
 #pragma once
 
 #include <cassert>
@@ -37,14 +37,14 @@ class Span {
   int64_t size_ = 0;
 };
 
-/// The components of vectors one after the other: kernels that treat all alike run over them, and compile to vector loops.
+/// All components of vectors as one span. Kernels that treat them alike compile to vector loops.
 template <class V>
 HOST_DEVICE auto components(Span<V> vectors) {
   using Real = std::remove_reference_t<decltype(vectors.data()[0][0])>;
   return Span<Real>(vectors.empty() ? nullptr : &vectors.data()[0][0], vectors.size() * V::length());
 }
 
-/// One value per body; `stride` 0 when all bodies share one value, so that equal radii cost one number.
+/// One value per body; with `stride` 0 all bodies share one value, so equal radii need one number.
 template <class T>
 class PerBody {
  public:

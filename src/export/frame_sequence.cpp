@@ -2,10 +2,11 @@
 #include "export/frame_sequence.h"
 
 #include <cassert>
-#include <cstdio>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -35,7 +36,7 @@ void FrameSequence::push(Image frame) {
 
 void FrameSequence::finish() {
   stop_and_join();
-  if (error_) std::rethrow_exception(error_);  // the encoder has ended: no lock is needed
+  if (error_) std::rethrow_exception(error_);  // no lock: the encoder has ended
 }
 
 void FrameSequence::stop_and_join() {
@@ -59,9 +60,9 @@ void FrameSequence::encode_frames() {
     }
     changed_.notify_all();
     try {
-      write_file(folder_ / frame_name(next_written_), encode_png_fast(frame, key_));
+      write_file(folder_ / frame_name(next_written_), encode_png(frame, key_));
       ++next_written_;
-    } catch (...) {  // frames after a missing one would only hide the gap
+    } catch (...) {  // no more frames: they would hide the gap
       const std::lock_guard lock(mutex_);
       error_ = std::current_exception();
       changed_.notify_all();
@@ -70,11 +71,7 @@ void FrameSequence::encode_frames() {
   }
 }
 
-std::string frame_name(int index) {
-  char name[32];
-  std::snprintf(name, sizeof name, "frame_%05d.png", index);
-  return name;
-}
+std::string frame_name(int index) { return fmt::format("frame_{:05}.png", index); }
 
 namespace {
 
@@ -82,8 +79,7 @@ void remove_left_overs(const fs::path& folder) {
   std::vector<fs::path> parts;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    const bool part = name.size() > 5 && name.compare(name.size() - 5, 5, ".part") == 0;
-    if (part && name.compare(0, 6, "frame_") == 0) parts.push_back(entry.path());
+    if (name.starts_with("frame_") && name.ends_with(".part")) parts.push_back(entry.path());
   }
   for (const fs::path& part : parts) fs::remove(part);
 }
@@ -106,7 +102,7 @@ void remove_frames(const fs::path& folder, int first, int end) {
     const fs::path path = folder / frame_name(index);
     std::error_code error;
     const fs::file_status status = fs::symlink_status(path, error);
-    if (fs::is_symlink(status) || fs::is_other(status)) continue;  // also a pipe or a device: to be written to
+    if (fs::is_symlink(status) || fs::is_other(status)) continue;  // pipes and devices are written to
     fs::remove(path, error);
     const bool absent = error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
     if (error && !absent) throw RunError(path.string(), "cannot remove: " + error.message());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A film as numbered pictures: frame_00000.png, frame_00001.png, … Encoded beside the drawing, by one thread
-// that a short queue feeds, so that a frame costs whichever takes longer of the two and memory stays bounded.
+// Writes a film as numbered pictures: frame_00000.png, frame_00001.png, … A thread encodes the frames from a short queue while
+// the next frames are drawn, so a frame takes the longer of the two times, and memory is bounded.
 #pragma once
 
 #include <condition_variable>
@@ -17,21 +17,21 @@ namespace ballpit {
 
 class FrameSequence {
  public:
-  /// Makes the folder if it is missing. Throws RunError naming it if that fails. Each frame carries `key`, as png.h has it.
+  /// Makes the folder if it is missing. Throws RunError naming it if that fails. Each frame contains `key`, see encode_png().
   explicit FrameSequence(std::filesystem::path folder, int first_index = 0, std::string key = {});
   FrameSequence(const FrameSequence&) = delete;
   FrameSequence& operator=(const FrameSequence&) = delete;
 
-  /// Writes what was pushed; an error that nobody asked for by finish() is lost.
+  /// Writes the pushed frames; ignores errors if finish() was not called.
   ~FrameSequence();
 
-  /// Takes the next frame; waits while the queue is full. Throws the error of an earlier frame.
+  /// Adds the next frame; waits while the queue is full. Throws the error of an earlier frame.
   void push(Image frame);
 
-  /// Waits until every frame is written. Throws the error of the first that could not be. Nothing may follow.
+  /// Waits until every frame is written. Throws the error of the first that failed. Do not push after it.
   void finish();
 
-  int next_index() const { return next_index_; }  ///< of the frame that the next push takes
+  int next_index() const { return next_index_; }  ///< of the next frame
 
  private:
   void encode_frames();
@@ -42,7 +42,7 @@ class FrameSequence {
   std::filesystem::path folder_;
   std::string key_;
   int next_index_;
-  int next_written_;  ///< the encoder's own
+  int next_written_;  ///< used by the encoder only
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Image> queue_;   ///< guarded by mutex_
@@ -54,12 +54,12 @@ class FrameSequence {
 /// "frame_00012.png"
 std::string frame_name(int index);
 
-/// Where a sequence goes on: the number of whole frames from frame_00000.png on without a gap. Removes
-/// left-overs of interrupted writes. 0 where the folder is missing. What is no file (a pipe, a device) is no frame.
+/// The index at which an interrupted sequence continues: the number of complete frames from frame_00000.png on without a gap.
+/// Removes temporary files of interrupted writes. 0 if the folder is missing. Pipes and devices do not count as frames.
 int next_frame_index(const std::filesystem::path& folder);
 
-/// Removes the frames from `first` to `end` − 1: those that a new run is about to make. Left standing, they would be taken
-/// for its own if it is interrupted and goes on later. Throws RunError.
+/// Removes the frames from `first` to `end` − 1, which a new run will write. Otherwise a run that is interrupted and continued
+/// would take them for its own. Throws RunError.
 void remove_frames(const std::filesystem::path& folder, int first, int end);
 
 }  // namespace ballpit

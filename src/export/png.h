@@ -1,36 +1,34 @@
 // SPDX-License-Identifier: MIT
-// PNG files, two ways. Single pictures: stb_image_write, small files. Frame sequences: a fast encoder.
-// Frames are opaque, so both write RGB; every viewer reads them.
+// Reads and writes PNG files. Pictures are opaque, so the files hold RGB.
+
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "render/image.h"
 
 namespace ballpit {
 
-/// The bytes of a PNG file, compressed well.
-std::string encode_png(const Image& image);
-
-/// The bytes of a PNG file, compressed fast. A key that is not empty says what the picture shows; it stands in a chunk of text
-/// before the picture, and changes no pixel.
-std::string encode_png_fast(const Image& image, const std::string& key = {});
-
-/// What the first bytes of a PNG file tell.
-struct PngHead {
-  int width = 0, height = 0;
-  std::string key;  ///< empty where there is none
-};
-
-/// Reads the head of a file. None where it does not begin as a PNG file does. Throws UserError where it cannot be read.
-std::optional<PngHead> read_png_head(const std::filesystem::path& path);
+/// The bytes of a PNG file. A key that is not empty describes what the picture shows; it is stored in a text chunk and
+/// changes no pixel.
+std::string encode_png(const Image& image, std::string_view key = {});
 
 /// Writes a single picture. Throws RunError naming the path.
 void write_png(const std::filesystem::path& path, const Image& image);
 
+/// The first bytes of a PNG file.
+struct PngHead {
+  int width = 0, height = 0;
+  std::string key;  ///< empty if the file has none
+};
+
+/// Reads the head of a file; nothing if it is no PNG file. Throws UserError if it cannot be read.
+std::optional<PngHead> read_png_head(const std::filesystem::path& path);
+
 /// Whether `bytes` begin and end as a whole PNG file does.
-bool is_whole_png(const std::string& bytes);
+bool is_whole_png(std::string_view bytes);
 
 }  // namespace ballpit

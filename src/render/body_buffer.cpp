@@ -15,7 +15,7 @@ constexpr GLuint kPosition = 0;
 constexpr GLuint kRadius = 1;
 constexpr GLuint kMark = 2;
 
-/// A new buffer of fixed size; at least one byte, since OpenGL has no empty ones.
+/// A new buffer of fixed size; at least one byte, since OpenGL has no empty buffers.
 GlBuffer make_buffer(int64_t bytes) {
   GlBuffer buffer;
   glNamedBufferStorage(buffer.name(), std::max<int64_t>(bytes, 1), nullptr, GL_DYNAMIC_STORAGE_BIT | GL_MAP_WRITE_BIT);
@@ -118,7 +118,7 @@ void BodyBuffer::bind(Rate rate) const {
     glVertexArrayBindingDivisor(vertex_array_.name(), attribute, divisor);
   }
   glBindVertexArray(vertex_array_.name());
-  // What a disabled array reads; part of the context's state, not of the vertex array's.
+  // The value of a disabled array belongs to the context's state, not to the vertex array's.
   if (shape_.has_equal_radii) glVertexAttrib1f(kRadius, shape_.radius);
 }
 

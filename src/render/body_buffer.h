@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The bodies in GPU memory, exactly as the simulation has them: `dimensions` floats of position a body
-// (OpenGL reads a missing z as 0), one radius for all or one each, one mark each. Nothing is copied into another layout,
-// so that a processor that computes can write the buffers itself (body_writer.h), and a planar scene stores no third
-// coordinate.
+// The bodies in GPU memory, in the layout of the simulation: `dimensions` floats of position per body (OpenGL reads a missing
+// z as 0), one radius for all or one each, one mark each. So the processor that steps the bodies can write the buffers itself
+// (body_writer.h), and a planar scene stores no third coordinate.
 #pragma once
 
 #include <cstdint>
@@ -14,29 +13,29 @@
 
 namespace ballpit {
 
-/// How a body is shown; the shaders' colours are in this order.
-enum class Mark : uint8_t { none, contact };  // and then the scale's colours
+/// The colour of a body; the shaders' colours are in this order.
+enum class Mark : uint8_t { none, contact };  // followed by the colours of the scale
 inline constexpr int kScaleColors = 16;
 inline constexpr Mark scale_mark(int step) { return static_cast<Mark>(2 + step); }
 
-/// The mark of every body: contact for those in a pair of `contacts`.
+/// The mark of every body: contact for the bodies in `contacts`.
 std::vector<Mark> contact_marks(int64_t count, const std::vector<Pair>& contacts);
 
 class BodyBuffer {
  public:
-  /// What one vertex shader call gets: one corner of one body's quad, or one body.
+  /// What a call of the vertex shader gets: a corner of a body's quad, or a body.
   enum class Rate { body_per_instance, body_per_vertex };
 
   BodyBuffer();
 
-  /// Room for bodies of this shape. Where it does not fit, buffers are replaced, and generation() changes.
+  /// Makes room for bodies of this shape. If they do not fit, the buffers are replaced, and generation() changes.
   void resize(const BodyShape& shape);
   bool fits(const BodyShape& shape) const;
 
   /// resize() and copy from the host.
   void upload(const BodySnapshot& bodies);
 
-  /// Calls write(target) with the buffers mapped into the host's memory; to be resized before. Throws RunError where they cannot
+  /// Calls write(target) with the buffers mapped into the host's memory. Call resize() before. Throws RunError if they cannot
   /// be mapped.
   template <class Write>
   void map(Write&& write) {
@@ -57,9 +56,9 @@ class BodyBuffer {
   float max_radius() const { return shape_.radius; }  ///< [m]
 
   GLuint position_buffer() const { return position_.name(); }
-  GLuint radius_buffer() const { return radius_.name(); }  ///< of use where radii differ
+  GLuint radius_buffer() const { return radius_.name(); }  ///< used if radii differ
   GLuint mark_buffer() const { return mark_.name(); }
-  int generation() const { return generation_; }  ///< of its buffers; no other BodyBuffer has the same
+  int generation() const { return generation_; }  ///< identifies its buffers; no other BodyBuffer has the same
 
  private:
   void attach_buffers();

@@ -17,9 +17,9 @@ std::array<Vec3, 8> corners(Vec3 min, Vec3 max) {
   return result;
 }
 
-/// The viewed pyramid along one picture axis: a point at (a, f), across and forward, is in view of an eye at
-/// (e, E) if |a − e| ≤ k (f − E). Two half-planes a point, of which the extreme ones meet at the closest eye.
-/// Its E:
+/// The depth E of the closest eye that has all points in view along one picture axis. A point at (a, f), across and forward,
+/// is in view of an eye at (e, E) if |a − e| ≤ k (f − E). Each point gives two half-planes for (e, E); the extreme ones
+/// intersect at the closest eye.
 float closest_eye(const std::array<Vec3, 8>& points, Vec3 across, Vec3 forward, float k) {
   float high = -INFINITY;  // of  a − k f
   float low = -INFINITY;   // of −a − k f
@@ -32,8 +32,7 @@ float closest_eye(const std::array<Vec3, 8>& points, Vec3 across, Vec3 forward, 
   return -(high + low) / (2 * k);
 }
 
-/// The e from which the points reach equally far to both sides of the picture, for an eye at depth E: by
-/// bisection.
+/// The e from which the points extend equally far to both sides of the picture, for an eye at depth E: by bisection.
 float centred_eye(const std::array<Vec3, 8>& points, Vec3 across, Vec3 forward, float depth) {
   float low = INFINITY;
   float high = -INFINITY;
@@ -127,7 +126,7 @@ Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float 
     farthest = std::max(farthest, distance);
   }
   camera.target = camera.eye + (nearest + farthest) / 2 * forward;
-  camera.near = nearest / 8;  // spheres may rise above an open box, and a lesson may step closer
+  camera.near = nearest / 8;  // spheres may rise above an open box, and the camera may move closer
   camera.far = 2 * farthest;
   return camera;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The camera: a value that gives the two matrices. Spatial scenes are seen in perspective, planar ones
-// straight on.
+// The camera: a value from which the view and projection matrices are computed. Spatial scenes are shown in perspective,
+// planar ones from the front without perspective.
 #pragma once
 
 #include "core/math.h"
@@ -16,7 +16,7 @@ struct Camera {
   float far = 10.0f;                 ///< [m]
   float aspect = 16.0f / 9.0f;       ///< width / height
   float orthographic_height = 0.0f;  ///< [m] height of the visible area; 0: perspective
-  Vec2 shift{0.0f};                  ///< of what is seen, in halves of the picture: right and up
+  Vec2 shift{0.0f};                  ///< of the picture's content, in halves of the picture: right and up
 
   bool is_orthographic() const { return orthographic_height > 0.0f; }
   Mat4 view() const;
@@ -26,23 +26,21 @@ struct Camera {
   float pixel_size(float distance, int height) const;
 };
 
-/// Three-quarter: two walls and the floor are seen.
+/// The three-quarter view shows two walls and the floor.
 inline constexpr float kThreeQuarterAzimuth = 30.0f * 3.14159265f / 180,
                        kThreeQuarterElevation = 20.0f * 3.14159265f / 180;
 
-/// A camera that shows the whole box with a margin: three-quarter in perspective for 3 dimensions, straight
-/// on along −z without perspective for 2. Exact for any box and aspect: the closest eye that has all eight
-/// corners in view.
+/// A camera that shows the whole box with a margin: the three-quarter view in perspective for 3 dimensions, along −z without
+/// perspective for 2. The eye is as close as possible with all eight corners in view.
 Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect);
 
-/// The same fit seen along another direction; the panel's orbit uses it. Angles in radians; azimuth 0 looks
-/// along −z.
+/// The same along another direction, for the panel's orbit. Angles in radians; azimuth 0 looks along −z.
 Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect);
 
-/// The same view where `origin` is 0 and `length` [m] is 1.
+/// The same view in coordinates in which `origin` is 0 and `length` [m] is 1.
 Camera in_units(Camera camera, const Vec3& origin, float length);
 
-/// The same view, smaller, in the upper part of the picture: `fraction` of its height stays free below.
+/// The same view, smaller, in the upper part of the picture: `fraction` of the height remains free below.
 Camera leave_room_below(Camera camera, float fraction);
 
 }  // namespace ballpit

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "bodies/body_snapshot.h"
 #include "broad_phase/inspection.h"
@@ -15,29 +16,23 @@ namespace ballpit {
 
 namespace {
 
-std::string number(double value, const char* unit) {
-  std::array<char, 48> text;
-  std::snprintf(text.data(), text.size(), "%.3g%s", value, unit);
-  return text.data();
-}
-
 /// Places values on the scale, from the smallest to the largest.
 Colored on_scale(const std::vector<float>& values, const char* unit, bool starts_at_zero) {
   Colored result;
   if (values.empty()) return result;
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const float low = starts_at_zero ? std::min(0.0f, *least) : *least, range = *most - low;
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
+  const float low = starts_at_zero ? std::min(0.0f, *min) : *min, range = *max - low;
   result.marks.reserve(values.size());
   for (const float value : values) {
     const float part = range > 0 ? (value - low) / range : 0.0f;
     result.marks.push_back(scale_mark(std::clamp(static_cast<int>(part * kScaleColors), 0, kScaleColors - 1)));
   }
-  result.low = number(double(low), unit);
-  result.high = number(double(*most), unit);
+  result.low = fmt::format("{:.3g}{}", low, unit);
+  result.high = fmt::format("{:.3g}{}", *max, unit);
   return result;
 }
 
-/// All unmarked, since the method has nothing of the kind.
+/// No marks, since the method has no such quantity.
 Colored nothing_of(const Inspection& inspection, const char* lacking) {
   return {std::vector<Mark>(static_cast<size_t>(inspection.bodies.count), Mark::none), "", "", lacking};
 }
@@ -67,31 +62,29 @@ Colored by_touching(const Inspection& inspection) {
   return on_scale(touching, "", true);
 }
 
-/// Calls visit(body, place in its list, length of the list) for each body of each grid.
-template <class Visit>
-void for_each_listed(const Inspection& inspection, Visit&& visit) {
+/// By value(position in the list of the cell, length of the list).
+template <class Value>
+Colored by_listed(const Inspection& inspection, Value&& value) {
+  if (inspection.grids.empty()) return nothing_of(inspection, "this method has no cells");
+  std::vector<float> values(static_cast<size_t>(inspection.bodies.count), 0);
   for (const GridInspection& grid : inspection.grids) {
     for (const int32_t head : grid.head) {
-      int count = 0, place = 0;
+      int count = 0, k = 0;
       for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)]) ++count;
-      for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)])
-        visit(static_cast<size_t>(b), grid.is_sorted() ? count - 1 - place++ : place++, count);
+      for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)], ++k) {
+        values[static_cast<size_t>(b)] = static_cast<float>(value(grid.is_sorted() ? count - 1 - k : k, count));
+      }
     }
   }
+  return on_scale(values, "", true);
 }
 
 Colored by_cell(const Inspection& inspection) {
-  if (inspection.grids.empty()) return nothing_of(inspection, "this method has no cells");
-  std::vector<float> shared(static_cast<size_t>(inspection.bodies.count), 0);
-  for_each_listed(inspection, [&](size_t body, int, int count) { shared[body] = static_cast<float>(count); });
-  return on_scale(shared, "", true);
+  return by_listed(inspection, [](int, int count) { return count; });
 }
 
 Colored by_list(const Inspection& inspection) {
-  if (inspection.grids.empty()) return nothing_of(inspection, "this method has no cells");
-  std::vector<float> place(static_cast<size_t>(inspection.bodies.count), 0);
-  for_each_listed(inspection, [&](size_t body, int at, int) { place[body] = static_cast<float>(at); });
-  return on_scale(place, "", true);
+  return by_listed(inspection, [](int position, int) { return position; });
 }
 
 Colored by_work(const Inspection& inspection) {
@@ -104,11 +97,9 @@ Colored by_work(const Inspection& inspection) {
   return on_scale(work, "", true);
 }
 
-/// cividis at even distances.
+/// cividis at equal distances.
 constexpr std::array<unsigned, 9> kCividis{0x00224E, 0x123570, 0x3B496C, 0x575D6D, 0x707173,
                                            0x8A8678, 0xA59C74, 0xC3B369, 0xFEE838};
-
-Vec3 rgb(unsigned hex) { return Vec3(hex >> 16 & 255u, hex >> 8 & 255u, hex & 255u) / 255.0f; }
 
 /// `part` from 0 to 1.
 Vec3 cividis(float part) {
@@ -132,19 +123,12 @@ const std::vector<ColoringEntry>& coloring_table() {
   return table;
 }
 
-const ColoringEntry& coloring_named(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const ColoringEntry& entry : coloring_table()) {
-    if (entry.name == name) return entry;
-    names.push_back(entry.name);
-  }
-  throw UserError("--color", name, join(names));
-}
+const ColoringEntry& coloring_named(std::string_view name) { return entry_named(coloring_table(), name, "--color"); }
 
 Vec3 color_of(const Theme& theme, int mark) {
   if (mark == static_cast<int>(Mark::none)) return theme.body;
   if (mark == static_cast<int>(Mark::contact)) return theme.contact;
-  // On a dark ground the darkest colours would not be seen.
+  // The darkest colours are invisible on a dark ground.
   const float step = static_cast<float>(mark - 2) / static_cast<float>(kScaleColors - 1);
   const float darkest = theme.background.r < 0.5f ? 0.25f : 0.0f;
   return cividis(darkest + (1 - darkest) * step);

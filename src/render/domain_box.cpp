@@ -5,11 +5,10 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kWidth = 4.0f;  // of edges, in 1/1080 of the picture's height
+constexpr float kWidth = 4.0f;  // of edges [1/1080 of the picture's height]
 constexpr float kOpacity = 0.6f;
-constexpr float kRise = 0.1f;  // of the box's height, that upright edges of an open box run on
+constexpr float kRise = 0.1f;  // of the box's height: by how much upright edges of an open box are longer
 
-/// The rectangle at height z (planar) or y (spatial).
 void add_rectangle(std::vector<Line>& lines, Vec3 corner, Vec3 u, Vec3 v, Rgba color) {
   lines.push_back({corner, color, corner + u, color});
   lines.push_back({corner + u, color, corner + u + v, color});
@@ -17,7 +16,7 @@ void add_rectangle(std::vector<Line>& lines, Vec3 corner, Vec3 u, Vec3 v, Rgba c
   lines.push_back({corner + v, color, corner, color});
 }
 
-/// An upright edge, closed or fading above the top.
+/// An upright edge; it fades above the top of an open box.
 void add_upright(std::vector<Line>& lines, Vec3 foot, float height, bool open, const Theme& theme) {
   const Rgba color = to_rgba(theme.domain, kOpacity);
   const Vec3 top = foot + Vec3(0, height, 0);

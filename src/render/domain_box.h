@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The box that holds all bodies: its floor, which grounds them, and its edges.
+// Draws the box that holds all bodies: its floor and its edges.
 #pragma once
 
 #include "render/frame_view.h"
@@ -7,10 +7,10 @@
 
 namespace ballpit {
 
-/// Nothing in planar scenes, which have no floor to look at.
+/// Draws nothing in planar scenes, which have no floor.
 void draw_floor(const DomainBox& domain, Painter& painter);
 
-/// Without a ceiling, the upright edges run on above the box and fade.
+/// Without a ceiling, the upright edges continue above the box and fade.
 void draw_edges(const DomainBox& domain, Painter& painter);
 
 }  // namespace ballpit

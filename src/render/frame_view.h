@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that one picture shows.
+// The content of one picture.
 #pragma once
 
 #include <algorithm>
@@ -23,17 +23,17 @@ struct DomainBox {
   float longest_edge() const { return std::max({max.x - min.x, max.y - min.y, is_planar() ? 0 : max.z - min.z}); }
 };
 
-/// Refers to the inspection; the caller keeps it alive while drawing.
+/// Refers to the inspection, which must live until the picture is drawn.
 struct FrameView {
   const Inspection& inspection;
   DomainBox domain;
   Camera camera;
   std::vector<std::string> overlays;  ///< names from overlay_table(), drawn in the table's order
-  int64_t selected = -1;              ///< the body that the audience looks at, or −1
+  int64_t selected = -1;              ///< the selected body, or −1
   std::string coloring = "contact";   ///< from coloring_table()
-  float step = 0;                     ///< [s] until contacts are sought again
-  Wanted left_out{};        ///< what overlays want of the inspection, and it lacks, since it would be too much
-  bool is_written = false;  ///< bodies and contact marks are in the renderer's buffer already; see body_writer.h
+  float step = 0;                     ///< [s] until the next search for contacts
+  Wanted left_out{};                  ///< data that overlays want, but that is too large to be in the inspection
+  bool is_written = false;            ///< a BodyWriter has written bodies and contact marks into the renderer's buffer
 };
 
 }  // namespace ballpit

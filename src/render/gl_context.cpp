@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Order of attempts: the CUDA device's EGL device, EGL devices without EGL_MESA_device_software, EGL's
-// software device, Mesa's surfaceless platform. EGL's default display is not tried: it needs a display
-// server.
+// Order of attempts: the CUDA device's EGL device, EGL devices without EGL_MESA_device_software, EGL's software device,
+// Mesa's surfaceless platform. EGL's default display needs a display server, so it is not tried.
 #include "render/gl_context.h"
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
 #include <utility>
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include "core/error.h"
-#include "render/gl_library.h"
+#include "render/gl_debug.h"
 
 namespace ballpit {
 
@@ -20,29 +23,13 @@ namespace {
 constexpr EGLint kEglRendererExt = 0x335F;  // EGL_EXT_device_query_name, newer than libepoxy 1.5.10
 
 std::string egl_error(const std::string& call) {
-  const EGLint code = eglGetError();
-  switch (code) {
-    case EGL_NOT_INITIALIZED:
-      return call + ": EGL_NOT_INITIALIZED";
-    case EGL_BAD_ACCESS:
-      return call + ": EGL_BAD_ACCESS";
-    case EGL_BAD_ALLOC:
-      return call + ": EGL_BAD_ALLOC";
-    case EGL_BAD_ATTRIBUTE:
-      return call + ": EGL_BAD_ATTRIBUTE";
-    case EGL_BAD_CONFIG:
-      return call + ": EGL_BAD_CONFIG";
-    case EGL_BAD_CONTEXT:
-      return call + ": EGL_BAD_CONTEXT";
-    case EGL_BAD_DISPLAY:
-      return call + ": EGL_BAD_DISPLAY";
-    case EGL_BAD_MATCH:
-      return call + ": EGL_BAD_MATCH";
-    case EGL_BAD_PARAMETER:
-      return call + ": EGL_BAD_PARAMETER";
-    default:
-      return call + ": EGL error " + std::to_string(code);
-  }
+  constexpr const char* kNames[] = {"EGL_NOT_INITIALIZED",     "EGL_BAD_ACCESS",        "EGL_BAD_ALLOC",
+                                    "EGL_BAD_ATTRIBUTE",       "EGL_BAD_CONFIG",        "EGL_BAD_CONTEXT",
+                                    "EGL_BAD_CURRENT_SURFACE", "EGL_BAD_DISPLAY",       "EGL_BAD_MATCH",
+                                    "EGL_BAD_NATIVE_PIXMAP",   "EGL_BAD_NATIVE_WINDOW", "EGL_BAD_PARAMETER"};
+  const EGLint code = eglGetError(), k = code - EGL_NOT_INITIALIZED;
+  if (k >= 0 && k < std::ssize(kNames)) return fmt::format("{}: {}", call, kNames[k]);
+  return fmt::format("{}: EGL error {}", call, code);
 }
 
 std::vector<EGLDeviceEXT> egl_devices() {
@@ -81,7 +68,7 @@ EglDeviceInfo describe(EGLDeviceEXT device, int index) {
   return info;
 }
 
-/// One way to a display.
+/// A display that may work.
 struct Candidate {
   std::string platform;
   EGLDisplay display;
@@ -100,8 +87,8 @@ std::vector<Candidate> candidates(int cuda_device) {
                    [&](const EglDeviceInfo& a, const EglDeviceInfo& b) { return rank(a) < rank(b); });
   for (const EglDeviceInfo& info : infos) {
     const auto device = devices.at(static_cast<size_t>(info.index));
-    result.push_back({"EGL device " + std::to_string(info.index),
-                      eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr)});
+    result.push_back(
+        {fmt::format("EGL device {}", info.index), eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr)});
   }
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
     result.push_back(
@@ -110,23 +97,18 @@ std::vector<Candidate> candidates(int cuda_device) {
   return result;
 }
 
-/// `tells_loss`: whether a reset of the device is to be told by glGetGraphicsResetStatus(), which some drivers cannot do.
-EGLContext create_context(EGLDisplay display, EGLConfig config, bool tells_loss) {
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                               4,
-                               EGL_CONTEXT_MINOR_VERSION,
-                               5,
-                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                               EGL_CONTEXT_OPENGL_DEBUG,
-                               EGL_TRUE,
-                               tells_loss ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE,
-                               EGL_LOSE_CONTEXT_ON_RESET,
-                               EGL_NONE};
-  return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+/// `reports_reset`: whether glGetGraphicsResetStatus() reports a reset of the device, which some drivers do not support.
+EGLContext create_context(EGLDisplay display, EGLConfig config, bool reports_reset) {
+  std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5};
+  const auto add = [&](EGLint name, EGLint value) { attributes.insert(attributes.end(), {name, value}); };
+  add(EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT);
+  add(EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE);
+  if (reports_reset) add(EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET);
+  attributes.push_back(EGL_NONE);
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
 }
 
-/// The context, current; or EGL_NO_CONTEXT and the reason.
+/// Makes a context current and returns it; or returns EGL_NO_CONTEXT and the reason.
 EGLContext try_context(EGLDisplay display, std::string& reason) {
   const auto fail = [&reason](std::string why) {
     reason = std::move(why);
@@ -164,6 +146,19 @@ std::string gl_string(GLenum name) {
 
 }  // namespace
 
+std::string trouble_with(const GlLibrary& library) {
+  const auto close = [](void* handle) { ::dlclose(handle); };
+  const std::unique_ptr<void, decltype(close)> handle(::dlopen(library.file, RTLD_LAZY | RTLD_LOCAL));
+  std::string trouble;
+  if (!handle) {
+    const char* const reason = ::dlerror();
+    trouble = fmt::format("cannot load {} ({})", library.file, reason ? reason : "unknown");
+  } else if (!::dlsym(handle.get(), library.function)) {
+    trouble = fmt::format("{} has no {}()", library.file, library.function);
+  }
+  return trouble.empty() ? "" : fmt::format("{}; on Debian, the package {} has it", trouble, library.package);
+}
+
 GlInfo current_gl_info(std::string platform) {
   GlInfo info;
   info.renderer = gl_string(GL_RENDERER);
@@ -193,10 +188,10 @@ GlContext::GlContext(int cuda_device) {
     if (context_ != EGL_NO_CONTEXT) {
       display_ = candidate.display;
       info_ = current_gl_info(candidate.platform);
-      debug_ = std::make_unique<GlDebug>();
+      enable_gl_debug();
       return;
     }
-    failures.push_back(candidate.platform + " (" + reason + ")");
+    failures.push_back(fmt::format("{} ({})", candidate.platform, reason));
   }
   if (failures.empty()) failures.push_back("EGL offers neither devices nor the surfaceless platform");
   throw RunError("OpenGL", "no OpenGL 4.5 context without a display: " + join(failures),
@@ -204,24 +199,8 @@ GlContext::GlContext(int cuda_device) {
 }
 
 GlContext::~GlContext() {
-  // Destructors cannot report; a display that is gone has taken its contexts with it.
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
-  debug_.reset();
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
-}
-
-void GlContext::make_current() {
-  if (!eglBindAPI(EGL_OPENGL_API)) throw RunError("OpenGL", egl_error("eglBindAPI(EGL_OPENGL_API)"));
-  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
-    throw RunError("OpenGL", egl_error("eglMakeCurrent"));
-  }
-}
-
-void GlContext::release() {
-  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT)) {
-    throw RunError("OpenGL", egl_error("eglMakeCurrent without a context"));
-  }
 }
 
 }  // namespace ballpit

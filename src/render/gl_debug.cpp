@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl_debug.h"
 
-#include <utility>
+#include <iterator>
+#include <vector>
 
 #include <epoxy/gl.h>
 
@@ -11,58 +12,26 @@ namespace ballpit {
 
 namespace {
 
-void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
-                           const void* user) {
-  if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
-  // The callback's user pointer is const by OpenGL's signature only; it is the GlDebug that installed it.
-  static_cast<GlDebug*>(const_cast<void*>(user))->record({text, static_cast<size_t>(length)});
-}
-
-/// The GlDebug of the current context, or null if it has none.
-GlDebug* installed_debug() {
-  void* function = nullptr;
-  void* user = nullptr;
-  glGetPointerv(GL_DEBUG_CALLBACK_FUNCTION, &function);
-  glGetPointerv(GL_DEBUG_CALLBACK_USER_PARAM, &user);
-  return function == reinterpret_cast<void*>(&on_message) ? static_cast<GlDebug*>(user) : nullptr;
-}
-
 const char* error_name(GLenum error) {
-  switch (error) {
-    case GL_INVALID_ENUM:
-      return "GL_INVALID_ENUM";
-    case GL_INVALID_VALUE:
-      return "GL_INVALID_VALUE";
-    case GL_INVALID_OPERATION:
-      return "GL_INVALID_OPERATION";
-    case GL_INVALID_FRAMEBUFFER_OPERATION:
-      return "GL_INVALID_FRAMEBUFFER_OPERATION";
-    case GL_OUT_OF_MEMORY:
-      return "GL_OUT_OF_MEMORY";
-    case GL_CONTEXT_LOST:
-      return "GL_CONTEXT_LOST";
-    default:
-      return "an unknown error";
-  }
+  constexpr const char* kNames[] = {"GL_INVALID_ENUM",
+                                    "GL_INVALID_VALUE",
+                                    "GL_INVALID_OPERATION",
+                                    "GL_STACK_OVERFLOW",
+                                    "GL_STACK_UNDERFLOW",
+                                    "GL_OUT_OF_MEMORY",
+                                    "GL_INVALID_FRAMEBUFFER_OPERATION",
+                                    "GL_CONTEXT_LOST"};
+  const GLenum k = error - GL_INVALID_ENUM;
+  return k < std::size(kNames) ? kNames[k] : "an unknown error";
 }
 
 }  // namespace
 
-GlDebug::GlDebug() {
+void enable_gl_debug() {
   glEnable(GL_DEBUG_OUTPUT);
-  glDebugMessageCallback(on_message, this);
-}
-
-GlDebug::~GlDebug() { glDebugMessageCallback(nullptr, nullptr); }
-
-void GlDebug::record(std::string message) {
-  const std::lock_guard lock(mutex_);
-  messages_.push_back(std::move(message));
-}
-
-std::vector<std::string> GlDebug::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(messages_, {});
+  glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  glDebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_ERROR, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_HIGH, 0, nullptr, GL_TRUE);
 }
 
 void check_gl(const std::string& doing) {
@@ -70,13 +39,15 @@ void check_gl(const std::string& doing) {
     throw RunError(doing, "the OpenGL context is lost, since the driver has reset the graphics device", "start again");
   }
   std::vector<std::string> errors;
-  // A lost context reports an error for ever.
+  // A lost context reports errors without end.
   for (GLenum error = glGetError(); error != GL_NO_ERROR && errors.size() < 8; error = glGetError()) {
     errors.push_back(error_name(error));
   }
-  if (GlDebug* debug = installed_debug()) {
-    std::vector<std::string> messages = debug->take();
-    errors.insert(errors.end(), messages.begin(), messages.end());
+  std::string message(8192, '\0');
+  GLsizei length = 0;  // with the zero at the end
+  while (glGetDebugMessageLog(1, static_cast<GLsizei>(message.size()), nullptr, nullptr, nullptr, nullptr, &length,
+                              message.data()) == 1) {
+    errors.push_back(message.substr(0, static_cast<size_t>(length > 0 ? length - 1 : 0)));
   }
   if (!errors.empty()) throw RunError(doing, "OpenGL reports " + join(errors, "; "));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenGL names with owners: made with the object, deleted with it, moved but never copied.
+// OpenGL names with owners: each is made with its object, deleted with it, moved but never copied.
 #pragma once
 
 #include <utility>
@@ -8,71 +8,34 @@
 
 namespace ballpit {
 
-/// `Kind` knows how to create and destroy one name.
-template <class Kind>
+/// `create(1, &name)` makes a name, `destroy(1, &name)` deletes it.
+template <auto& create, auto& destroy>
 class GlObject {
  public:
-  GlObject() : name_(Kind::create()) {}
+  GlObject() { create(1, &name_); }
   GlObject(GlObject&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
   GlObject& operator=(GlObject&& other) noexcept {
     std::swap(name_, other.name_);
     return *this;
   }
   ~GlObject() {
-    if (name_ != 0) Kind::destroy(name_);
+    if (name_ != 0) destroy(1, &name_);
   }
 
   GLuint name() const { return name_; }
 
  private:
-  GLuint name_;
+  GLuint name_ = 0;
 };
 
-struct BufferKind {
-  static GLuint create() {
-    GLuint name = 0;
-    glCreateBuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
-};
+inline void create_texture(GLsizei count, GLuint* names) { glCreateTextures(GL_TEXTURE_2D, count, names); }
+inline void create_program(GLsizei, GLuint* name) { *name = glCreateProgram(); }
+inline void delete_program(GLsizei, const GLuint* name) { glDeleteProgram(*name); }
 
-struct VertexArrayKind {
-  static GLuint create() {
-    GLuint name = 0;
-    glCreateVertexArrays(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
-};
-
-struct FramebufferKind {
-  static GLuint create() {
-    GLuint name = 0;
-    glCreateFramebuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
-};
-
-struct TextureKind {
-  static GLuint create() {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteTextures(1, &name); }
-};
-
-struct ProgramKind {
-  static GLuint create() { return glCreateProgram(); }
-  static void destroy(GLuint name) { glDeleteProgram(name); }
-};
-
-using GlBuffer = GlObject<BufferKind>;
-using GlVertexArray = GlObject<VertexArrayKind>;
-using GlFramebuffer = GlObject<FramebufferKind>;
-using GlTexture = GlObject<TextureKind>;
-using GlProgram = GlObject<ProgramKind>;
+using GlBuffer = GlObject<glCreateBuffers, glDeleteBuffers>;
+using GlVertexArray = GlObject<glCreateVertexArrays, glDeleteVertexArrays>;
+using GlFramebuffer = GlObject<glCreateFramebuffers, glDeleteFramebuffers>;
+using GlTexture = GlObject<create_texture, glDeleteTextures>;
+using GlProgram = GlObject<create_program, delete_program>;
 
 }  // namespace ballpit

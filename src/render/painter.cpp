@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kMargin = 16, kPad = 8, kSample = 40;  // [1/1080 of the picture's height]
 
-/// The sample, from x on, around the line's middle y.
+/// Draws the sample from `at` to the right.
 void draw_swatch(Sheet& sheet, const NotePart& part, Vec2 at) {
   const float u = sheet.unit();
   const Rgba color = to_rgba(part.color);

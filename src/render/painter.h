@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What overlays draw with. Two places of the picture are shared out, so that overlays do not lie over one another:
+// What overlays draw with. It assigns two areas of the picture, so that overlays do not cover each other:
 //
 //     ┌──────────────────────────┐
-//     │ ─ 12 apart  ━ 3 contacts │   note(): one line of legend after the other, downwards
+//     │ ─ 12 apart  ━ 3 contacts │   note(): lines of a legend, downwards
 //     │ → longest arrow: 2.3 m/s │
 //     │                          │
-//     │▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒│   take_strip(): full width, one above the other, upwards
+//     │▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒│   take_strip(): full width, upwards
 //     └──────────────────────────┘
 #pragma once
 
@@ -14,14 +14,13 @@
 #include <vector>
 
 #include "core/numbers.h"
-#include "render/face_renderer.h"
-#include "render/line_renderer.h"
+#include "render/shapes.h"
 #include "render/sheet.h"
 #include "render/theme.h"
 
 namespace ballpit {
 
-/// How a thing looks in the picture, as a sample beside its name.
+/// A sample in the legend of how something looks in the picture.
 enum class Swatch { none, line, bold, twice, arrow, square };
 
 struct NotePart {
@@ -38,17 +37,17 @@ struct Strip {
 struct Painter {
   LineRenderer& lines;
   FaceRenderer& faces;
-  Sheet& sheet;  ///< in pixels of the picture, before all that is drawn in space
+  Sheet& sheet;  ///< in pixels, in front of everything that is drawn in space
   const Theme& theme;
-  float line_unit;  ///< [pixel] 1/1080 of the picture's height, so that every size of picture is the same
-                    ///< design
+  float line_unit;  ///< [pixel] 1/1080 of the picture's height, so that lines look the same at every size
   float noted = 0;  ///< [pixel] height of the notes so far
   float taken = 0;  ///< [pixel] height of the strips so far
 
-  /// A line of legend in the upper left corner, below those before.
+  /// Adds a line to the legend in the upper left corner.
   void note(const std::vector<NotePart>& parts);
+  void note(const std::string& text) { note({{Swatch::none, {}, text}}); }
 
-  /// A place at the lower edge, on a translucent ground.
+  /// Takes a strip at the lower edge and gives it a translucent ground.
   Strip take_strip(float height);
 
   Rgba ink(float opacity = 1) const { return to_rgba(theme.text, opacity); }

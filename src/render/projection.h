@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// From a point in space to a pixel of the picture, for what is drawn on the sheet.
+// Computes the pixel of a point in space, for drawing on the sheet.
 #pragma once
 
-#include "render/camera.h"
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "render/frame_view.h"
 #include "render/sheet.h"
 
 namespace ballpit {
@@ -15,26 +19,27 @@ class Projection {
         clip_(camera.projection() * view_),
         size_(sheet.width(), sheet.height()) {}
 
-  /// [m] from the eye's plane.
+  /// [m] Distance from the plane of the eye.
   float depth(const Vec3& point) const { return -(view_ * Vec4(point, 1)).z; }
 
   bool sees(const Vec3& point) const { return depth(point) > camera_.near; }
 
-  /// [pixel] from the upper left corner; y goes down. Only for a point that is seen.
+  /// [pixel] from the upper left corner; y goes down. Only for points that sees() accepts.
   Vec2 at(const Vec3& point) const {
     const Vec4 clip = clip_ * Vec4(point, 1);
     return Vec2(1 + clip.x / clip.w, 1 - clip.y / clip.w) / 2.0f * size_;
   }
 
-  /// [pixel] A length at a point, seen from the side.
+  /// [pixel] of a length [m] at a point, perpendicular to the view.
   float length_at(const Vec3& point, float length) const {
     return length / camera_.pixel_size(depth(point), static_cast<int>(size_.y));
   }
 
-  /// The same pixel, but nearer by `way`: what lies inside a sphere comes before it, and behind what hides the sphere.
-  Vec3 lift(const Vec3& point, float way) const {
-    const Vec3 eyewards = camera_.is_orthographic() ? camera_.eye - camera_.target : camera_.eye - point;
-    return point + way * normalize(eyewards);
+  /// A point at the same pixel, but nearer by `distance`: a point inside a sphere moves in front of that sphere, but stays
+  /// behind other spheres that hide it.
+  Vec3 lift(const Vec3& point, float distance) const {
+    const Vec3 towards_eye = camera_.is_orthographic() ? camera_.eye - camera_.target : camera_.eye - point;
+    return point + distance * normalize(towards_eye);
   }
 
  private:
@@ -42,5 +47,16 @@ class Projection {
   Mat4 view_, clip_;
   Vec2 size_;
 };
+
+/// Makes lines of overlays thinner where spheres are small, so that the lines do not hide the spheres.
+/// A factor for widths: 1, or less if the mean sphere is small in the picture. `unit`: 1/1080 of its height [pixel].
+inline float line_scale(const FrameView& view, const Projection& projection, float unit) {
+  constexpr float kFull = 24, kMin = 0.25f;  // the radius [unit] from which the factor is 1; the smallest factor
+  const std::vector<float>& radius = view.inspection.bodies.radius;
+  const Vec3 middle = (view.domain.min + view.domain.max) / 2.0f;
+  if (radius.empty() || !projection.sees(middle)) return 1;
+  const float mean = std::accumulate(radius.begin(), radius.end(), 0.0f) / static_cast<float>(radius.size());
+  return std::clamp(projection.length_at(middle, mean) / (kFull * unit), kMin, 1.0f);
+}
 
 }  // namespace ballpit

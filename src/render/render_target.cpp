@@ -2,7 +2,8 @@
 #include "render/render_target.h"
 
 #include <algorithm>
-#include <string>
+
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "render/gl_debug.h"
@@ -11,20 +12,16 @@ namespace ballpit {
 
 namespace {
 
-int largest_side() {
+/// Returns `side`. Throws UserError unless the device can draw pictures of that size.
+int checked_side(int width, int height, int side) {
   GLint texture = 0;
   GLint viewport[2] = {0, 0};
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-  return std::min({texture, viewport[0], viewport[1]});
-}
-
-/// `side`, if textures can have it.
-int checked_side(int width, int height, int side) {
-  const int largest = largest_side();
+  const int largest = std::min({texture, viewport[0], viewport[1]});
   if (width >= 1 && height >= 1 && width <= largest && height <= largest) return side;
-  throw UserError("--size", std::to_string(width) + "x" + std::to_string(height) + " pixels, supersampling included",
-                  "sides of 1 to " + std::to_string(largest) + " pixels here");
+  throw UserError("--size", fmt::format("{}x{} pixels, supersampling included", width, height),
+                  fmt::format("sides of 1 to {} pixels here", largest));
 }
 
 }  // namespace
@@ -33,12 +30,12 @@ RenderTarget::RenderTarget(int width, int height)
     : width_(checked_side(width, height, width)), height_(checked_side(width, height, height)) {
   glTextureStorage2D(color_.name(), 1, GL_RGBA8, width_, height_);
   glTextureStorage2D(depth_.name(), 1, GL_DEPTH_COMPONENT32F, width_, height_);
-  check_gl("making a picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels");
+  check_gl(fmt::format("making a picture of {}x{} pixels", width, height));
   glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, color_.name(), 0);
   glNamedFramebufferTexture(framebuffer_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   const GLenum status = glCheckNamedFramebufferStatus(framebuffer_.name(), GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
-    throw RunError("OpenGL", "cannot draw into the picture: framebuffer status " + std::to_string(status));
+    throw RunError("OpenGL", fmt::format("cannot draw into the picture: framebuffer status {}", status));
   }
 }
 

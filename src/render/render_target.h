@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a picture is drawn: colour and depth in textures of a framebuffer.
+// A framebuffer to draw a picture into, with textures for colour and depth.
 #pragma once
 
 #include "render/gl_object.h"
@@ -11,7 +11,7 @@ class RenderTarget {
   /// Throws UserError if the device cannot draw pictures of that size.
   RenderTarget(int width, int height);
 
-  void bind() const;  ///< draws go here, to all of it
+  void bind() const;  ///< directs drawing to the whole picture
 
   GLuint framebuffer() const { return framebuffer_.name(); }
   GLuint color() const { return color_.name(); }

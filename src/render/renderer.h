@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Draws one view into a picture of fixed size: floor, bodies, overlays, domain.
-// Needs a current OpenGL 4.5 context, made by GlContext or by a window, from its making to its end.
+// Needs a current OpenGL 4.5 context, made by GlContext or by a window, for its whole life.
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include "render/body_buffer.h"
+#include "render/body_renderer.h"
+#include "render/coloring.h"
+#include "render/frame_uniforms.h"
 #include "render/frame_view.h"
 #include "render/image.h"
+#include "render/painter.h"
+#include "render/render_target.h"
+#include "render/shapes.h"
 #include "render/sheet.h"
 #include "render/theme.h"
 
@@ -15,7 +21,7 @@ namespace ballpit {
 
 struct RenderOptions {
   Theme theme = themes().front();
-  int supersample = 1;  ///< 1 to 4: draws that many times larger each way and averages, for stills
+  int supersample = 1;  ///< 1 to 4: draws that many times larger in each direction and averages, for stills
   int left = 0;         ///< [pixel] of the picture's width that are left to a panel
 };
 
@@ -23,7 +29,6 @@ class Renderer {
  public:
   /// Throws UserError for sizes that no picture has or that the device cannot draw.
   Renderer(int width, int height, const RenderOptions& options = {});
-  ~Renderer();
 
   /// Leaves the finished picture's framebuffer bound and its viewport set, so that a panel can draw over it.
   /// Throws RunError with OpenGL's message if drawing failed.
@@ -35,22 +40,36 @@ class Renderer {
   /// Copies the picture to the window's framebuffer.
   void copy_to_window();
 
-  int width() const;
-  int height() const;
+  int width() const { return picture_.width(); }
+  int height() const { return picture_.height(); }
 
   /// What is drawn, for a BodyWriter.
-  BodyBuffer& bodies();
+  BodyBuffer& bodies() { return bodies_; }
 
-  /// What text is drawn on; a panel shares it.
-  Sheet& sheet();
+  /// Where text is drawn; a panel shares it.
+  Sheet& sheet() { return sheet_; }
 
-  /// Restyles or resizes; everything that is shown stays as it is.
+  /// Changes style or size; what is shown stays the same.
   void set_options(const RenderOptions& options);
   void resize(int width, int height);
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  const RenderTarget& canvas() const { return large_ ? *large_ : picture_; }
+  void set_state();
+  void draw_scene(const FrameView& view, const ColoringEntry& coloring, const Colored& colored);
+  void average();
+
+  RenderOptions options_;
+  RenderTarget picture_;
+  std::optional<RenderTarget> large_;  // where supersampled pictures are drawn
+  Sheet sheet_;
+  BodyBuffer bodies_;
+  FrameUniforms uniforms_;
+  BodyRenderer body_renderer_;
+  LineRenderer lines_;
+  FaceRenderer faces_;
+  Shader average_{"average.vert", "average.frag"};
+  GlVertexArray no_attributes_;
 };
 
 }  // namespace ballpit

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "shader_files.h"
 
@@ -18,7 +20,7 @@ std::string_view shader_text(const std::string& file) {
   return found->text;
 }
 
-/// The file with its includes in place; #line keeps the compiler's line numbers those of the file.
+/// The file with its includes replaced; #line keeps the line numbers in the driver's messages those of the file.
 std::string preprocessed(const std::string& file) {
   constexpr std::string_view kInclude = "#include \"";
   std::string result;
@@ -27,9 +29,9 @@ std::string preprocessed(const std::string& file) {
     const size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
     const std::string_view text = rest.substr(0, end);
     rest.remove_prefix(end);
-    if (text.substr(0, kInclude.size()) == kInclude) {
+    if (text.starts_with(kInclude)) {
       const std::string_view name = text.substr(kInclude.size(), text.find('"', kInclude.size()) - kInclude.size());
-      result += preprocessed(std::string(name)) + "#line " + std::to_string(line + 1) + "\n";
+      result += fmt::format("{}#line {}\n", preprocessed(std::string(name)), line + 1);
     } else {
       result += text;
     }
@@ -37,74 +39,57 @@ std::string preprocessed(const std::string& file) {
   return result;
 }
 
+/// What the driver says of a shader or program.
+std::string log_of(GLuint name, PFNGLGETSHADERINFOLOGPROC get_log) {
+  std::string log(4096, '\0');
+  GLsizei length = 0;
+  get_log(name, static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<size_t>(length));
+  return log;
+}
+
 class ShaderStage {
  public:
-  ShaderStage(GLenum type, const std::string& file) : name_(glCreateShader(type)) {
+  ShaderStage(GLuint program, GLenum type, const std::string& file) : program_(program), name_(glCreateShader(type)) {
     const std::string text = preprocessed(file);
     const char* source = text.c_str();
     glShaderSource(name_, 1, &source, nullptr);
     glCompileShader(name_);
     GLint compiled = GL_FALSE;
     glGetShaderiv(name_, GL_COMPILE_STATUS, &compiled);
+    glAttachShader(program_, name_);
     if (compiled) return;
-    std::string log(4096, '\0');
-    GLsizei length = 0;
-    glGetShaderInfoLog(name_, static_cast<GLsizei>(log.size()), &length, log.data());
-    log.resize(static_cast<size_t>(length));
+    const std::string log = log_of(name_, glGetShaderInfoLog);
     glDeleteShader(name_);
     throw RunError(file, "the shader does not compile: " + log);
   }
   ShaderStage(const ShaderStage&) = delete;
   ShaderStage& operator=(const ShaderStage&) = delete;
-  ~ShaderStage() { glDeleteShader(name_); }
-
-  GLuint name() const { return name_; }
+  ~ShaderStage() {
+    glDetachShader(program_, name_);
+    glDeleteShader(name_);
+  }
 
  private:
-  GLuint name_;
+  GLuint program_, name_;
 };
 
 }  // namespace
 
 Shader::Shader(const std::string& vertex_file, const std::string& fragment_file)
     : name_(vertex_file + " + " + fragment_file) {
-  const ShaderStage vertex(GL_VERTEX_SHADER, vertex_file);
-  const ShaderStage fragment(GL_FRAGMENT_SHADER, fragment_file);
-  glAttachShader(program_.name(), vertex.name());
-  glAttachShader(program_.name(), fragment.name());
+  const ShaderStage vertex(program_.name(), GL_VERTEX_SHADER, vertex_file);
+  const ShaderStage fragment(program_.name(), GL_FRAGMENT_SHADER, fragment_file);
   glLinkProgram(program_.name());
-  glDetachShader(program_.name(), vertex.name());
-  glDetachShader(program_.name(), fragment.name());
   GLint linked = GL_FALSE;
   glGetProgramiv(program_.name(), GL_LINK_STATUS, &linked);
-  if (linked) return;
-  std::string log(4096, '\0');
-  GLsizei length = 0;
-  glGetProgramInfoLog(program_.name(), static_cast<GLsizei>(log.size()), &length, log.data());
-  log.resize(static_cast<size_t>(length));
-  throw RunError(name_, "the shaders do not link: " + log);
+  if (!linked) throw RunError(name_, "the shaders do not link: " + log_of(program_.name(), glGetProgramInfoLog));
 }
 
 GLint Shader::location(const char* uniform) const {
   const GLint found = glGetUniformLocation(program_.name(), uniform);
   if (found < 0) throw RunError(name_, std::string("the shaders have no uniform ") + uniform);
   return found;
-}
-
-void Shader::set(const char* uniform, int value) const {
-  glProgramUniform1i(program_.name(), location(uniform), value);
-}
-
-void Shader::set(const char* uniform, float value) const {
-  glProgramUniform1f(program_.name(), location(uniform), value);
-}
-
-void Shader::set(const char* uniform, const Vec3& value) const {
-  glProgramUniform3fv(program_.name(), location(uniform), 1, &value[0]);
-}
-
-void Shader::set(const char* uniform, const Vec4& value) const {
-  glProgramUniform4fv(program_.name(), location(uniform), 1, &value[0]);
 }
 
 }  // namespace ballpit

@@ -17,16 +17,16 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::array<float, 4> kSizes{22, 26, 38, 22};  // [pixel] at 1080 lines, as TextSize names them
-constexpr float kSmallest = 9;                          // [pixel] below it letters are not read
-constexpr float kLargest = 128;  // [pixel] larger letters are these, magnified: all of them take memory
-constexpr float kFine = 64;      // [pixel] up to it letters are sampled twice across
-constexpr float kHead = 4.5f;    // of an arrow, in widths of its line
-constexpr float kDots = 2.5f;    // from one dot to the next, in widths
+constexpr std::array<float, 4> kSizes{22, 26, 38, 22};  // [pixel] at 1080 lines, in the order of TextSize
+constexpr float kSmallest = 9;                          // [pixel] smaller letters are not legible
+constexpr float kLargest = 128;                         // [pixel] larger letters are magnified, to save memory
+constexpr float kFine = 64;    // [pixel] up to this size, letters are sampled twice horizontally
+constexpr float kHead = 4.5f;  // of an arrow [width of its line]
+constexpr float kDots = 2.5f;  // from one dot to the next [width]
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
-/// What is written: Western European languages, and the signs of formulas.
+/// Western European languages, and the signs of formulas.
 const ImVector<ImWchar>& glyph_ranges() {
   static const ImVector<ImWchar> ranges = [] {
     ImFontGlyphRangesBuilder builder;
@@ -39,7 +39,7 @@ const ImVector<ImWchar>& glyph_ranges() {
   return ranges;
 }
 
-/// ImGui uses what it allocates without a look; a lack of memory must not come that far.
+/// ImGui does not check its allocations, so the allocator throws.
 ImGuiContext* make_context() {
   const auto allocate = [](size_t size, void*) {
     if (void* const memory = std::malloc(size)) return memory;
@@ -53,7 +53,7 @@ ImGuiContext* make_context() {
 
 Sheet::Sheet() : context_(make_context()) {
   ImGui::SetCurrentContext(context_);
-  ImGui::GetIO().IniFilename = nullptr;  // a panel's state survives only if asked
+  ImGui::GetIO().IniFilename = nullptr;  // ImGui must not write a file for the state of its windows
   if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
     ImGui::DestroyContext(context_);
     throw RunError("Dear ImGui", "cannot draw in this OpenGL context");
@@ -77,8 +77,8 @@ void Sheet::load_fonts() {
   config.FontDataOwnedByAtlas = false;
   for (size_t k = 0; k < fonts_.size(); ++k) {
     const bool is_panel = k == static_cast<size_t>(TextSize::panel);
-    const float least = kSmallest * (is_panel ? panel_density_ : 1), scale = is_panel ? panel_scale_ : 1;
-    const float size = std::max(least, std::round(kSizes[k] * unit() * scale)), drawn = std::min(size, kLargest);
+    const float min = kSmallest * (is_panel ? panel_density_ : 1), scale = is_panel ? panel_scale_ : 1;
+    const float size = std::max(min, std::round(kSizes[k] * unit() * scale)), drawn = std::min(size, kLargest);
     config.OversampleH = drawn <= kFine ? 2 : 1;
     fonts_[k] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(roboto()), static_cast<int>(roboto_size()), drawn,
                                            &config, glyph_ranges().Data);
@@ -98,7 +98,7 @@ void Sheet::scale_panel(float scale, float density) {
   load_fonts();
 }
 
-/// What ImGui::NewFrame() tells draw lists; a sheet has no frame of ImGui's. Without it, lines have no colour.
+/// Does for draw lists what ImGui::NewFrame() does in a frame of ImGui. Without it, lines have no colour.
 void Sheet::prepare_shapes() {
   ImDrawListSharedData& shared = *ImGui::GetDrawListSharedData();
   const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -119,7 +119,7 @@ void Sheet::begin(int width, int height, int left) {
   prepare_shapes();
   list_->_ResetForNewFrame();
   list_->Flags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill |
-                 ImDrawListFlags_AllowVtxOffset;  // more vertices than 16 bits count
+                 ImDrawListFlags_AllowVtxOffset;  // for more than 65 536 vertices
   list_->PushClipRect({0, 0}, {static_cast<float>(width - left), static_cast<float>(height)});
   list_->PushTextureID(ImGui::GetIO().Fonts->TexID);
 }

@@ -2,7 +2,6 @@
 // One colour for one meaning, on two grounds. Hues are Okabe and Ito's, safe for colour-blind viewers.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,32 +9,36 @@
 
 namespace ballpit {
 
+/// 0x8FA9C4 → (0x8F, 0xA9, 0xC4) / 255.
+inline Vec3 rgb(unsigned hex) { return Vec3(hex >> 16 & 255u, hex >> 8 & 255u, hex & 255u) / 255.0f; }
+
 /// Colours as encoded (sRGB) values from 0 to 1.
 struct Theme {
   std::string_view name;
   std::string_view label;
   Vec3 background;
   Vec3 text;
-  Vec3 floor;      ///< the plane under the spheres
-  Vec3 body;       ///< a sphere without a mark
-  Vec3 contact;    ///< a sphere that touches another
-  Vec3 grid;       ///< cells
-  Vec3 domain;     ///< the box
-  Vec3 candidate;  ///< a pair that is tested and does not touch
-  Vec3 missed;     ///< a contact that the method does not find
-  Vec3 selected;   ///< the sphere that the audience looks at, and its block
-  Vec3 begin;      ///< an interval's ends, and the thread that walks between them
-  Vec3 idle;       ///< what has nothing to do: empty, or at its end at once
-  Vec3 on_body;    ///< text on spheres and other light colours
-  float shadow;    ///< darkness of the shadow under a sphere that lies on the floor, 0 to 1
-  float ambient;   ///< light from all around, 0 to 1
-  float key;       ///< light from one side, 0 to 1
+  Vec3 floor;     ///< the plane under the spheres
+  float shadow;   ///< darkness of the shadow under a sphere that lies on the floor, 0 to 1
+  float ambient;  ///< light from all around, 0 to 1
+  float key;      ///< light from one side, 0 to 1
+
+  Vec3 body = rgb(0x8FA9C4);       ///< a sphere without a mark
+  Vec3 contact = rgb(0xE69F00);    ///< a sphere that touches another
+  Vec3 grid = rgb(0x009E73);       ///< cells
+  Vec3 domain = rgb(0xE69F00);     ///< the box
+  Vec3 candidate = rgb(0x56B4E9);  ///< a pair that is tested and does not touch
+  Vec3 missed = rgb(0xD55E00);     ///< a contact that the method does not find
+  Vec3 selected = rgb(0xCC79A7);   ///< the selected sphere and its block
+  Vec3 begin = rgb(0x0072B2);      ///< an interval's ends, and the thread that walks between them
+  Vec3 idle = rgb(0x808080);       ///< an empty entry, or a thread that ends at once
+  Vec3 on_body = rgb(0x1A1A1A);    ///< text on spheres and other light colours
 };
 
 /// All themes; the first is the default.
 const std::vector<Theme>& themes();
 
 /// Throws UserError that lists the themes.
-const Theme& theme_named(const std::string& name);
+const Theme& theme_named(std::string_view name);
 
 }  // namespace ballpit

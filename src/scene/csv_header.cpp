@@ -2,7 +2,8 @@
 #include "scene/csv_header.h"
 
 #include <algorithm>
-#include <array>
+
+#include <fmt/format.h>
 
 namespace ballpit {
 
@@ -57,7 +58,7 @@ CsvHeader split_header(std::string_view line, char separator) {
     header.columns.push_back(known != nullptr ? known->column : kIgnored);
     if (known != nullptr && known->column == kRadius) header.radius_factor = known->factor;
   }
-  // Separators at the end of the line name no columns.
+  // Separators at the end of the line do not name columns.
   while (!header.names.empty() && header.names.back().empty()) {
     header.names.pop_back();
     header.columns.pop_back();
@@ -65,7 +66,7 @@ CsvHeader split_header(std::string_view line, char separator) {
   return header;
 }
 
-/// The first column that is needed and not there.
+/// The first required column that the header lacks.
 const ColumnName* missing(const CsvHeader& header) {
   for (const ColumnName& name : kNames) {
     if (name.column <= kRadius && !header.has(name.column)) return &name;
@@ -93,15 +94,15 @@ bool CsvHeader::has(CsvColumn column) const {
 }
 
 std::string CsvHeader::ignored() const {
-  constexpr size_t kMostNamed = 8;
+  constexpr size_t kMaxNamed = 8;
   std::string text;
   size_t count = 0;
   for (size_t k = 0; k < columns.size(); ++k) {
-    if (columns[k] != kIgnored || ++count > kMostNamed) continue;
+    if (columns[k] != kIgnored || ++count > kMaxNamed) continue;
     if (!text.empty()) text += ", ";
-    text += names[k].empty() ? "column " + std::to_string(k + 1) + " without a name" : quoted(names[k]);
+    text += names[k].empty() ? fmt::format("column {} without a name", k + 1) : quoted(names[k]);
   }
-  if (count > kMostNamed) text += " and " + std::to_string(count - kMostNamed) + " more";
+  if (count > kMaxNamed) text += fmt::format(" and {} more", count - kMaxNamed);
   return text;
 }
 
@@ -146,17 +147,17 @@ UserError no_csv_header(std::string_view line, const Place& place) {
     return input_error(place, "header", "text in UTF-16", "text in UTF-8");
   }
   CsvHeader best;
-  int64_t most = -1;
+  int64_t max = -1;
   for (const char separator : kSeparators) {
     CsvHeader header = split_header(line, separator);
     const auto known = static_cast<int64_t>(header.columns.size()) -
                        std::count(header.columns.begin(), header.columns.end(), kIgnored);
-    if (known <= most) continue;
-    most = known;
+    if (known <= max) continue;
+    max = known;
     best = std::move(header);
   }
   std::string found = "no column " + quoted(missing(best)->name);
-  if (most == 0) found = quoted(trimmed(line)) + ", " + found;
+  if (max == 0) found = quoted(trimmed(line)) + ", " + found;
   return input_error(place, "header", found, kHeaderRule);
 }
 

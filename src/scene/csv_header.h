@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How a CSV file of spheres is written, as its header says: what separates its fields, and what each column holds.
+// The format of a CSV file of spheres, from its header: the separator of the fields and the meaning of each column.
 //
 //     x,y,z,radius          "","x","y","z","radius"          # x y z radius          X;Y;Z;Diameter
 //     0,0,0,0.5             "1",0,0,0,0.5                    0 0 0 0.5               0;0;0;1,0
 //     by hand               R                                numpy                   a spreadsheet, decimal commas
 //
-// Separators are commas, semicolons, tabs or blanks: the first of them that makes the header name x, y, z and a radius.
-// Names are read in any case; columns with other names are left out. Why there is no library for it:
-// docs/decisions/0025-reading-csv.md.
+// Separators are commas, semicolons, tabs or blanks: the first one with which the header names x, y, z and a radius. Names may
+// be in upper or lower case; columns with other names are ignored. docs/decisions/0025-reading-csv.md explains why we use no
+// library.
 #pragma once
 
 #include <charconv>
@@ -24,17 +24,16 @@ enum CsvColumn { kX, kY, kZ, kRadius, kVx, kVy, kVz, kMassColumn, kColumns, kIgn
 
 struct CsvHeader {
   char separator = ',';            ///< ' ' stands for any number of blanks and tabs
-  std::vector<CsvColumn> columns;  ///< what each field of a row holds
+  std::vector<CsvColumn> columns;  ///< the meaning of each field of a row
   std::vector<std::string> names;  ///< as written
   double radius_factor = 1;        ///< from the column to a radius: 0.5 where it holds diameters
 
   bool has(CsvColumn column) const;
-  /// For the user: "column 1 without a name, "id""; empty where every column is read.
+  /// For the user: "column 1 without a name, "id""; empty if every column is used.
   std::string ignored() const;
 };
 
-/// The fields of a line, one after the other; in quotes or not, without blanks around them. A field that begins with a
-/// quote ends with one, and may hold separators.
+/// The fields of a line in order, without surrounding blanks and quotes. A field in quotes may contain separators.
 class CsvFields {
  public:
   CsvFields(std::string_view line, char separator) : rest_(line), separator_(separator) {
@@ -42,7 +41,7 @@ class CsvFields {
     is_done_ = rest_.empty();
   }
 
-  /// Takes the next field; false after the last. Inline, since a file has many.
+  /// Takes the next field; false after the last. Inline for speed.
   bool next(std::string_view& field) {
     if (is_done_) return false;
     skip_blanks();
@@ -58,8 +57,8 @@ class CsvFields {
     return true;
   }
 
-  /// Takes the next field where it is a bare number; false, and nothing is taken, where it may be anything else. What
-  /// most files are made of, in one pass.
+  /// Takes the next field if it is a bare number; otherwise returns false and takes nothing. A single pass for the fields of
+  /// most files.
   bool next_number(std::string_view& field, double& value) {
     const char* const last = rest_.data() + rest_.size();
     const auto [end, error] = std::from_chars(rest_.data(), last, value);
@@ -70,7 +69,7 @@ class CsvFields {
     return true;
   }
 
-  /// What is wrong with the field taken last; nullptr where nothing is.
+  /// The error in the field taken last; nullptr if there is none.
   const char* fault() const { return fault_; }
 
  private:
@@ -86,10 +85,10 @@ class CsvFields {
   const char* fault_ = nullptr;
 };
 
-/// The header in `line`; nothing where it lacks a column that is needed. Throws UserError for a column named twice.
+/// The header in `line`; nothing if it lacks a required column. Throws UserError for a column named twice.
 std::optional<CsvHeader> parse_csv_header(std::string_view line, const Place& place);
 
-/// What to throw where `line` is no header.
+/// The error to throw if `line` is not a header.
 UserError no_csv_header(std::string_view line, const Place& place);
 
 /// "columns x, y, z, radius and optionally vx, vy, vz, mass".

@@ -2,10 +2,11 @@
 #include "scene/extended_xyz.h"
 
 #include <algorithm>
-#include <initializer_list>
 
-#include "core/append_number.h"
+#include <fmt/format.h>
+
 #include "core/error.h"
+#include "core/numbers.h"
 
 namespace ballpit {
 
@@ -13,19 +14,10 @@ namespace {
 
 constexpr size_t kBufferSize = 1 << 20;
 
-// No chemical element: ASE's name of what is none. OVITO takes any name.
+// ASE's name for something that is no chemical element; OVITO accepts any name.
 constexpr const char* kSpecies = "X";
 
-void append_numbers(std::string& text, std::initializer_list<double> values) {
-  const char* separator = "";
-  for (const double value : values) {
-    text += separator;
-    append_number(text, value);
-    separator = " ";
-  }
-}
-
-/// [m] A plane gets the thickness of its spheres, since a cell without volume is refused.
+/// [m] A planar scene gets the thickness of its spheres, since the readers refuse a cell without volume.
 double thickness_of(const Bodies& bodies) {
   const auto largest = std::max_element(bodies.radius.begin(), bodies.radius.end());
   return largest == bodies.radius.end() ? 1.0 : 2 * *largest;
@@ -39,7 +31,7 @@ ExtendedXyz::~ExtendedXyz() {
   try {
     finish();
   } catch (const RunError&) {
-    // nobody is left to tell
+    // a destructor cannot report it
   }
 }
 
@@ -64,7 +56,7 @@ void ExtendedXyz::append_header(double time, const Bodies& bodies) {
     size.z = thickness_of(bodies);
     origin.z = -0.5 * size.z;
   }
-  buffer_ += std::to_string(bodies.size()) + "\nLattice=\"";
+  buffer_ += fmt::format("{}\nLattice=\"", bodies.size());
   append_numbers(buffer_, {size.x, 0, 0, 0, size.y, 0, 0, 0, size.z});
   buffer_ += "\" Origin=\"";
   append_numbers(buffer_, {origin.x, origin.y, origin.z});
@@ -82,7 +74,7 @@ void ExtendedXyz::flush() {
 void ExtendedXyz::finish() {
   if (!file_) return;
   if (frames_ > 0) {
-    file_->cut_to(whole_);  // what a full disk has left of one more frame
+    file_->cut_to(whole_);  // a part of a frame that a full disk has left
     file_->commit();
   }
   file_.reset();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Trajectories as extended XYZ, which OVITO and ASE read: frames one behind the other, each a line with the number of
-// spheres, a line of keys, and one sphere a line. Columns have the names that OVITO maps by itself: pos, radius, velo, mass
+// Writes trajectories as extended XYZ, which OVITO and ASE read: a sequence of frames, each with a line for the number of
+// spheres, a line of keys, and a line for each sphere. OVITO recognizes the names of the columns: pos, radius, velo, mass
 // (OVITO user manual, "XYZ file reader").
 //
 //     2000
@@ -8,7 +8,7 @@
 //     X 0.1 0.2 0.3 0.05 1 0 0 0.5
 //     …
 //
-// Cost: O(spheres) a frame, about 150 bytes each, through a buffer of a megabyte. Numbers are the shortest that read back
+// Cost: O(spheres) per frame, about 150 bytes for each, through a buffer of a megabyte. Numbers are the shortest that read back
 // as the same double.
 #pragma once
 
@@ -24,22 +24,22 @@ namespace ballpit {
 
 class ExtendedXyz {
  public:
-  /// Begins a trajectory beside its place. Throws RunError naming the path and the system's reason, as append() and finish()
+  /// Begins a trajectory in a temporary file. Throws RunError naming the path and the system's reason, as append() and finish()
   /// do.
   ExtendedXyz(const std::filesystem::path& path, const Domain& domain);
 
-  /// What ends without finish() leaves its whole frames in place as well; an error is then lost.
+  /// Finishes the file if finish() was not called, and ignores errors.
   ~ExtendedXyz();
   ExtendedXyz(const ExtendedXyz&) = delete;
   ExtendedXyz& operator=(const ExtendedXyz&) = delete;
 
-  /// Appends the state of `time` [s]. Where that fails, the frames before it can still be finished.
+  /// Appends the state at `time` [s]. If it fails, finish() still writes the earlier frames.
   void append(double time, const Bodies& bodies);
 
-  /// Puts the whole frames into their place; no file where there are none. Nothing may be appended after it.
+  /// Gives the file its name; makes no file without frames. Do not append after it.
   void finish();
 
-  int64_t frames() const { return frames_; }  ///< whole ones
+  int64_t frames() const { return frames_; }  ///< complete ones
 
  private:
   void append_header(double time, const Bodies& bodies);
@@ -49,7 +49,7 @@ class ExtendedXyz {
   std::optional<NewFile> file_;
   std::string buffer_;
   int64_t written_ = 0;  // bytes in the file
-  int64_t whole_ = 0;    // bytes of whole frames
+  int64_t whole_ = 0;    // bytes of complete frames
   int64_t frames_ = 0;
 };
 

@@ -3,164 +3,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/random.h"
+#include "scene/fill_room.h"
 
 namespace ballpit {
 
 namespace {
 
-/// `value` rounded to the 24 bits of a float, as Veltkamp splits numbers (Dekker 1971,
-/// doi 10.1007/BF01397083). Not by casting to float and back: g++ 12 drops both casts where it vectorises
-/// them (-ftree-slp-vectorize).
-double as_float(double value) {
-  const double c = value * 0x20000001p0;
-  return c - (c - value);
-}
-
-/// Where the centre of a sphere may lie, ends included, except the upper end of a periodic axis.
-struct CentreBox {
-  Vec3d low;
-  Vec3d high;
-  bool periodic[3] = {false, false, false};
-
-  bool contains(const Vec3d& p) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (p[axis] < low[axis] || p[axis] > high[axis]) return false;
-      if (periodic[axis] && p[axis] == high[axis]) return false;
-    }
-    return true;
-  }
-};
-
-/// [m] From a coordinate of the region to the next float.
-double float_spacing(const Fill& fill) {
-  double largest = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    largest = std::max({largest, std::abs(fill.min[axis]), std::abs(fill.max[axis])});
-  }
-  const auto coordinate = static_cast<float>(largest);
-  return double(std::nextafter(coordinate, std::numeric_limits<float>::infinity())) - double(coordinate);
-}
-
-/// [m] A radius that fits between two ends, in few digits: half the room, less what placing and rounding need.
-double fitting_radius(const Fill& fill, double low, double high) {
-  const double radius = (0.5 * (high - low) - 2.0 * float_spacing(fill)) / (1.0 + 2.0 * kPlacementGap);
-  if (radius <= 0.0) return 0.0;
-  const double digit = std::pow(10.0, std::floor(std::log10(radius)) - 3.0);
-  return std::floor(radius / digit) * digit;
-}
-
-CentreBox centre_box(const Domain& domain, const Fill& fill, double radius) {
-  CentreBox box{fill.min, fill.max};
-  for (int axis = 0; axis < domain.dimensions; ++axis) {
-    // Inside the region as written, and as rounded to float.
-    box.low[axis] = std::max(box.low[axis], as_float(box.low[axis]));
-    box.high[axis] = std::min(box.high[axis], as_float(box.high[axis]));
-    box.periodic[axis] = domain.boundary == Boundary::periodic && fill.min[axis] == domain.min[axis] &&
-                         fill.max[axis] == domain.max[axis];
-    if (box.periodic[axis]) continue;
-    const double low = box.low[axis], high = box.high[axis];
-    box.low[axis] += radius * (1.0 + kPlacementGap);
-    box.high[axis] -= radius * (1.0 + kPlacementGap);
-    if (box.low[axis] > box.high[axis]) {
-      const double fitting = fitting_radius(fill, low, high);
-      throw input_error(fill.place, "[[fill]] radius", number_text(radius),
-                        fitting > 0.0
-                            ? "at most " + number_text(fitting) + ", below half the region, whose edge along " +
-                                  "xyz"[axis] + " is " + number_text(fill.max[axis] - fill.min[axis])
-                            : "in a larger region, or nearer to the origin: single precision rounds by " +
-                                  number_text(float_spacing(fill)) + " m here");
-    }
-  }
-  return box;
-}
-
-/// Volume [m³] of the spheres of a fill, expected over its range of radii, over that of its region; areas in
-/// the plane.
-double volume_fraction(const Domain& domain, const Fill& fill) {
-  const double a = fill.radius_min;
-  const double b = fill.radius_max;
-  const Vec3d extent = fill.max - fill.min;
-  const auto count = static_cast<double>(fill.count);
-  if (domain.dimensions == 2) {
-    const double mean_square = (a * a + a * b + b * b) / 3.0;
-    return count * std::numbers::pi * mean_square / (extent.x * extent.y);
-  }
-  const double mean_cube = (a * a + b * b) * (a + b) / 4.0;
-  return count * (4.0 / 3.0) * std::numbers::pi * mean_cube / (extent.x * extent.y * extent.z);
-}
-
-/// Volume fraction that random placement of many equal spheres, or discs, never exceeds, with a margin for
-/// small boxes.
+/// A volume fraction that random placement of many equal spheres, or discs, never exceeds; with a margin for small boxes.
 double saturation(const Domain& domain) { return domain.dimensions == 2 ? 0.56 : 0.40; }
 
-/// `placed` is empty where none was tried. A lattice is offered where it has room.
+/// `placed` is empty if no placement was tried. The message suggests a lattice if it has room.
 [[noreturn]] void fail_random(const Domain& domain, const Fill& fill, std::optional<int64_t> placed,
                               bool fits_lattice) {
   const double percent = std::round(1000.0 * volume_fraction(domain, fill)) / 10.0;
-  const std::string only = placed ? ", but only " + std::to_string(*placed) + " found room" : "";
+  const std::string only = placed ? fmt::format(", but only {} found room", *placed) : "";
   throw input_error(fill.place, fill.count_key,
-                    std::to_string(fill.count) + " spheres" + only + ": they ask for " + number_text(percent) +
-                        " % of their region, random placement reaches about " +
-                        (domain.dimensions == 2 ? "54 %" : "38 %"),
+                    fmt::format("{} spheres{}: they ask for {} % of their region, random placement reaches about {} %",
+                                fill.count, only, number_text(percent), domain.dimensions == 2 ? 54 : 38),
                     fits_lattice ? "fewer or smaller spheres, a larger region, or arrangement = \"lattice\""
                                  : "fewer or smaller spheres, or a larger region");
 }
 
-/// Sites at low + (i, j, k) · spacing, counted i first, then k, then j: from the floor up.
-struct Lattice {
-  Vec3d low;
-  double spacing;
-  int64_t sites[3];
-
-  int64_t size() const {
-    const double product =
-        static_cast<double>(sites[0]) * static_cast<double>(sites[1]) * static_cast<double>(sites[2]);
-    return static_cast<int64_t>(std::min(product, 1e18));
-  }
-  Vec3d site(int64_t index) const {
-    const int64_t i = index % sites[0];
-    const int64_t k = index / sites[0] % sites[2];
-    const int64_t j = index / sites[0] / sites[2];
-    const Vec3d p = low + Vec3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)) * spacing;
-    return {as_float(p.x), as_float(p.y), as_float(p.z)};
-  }
-};
-
-Lattice lattice_of(const Domain& domain, const Fill& fill) {
-  const double radius = fill.radius_max;
-  const CentreBox box = centre_box(domain, fill, radius);
-  // Two units in the last place make up for rounding each of two neighbours to float.
-  const double ulp = float_spacing(fill);
-  Lattice lattice{box.low + ulp, 2.0 * radius * (1.0 + 2.0 * kPlacementGap) + 2.0 * ulp, {1, 1, 1}};
-  if (domain.dimensions == 2) lattice.low.z = 0.0;
-  for (int axis = 0; axis < domain.dimensions; ++axis) {
-    const double room = box.high[axis] - box.low[axis] - 2.0 * ulp;
-    // The last site of a periodic axis is the neighbour of the first.
-    const double count = std::floor(room / lattice.spacing) + (box.periodic[axis] ? 0.0 : 1.0);
-    lattice.sites[axis] = static_cast<int64_t>(std::clamp(count, 0.0, static_cast<double>(kLargestCount)));
-  }
-  return lattice;
-}
-
-/// How many of a fill's spheres find a free site beside those in `index`, up to its count, as large as its largest.
-int64_t free_sites(const Domain& domain, const Fill& fill, const SphereIndex& index) {
-  const Lattice lattice = lattice_of(domain, fill);
-  if (index.size() == 0) return std::min(lattice.size(), fill.count);
-  int64_t free = 0;
-  for (int64_t site = 0; site < lattice.size() && free < fill.count; ++site) {
-    free += index.is_free(lattice.site(site), fill.radius_max, kPlacementGap);
-  }
-  return free;
-}
-
-/// A fill while it is placed: its spheres are those from `first` on.
+/// A fill during its placement; its first body is `first`.
 struct Placement {
   const Scene& scene;
   const Fill& fill;
@@ -168,7 +39,7 @@ struct Placement {
   uint64_t position_seed;
   SphereIndex& index;
   Bodies& bodies;
-  const std::vector<std::pair<int64_t, int64_t>>& fixed;  ///< from, to: bodies that are placed before random ones
+  const std::vector<std::pair<int64_t, int64_t>>& fixed;  ///< first, end: bodies that are placed before random ones
 
   void set_position(int64_t i, const Vec3d& position) const {
     const auto k = static_cast<size_t>(i);
@@ -177,8 +48,7 @@ struct Placement {
   }
 };
 
-/// Radii, velocities and masses, in the order of the bodies, so that they do not depend on how positions are
-/// found.
+/// Draws radii, velocities and masses, in the order of the bodies, so they do not depend on the search for positions.
 void draw_properties(const Placement& placement, Random& master) {
   const Fill& fill = placement.fill;
   Bodies& bodies = placement.bodies;
@@ -200,21 +70,19 @@ void draw_properties(const Placement& placement, Random& master) {
   }
 }
 
-/// Throws until a sphere of this radius stands free; counts the throws down in `budget`. False if it is given
-/// up.
+/// Throws until a sphere of this radius has room; counts the throws down in `budget`. Returns false if it found no room.
 bool throw_until_free(const Placement& placement, double radius, Random& random, int64_t& budget, Vec3d& position) {
   const Domain& domain = placement.scene.domain;
   const CentreBox box = centre_box(domain, placement.fill, radius);
   for (int attempt = 0; attempt < kAttemptsPerSphere && budget > 0; ++attempt, --budget) {
-    position = random.uniform(box.low, box.high);
-    for (int axis = 0; axis < 3; ++axis) position[axis] = as_float(position[axis]);
+    position = as_float(random.uniform(box.low, box.high));
     if (box.contains(position) && placement.index.is_free(position, radius, kPlacementGap)) return true;
   }
   return false;
 }
 
-/// Whether the fill would go onto a lattice, which is placed before what is random: beside the spheres that were there
-/// before all fills, and those of other lattices.
+/// Whether the fill would fit as a lattice, beside the spheres that are placed before it: those before all fills, and those
+/// of other lattices.
 bool fits_lattice(const Placement& placement) {
   SphereIndex fixed(placement.scene.domain);
   for (const auto& [first, end] : placement.fixed) {
@@ -229,25 +97,21 @@ bool fits_lattice(const Placement& placement) {
 void place_at_random(const Placement& placement) {
   const Fill& fill = placement.fill;
   const std::vector<double>& radius = placement.bodies.radius;
-  std::vector<int32_t> order(static_cast<size_t>(fill.count));
-  std::iota(order.begin(), order.end(), static_cast<int32_t>(placement.first));
-  std::stable_sort(order.begin(), order.end(), [&](int32_t i, int32_t j) {
-    return radius[static_cast<size_t>(i)] > radius[static_cast<size_t>(j)];
-  });
   Random random(placement.position_seed);
-  int64_t budget = 1'000'000 + 30 * fill.count;
-  for (size_t k = 0; k < order.size(); ++k) {
+  int64_t budget = 1'000'000 + 30 * fill.count, placed = 0;
+  for (const int32_t i : by_descending_radius(radius, placement.first, placement.first + fill.count)) {
     Vec3d position(0.0);
-    if (!throw_until_free(placement, radius[static_cast<size_t>(order[k])], random, budget, position)) {
-      fail_random(placement.scene.domain, fill, static_cast<int64_t>(k), fits_lattice(placement));
+    if (!throw_until_free(placement, radius[static_cast<size_t>(i)], random, budget, position)) {
+      fail_random(placement.scene.domain, fill, placed, fits_lattice(placement));
     }
-    placement.set_position(order[k], position);
+    placement.set_position(i, position);
+    ++placed;
   }
 }
 
 [[noreturn]] void fail_lattice(const Fill& fill, int64_t fitting) {
   throw input_error(fill.place, fill.count_key, std::to_string(fill.count),
-                    "at most " + std::to_string(fitting) + ": no more fit on the lattice in this region");
+                    fmt::format("at most {}: no more fit on the lattice in this region", fitting));
 }
 
 void place_on_lattice(const Placement& placement) {
@@ -265,7 +129,7 @@ void place_on_lattice(const Placement& placement) {
   }
 }
 
-/// Lattices first, then by falling radius, else as written.
+/// Lattices first, then by descending radius, else in the order of the file.
 std::vector<size_t> placing_order(std::span<const Fill> fills) {
   std::vector<size_t> order(fills.size());
   std::iota(order.begin(), order.end(), size_t{0});
@@ -278,7 +142,7 @@ std::vector<size_t> placing_order(std::span<const Fill> fills) {
   return order;
 }
 
-/// Refuses what cannot fit before memory is taken for it.
+/// Refuses a fill that cannot fit, before allocating memory for it.
 void check_room(const Domain& domain, const Fill& fill, const SphereIndex& index) {
   if (fill.count == 0) return;
   if (fill.arrangement == Arrangement::lattice) {
@@ -287,8 +151,7 @@ void check_room(const Domain& domain, const Fill& fill, const SphereIndex& index
   }
   centre_box(domain, fill, fill.radius_max);
   const bool many_equal = fill.radius_min == fill.radius_max && fill.count >= 1000;
-  const double most = many_equal ? saturation(domain) : 1.0;
-  if (volume_fraction(domain, fill) > most) {
+  if (volume_fraction(domain, fill) > (many_equal ? saturation(domain) : 1.0)) {
     fail_random(domain, fill, std::nullopt, free_sites(domain, fill, index) == fill.count);
   }
 }
@@ -314,11 +177,7 @@ void place_fills(const Scene& scene, std::span<const Fill> fills, SphereIndex& i
     first += fill.count;
   }
   for (const size_t k : placing_order(fills)) {
-    if (fills[k].arrangement == Arrangement::lattice) {
-      place_on_lattice(placements[k]);
-    } else {
-      place_at_random(placements[k]);
-    }
+    (fills[k].arrangement == Arrangement::lattice ? place_on_lattice : place_at_random)(placements[k]);
   }
 }
 

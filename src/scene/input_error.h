@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of an error in a scene or CSV file, and the limits that all input shares.
+// Errors in scene and CSV files, and the limits of all numbers in them.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/numbers.h"
 
 namespace ballpit {
 
@@ -18,14 +19,14 @@ struct Limits {
   bool contains(double value) const { return value >= low && value <= high; }  // false for NaN
 };
 
-// Limits that keep squares of lengths and products with masses inside the range of float.
+// Within these limits, squares of lengths and products with masses stay in the range of float.
 inline constexpr Limits kAnyNumber{-1e15, 1e15};
 inline constexpr Limits kNotNegative{0.0, 1e15};
 inline constexpr Limits kPositive{1e-12, 1e15};
 inline constexpr Limits kMass{1e-30, 1e30};            // [kg]
 inline constexpr int64_t kLargestCount = 100'000'000;  // spheres
 
-/// Where something was written.
+/// A place in a file.
 struct Place {
   std::string file;
   int line = 1;
@@ -37,18 +38,18 @@ UserError input_error(const Place& place, std::string_view key, std::string_view
 /// `text` with control characters, and bytes that are not UTF-8, as \xNN: they would break the line or the terminal.
 std::string visible(std::string_view text);
 
-/// The shortest text that reads back as `value`: "0.1", "1e-06", "nan".
-std::string number_text(double value);
-
 /// "0 to 1".
 std::string limits_text(const Limits& limits);
 
 /// `text` in quotes, shortened if long.
 std::string quoted(std::string_view text);
 
-/// [kg] of a sphere, in planar scenes too: a disc is a sphere that moves in a plane.
+/// [kg] of a sphere, also in planar scenes: a disc is a sphere that moves in a plane.
 inline double sphere_mass(double radius, double density) {
   return density * (4.0 / 3.0 * std::numbers::pi) * radius * radius * radius;
 }
+
+/// sphere_mass() for a sphere without a mass in its file. Throws UserError about its radius if the mass is outside of kMass.
+double default_mass(double radius, double density, const Place& place, std::string_view key);
 
 }  // namespace ballpit

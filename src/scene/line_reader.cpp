@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include <fmt/format.h>
+
 #include "core/file.h"
 
 namespace ballpit {
@@ -55,13 +57,12 @@ int64_t LineReader::expected_lines() const {
   return lines + static_cast<int64_t>(1.01 * times * static_cast<double>(lines));
 }
 
-/// Moves the rest to the front of the buffer and reads more behind it; false at the end of the file.
+/// Moves the rest to the front of the buffer and reads more after it; false at the end of the file.
 bool LineReader::refill() {
   if (!file_) return false;
   if (rest_.size() == kBufferSize) {
     ++place_.line;
-    throw input_error(place_, "line", "more than " + std::to_string(kBufferSize) + " bytes",
-                      "lines of at most so many");
+    throw input_error(place_, "line", fmt::format("more than {} bytes", kBufferSize), "lines of at most so many");
   }
   std::memmove(buffer_.get(), rest_.data(), rest_.size());
   errno = 0;
@@ -78,7 +79,7 @@ void LineReader::skip_byte_order_mark() {
   if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
 }
 
-/// Some spreadsheets end lines by a carriage return alone.
+/// Some spreadsheets end lines with a carriage return only.
 void LineReader::find_line_end() {
   const size_t end = rest_.find_first_of("\r\n");
   if (end < rest_.size() && end + 1 < rest_.size() && rest_[end] == '\r' && rest_[end + 1] != '\n') line_end_ = '\r';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of a text, or of a file of any size: a file passes through one buffer of fixed size, a line is a view into it.
+// Reads the lines of a text, or of a file of any size through a buffer of fixed size. A line is a view into the buffer.
 // Cost: one pass, and a megabyte.
 #pragma once
 
@@ -18,17 +18,17 @@ class LineReader {
   /// Lines of `text`, which must outlive the reader; `file_name` is what errors call it.
   LineReader(std::string_view text, std::string_view file_name);
 
-  /// Lines of a file, or of whatever else can be opened and read. Throws UserError naming path and reason.
+  /// Lines of a file, a pipe or a device. Throws UserError naming path and reason.
   explicit LineReader(const std::filesystem::path& path);
 
-  /// Takes the next line, without its end; false after the last. The view holds until the next call. Throws UserError
-  /// for a line of a file that the buffer cannot hold, and where reading fails.
+  /// Takes the next line, without its end; false after the last. The view is valid until the next call. Throws UserError for
+  /// a line of a file that is larger than the buffer, and if reading fails.
   bool next(std::string_view& line);
 
-  /// Where the line taken last stands.
+  /// The place of the line taken last.
   const Place& place() const { return place_; }
 
-  /// How many lines are still to come: exact where the rest is in memory, else estimated from the part that is.
+  /// The number of remaining lines: exact if the rest is in memory, else estimated from the part in memory.
   int64_t expected_lines() const;
 
  private:
@@ -42,10 +42,10 @@ class LineReader {
 
   Place place_;
   char line_end_ = '\n';
-  std::unique_ptr<std::FILE, Close> file_;  // none where the text is in memory, or read to its end
+  std::unique_ptr<std::FILE, Close> file_;  // none if the text is in memory, or the file was read completely
   std::unique_ptr<char[]> buffer_;
-  std::string_view rest_;      // what is in memory and not taken yet
-  int64_t bytes_to_come_ = 0;  // in the file behind it, as far as the file system tells
+  std::string_view rest_;      // in memory and not yet taken
+  int64_t bytes_to_come_ = 0;  // in the file after it, if the file system knows its size
 };
 
 }  // namespace ballpit

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/file.h"
 #include "scene/read_sections.h"
 #include "scene/spheres_csv.h"
@@ -14,60 +16,49 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::string_view kTopLevelKeys[] = {"title",   "description", "title_de", "description_de", "domain",
-                                              "physics", "spheres",     "fill",     "defaults",       "needs"};
+TableReader reader_of(const toml::table& root, std::string_view file_name) {
+  return {root,
+          std::string(file_name),
+          "",
+          {"title", "description", "title_de", "description_de", "domain", "physics", "spheres", "fill", "defaults",
+           "needs"}};
+}
 
-std::string stem_of(std::string_view file_name) { return std::filesystem::path(file_name).stem().string(); }
-
-SceneInfo read_info(const TableReader& reader, std::string_view file_name) {
+SceneInfo read_info(const TableReader& root) {
   SceneInfo info;
-  info.name = stem_of(file_name);
-  info.title = reader.text("title").value_or(info.name);
-  info.description = reader.text("description").value_or("");
-  info.title_de = reader.text("title_de").value_or(info.title);
-  info.description_de = reader.text("description_de").value_or(info.description);
+  info.name = std::filesystem::path(root.file()).stem().string();
+  info.title = root.text("title").value_or(info.name);
+  info.description = root.text("description").value_or("");
+  info.title_de = root.text("title_de").value_or(info.title);
+  info.description_de = root.text("description_de").value_or(info.description);
   return info;
 }
 
 /// `spheres = "file.csv"` or tables [[spheres]].
-SphereLines read_listed_spheres(const TableReader& reader, const std::string& file, const std::filesystem::path& folder,
-                                Scene& scene) {
-  SphereLines lines{file, {}};
-  const toml::node* node = reader.table().get("spheres");
-  if (node != nullptr && node->is_string()) {
-    const std::filesystem::path path = folder / node->as_string()->get();
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) {
-      throw reader.error("spheres", describe(*node) + ", but no such file", "a CSV file beside the scene");
-    }
-    SphereSource source;
-    scene.bodies = read_spheres_csv(path, scene.physics.density, &source);
-    lines.file = path.string();
-    lines.csv = true;
-    lines.line = std::move(source.line);
-    if (!source.note.empty()) scene.notes.push_back(std::move(source.note));
-  } else if (node != nullptr && !node->is_array()) {
-    throw reader.error("spheres", describe(*node), "tables [[spheres]], or the name of a CSV file");
-  } else {
-    for (const toml::table* table : reader.tables("spheres")) {
-      read_sphere(*table, scene.domain, scene.physics, lines, scene.bodies);
-    }
+SphereLines read_listed_spheres(const TableReader& root, const std::filesystem::path& folder, Scene& scene) {
+  const toml::node* node = root.table().get("spheres");
+  if (node == nullptr || node->is_array()) return read_spheres(root, scene);
+  if (!node->is_string()) {
+    throw root.error("spheres", describe(*node), "tables [[spheres]], or the name of a CSV file");
   }
-  return lines;
+  const std::filesystem::path path = folder / node->as_string()->get();
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    throw root.error("spheres", describe(*node) + ", but no such file", "a CSV file beside the scene");
+  }
+  SphereSource source;
+  scene.bodies = read_spheres_csv(path, scene.physics.density, &source);
+  if (!source.note.empty()) scene.notes.push_back(std::move(source.note));
+  return {path.string(), std::move(source.line), true};
 }
 
-/// An integer of [defaults], which the reader of the scene needs before the option table sees it.
-std::optional<int64_t> default_integer(const toml::table* defaults, const std::string& file, std::string_view key,
-                                       int64_t high) {
-  if (defaults == nullptr || !defaults->contains(key)) return std::nullopt;
-  const toml::node& node = *defaults->get(key);
-  const std::optional<int64_t> value = whole_number(node);
-  if (value && *value >= 0 && *value <= high) return value;
-  throw input_error({file, std::max(1, static_cast<int>(node.source().begin.line))}, "[defaults] " + std::string(key),
-                    describe(node), "an integer, 0 to " + std::to_string(high));
+/// An integer of [defaults] that the reader of the scene needs itself.
+std::optional<int64_t> default_integer(const TableReader& root, std::string_view key, int64_t high) {
+  const auto defaults = root.section("defaults", {});
+  return defaults ? defaults->integer(key, 0, high) : std::nullopt;
 }
 
-/// Shares `total` out in proportion to the counts; what rounding leaves goes to the first fills.
+/// Distributes `total` in proportion to the counts; the first fills get the rest from rounding.
 void scale_counts(std::vector<Fill>& fills, int64_t total) {
   double sum = 0.0;
   for (const Fill& fill : fills) sum += static_cast<double>(fill.count);
@@ -80,34 +71,28 @@ void scale_counts(std::vector<Fill>& fills, int64_t total) {
   for (size_t k = 0; left > 0; k = (k + 1) % fills.size(), --left) ++fills[k].count;
 }
 
-/// `key` is "--count" or "[defaults] count", which errors about the fills then name too.
+/// `key` is "--count" or "[defaults] count"; errors about the fills then name it too.
 void override_count(std::vector<Fill>& fills, int64_t count, const Place& place, const std::string& key) {
-  if (count < 0 || count > kLargestCount) {
-    throw input_error(place, key, std::to_string(count), "0 to " + std::to_string(kLargestCount));
-  }
-  if (fills.empty()) throw input_error(place, key, std::to_string(count), "only in a scene with a [[fill]]");
+  const std::string found = std::to_string(count);
+  if (count < 0 || count > kLargestCount) throw input_error(place, key, found, fmt::format("0 to {}", kLargestCount));
+  if (fills.empty()) throw input_error(place, key, found, "only in a scene with a [[fill]]");
   scale_counts(fills, count);
-  for (Fill& fill : fills) fill.count_key = "[[fill]] count (" + key + ")";
+  for (Fill& fill : fills) fill.count_key = fmt::format("[[fill]] count ({})", key);
 }
 
-std::vector<Fill> read_fills(const TableReader& reader, const std::string& file, const Scene& scene,
-                             const SceneOverrides& overrides) {
-  std::vector<Fill> fills;
-  for (const toml::table* table : reader.tables("fill")) {
-    fills.push_back(read_fill(*table, file, scene.domain, scene.physics));
-  }
-  const toml::table* defaults = reader.subtable("defaults");
+std::vector<Fill> read_counted_fills(const TableReader& root, const Scene& scene, const SceneOverrides& overrides) {
+  std::vector<Fill> fills = read_fills(root, scene);
   if (overrides.count) {
-    override_count(fills, *overrides.count, reader.place("fill"), "--count");
-  } else if (const auto count = default_integer(defaults, file, "count", kLargestCount)) {
-    override_count(fills, *count, reader.place("defaults"), "[defaults] count");
+    override_count(fills, *overrides.count, root.place("fill"), "--count");
+  } else if (const auto count = default_integer(root, "count", kLargestCount)) {
+    override_count(fills, *count, root.place("defaults"), "[defaults] count");
   }
   int64_t total = scene.bodies.size();
   for (const Fill& fill : fills) {
     total += fill.count;
     if (total <= kLargestCount) continue;
-    throw input_error(fill.place, fill.count_key, std::to_string(total) + " spheres altogether",
-                      "at most " + std::to_string(kLargestCount));
+    throw input_error(fill.place, fill.count_key, fmt::format("{} spheres altogether", total),
+                      fmt::format("at most {}", kLargestCount));
   }
   return fills;
 }
@@ -121,22 +106,19 @@ double largest_radius(const Bodies& bodies, const std::vector<Fill>& fills) {
   return largest;
 }
 
-/// The values of the file, before any sphere.
-Scene read_values(const TableReader& reader, const std::string& file, const SceneOverrides& overrides) {
-  SceneInfo info = read_info(reader, file);
-  Scene scene{info.name, info.title, info.description, info.title_de, info.description_de, {}, {}, {}, {}, {}};
-  if (const auto* table = reader.subtable("domain")) {
-    scene.domain = read_domain(*table, file);
-  } else {
-    scene.notes.push_back(file + ": found no [domain]: it is a cube of 1 m with walls, from 0 to 1 along each axis");
+/// The values of the file, without spheres.
+Scene read_values(const TableReader& root, const SceneOverrides& overrides) {
+  Scene scene;
+  static_cast<SceneInfo&>(scene) = read_info(root);
+  scene.domain = read_domain(root);
+  if (!root.has("domain")) {
+    scene.notes.push_back(root.file() +
+                          ": found no [domain]: it is a cube of 1 m with walls, from 0 to 1 along each axis");
   }
-  if (const auto* table = reader.subtable("physics")) {
-    scene.physics = read_physics(*table, file, scene.domain.dimensions);
-  }
-  if (const auto* table = reader.subtable("needs")) scene.needs = read_needs(*table, file);
-  const toml::table* defaults = reader.subtable("defaults");
-  if (defaults != nullptr) scene.defaults = read_defaults(*defaults, file);
-  const auto seed = default_integer(defaults, file, "seed", std::numeric_limits<int64_t>::max());
+  scene.physics = read_physics(root, scene.domain.dimensions);
+  scene.needs = read_needs(root);
+  scene.defaults = read_defaults(root);
+  const auto seed = default_integer(root, "seed", std::numeric_limits<int64_t>::max());
   scene.seed = overrides.seed.value_or(static_cast<uint64_t>(seed.value_or(1)));
   return scene;
 }
@@ -145,18 +127,18 @@ Scene read_values(const TableReader& reader, const std::string& file, const Scen
 
 Scene parse_scene(std::string_view text, std::string_view file_name, const std::filesystem::path& folder,
                   const SceneOverrides& overrides) {
-  const std::string file(file_name);
-  const toml::table root = parse_toml(text, file_name);
-  const TableReader reader(root, file, "", kTopLevelKeys);
-  Scene scene = read_values(reader, file, overrides);
-  const SphereLines lines = read_listed_spheres(reader, file, folder, scene);
-  const std::vector<Fill> fills = read_fills(reader, file, scene, overrides);
-  check_periodic_edges(scene.domain, largest_radius(scene.bodies, fills), reader.place("domain"));
+  const toml::table table = parse_toml(text, file_name);
+  const TableReader root = reader_of(table, file_name);
+  Scene scene = read_values(root, overrides);
+  const SphereLines lines = read_listed_spheres(root, folder, scene);
+  const std::vector<Fill> fills = read_counted_fills(root, scene, overrides);
+  check_periodic_edges(scene.domain, largest_radius(scene.bodies, fills), root.place("domain"));
   SphereIndex index(scene.domain);
   const int64_t wrapped = check_spheres(scene.domain, scene.physics, lines, scene.bodies, index);
   if (wrapped > 0) {
-    scene.notes.push_back(lines.file + ": " + std::to_string(wrapped) + " of " + std::to_string(scene.bodies.size()) +
-                          " spheres were outside of the periodic domain, and are at their images inside");
+    scene.notes.push_back(
+        fmt::format("{}: {} of {} spheres were outside of the periodic domain, and are at their images inside",
+                    lines.file, wrapped, scene.bodies.size()));
   }
   if (scene.bodies.size() == 0 && fills.empty()) {
     scene.notes.push_back(lines.file + ": found no spheres" + (lines.csv ? "" : ", neither [[spheres]] nor [[fill]]"));
@@ -170,8 +152,8 @@ Scene read_scene(const std::filesystem::path& path, const SceneOverrides& overri
 }
 
 SceneInfo parse_scene_info(std::string_view text, std::string_view file_name) {
-  const toml::table root = parse_toml(text, file_name);
-  return read_info(TableReader(root, std::string(file_name), "", kTopLevelKeys), file_name);
+  const toml::table table = parse_toml(text, file_name);
+  return read_info(reader_of(table, file_name));
 }
 
 }  // namespace ballpit

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The sections of a scene file, one function each: from a TOML table to a plain value, checked. O(size of the
-// section).
+// The sections of a scene file, one function each: from the reader of the whole file to a checked value. A missing section
+// gives the default value. Cost: proportional to the size of the section.
 #pragma once
 
-#include <string>
 #include <vector>
-
-#include <toml++/toml.h>
 
 #include "scene/check_spheres.h"
 #include "scene/fill.h"
@@ -15,18 +12,17 @@
 
 namespace ballpit {
 
-Domain read_domain(const toml::table& table, const std::string& file);
-Physics read_physics(const toml::table& table, const std::string& file, int dimensions);
-Needs read_needs(const toml::table& table, const std::string& file);
+Domain read_domain(const TableReader& root);
+Physics read_physics(const TableReader& root, int dimensions);
+Needs read_needs(const TableReader& root);
 
-/// Options as they would be typed; whether they exist is for the option table to say.
-std::vector<DefaultOption> read_defaults(const toml::table& table, const std::string& file);
+/// Options as text, as on the command line. The caller checks whether they exist.
+std::vector<DefaultOption> read_defaults(const TableReader& root);
 
-/// One [[spheres]] table, appended to `bodies` and `lines`.
-void read_sphere(const toml::table& table, const Domain& domain, const Physics& physics, SphereLines& lines,
-                 Bodies& bodies);
+/// Appends the [[spheres]] tables to `scene.bodies`; returns their lines.
+SphereLines read_spheres(const TableReader& root, Scene& scene);
 
-/// One [[fill]] table. Its region lies within `domain`; an open top has no upper bound.
-Fill read_fill(const toml::table& table, const std::string& file, const Domain& domain, const Physics& physics);
+/// The [[fill]] tables. Their regions lie within the domain; an open top has no upper bound.
+std::vector<Fill> read_fills(const TableReader& root, const Scene& scene);
 
 }  // namespace ballpit

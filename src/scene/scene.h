@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A scene is a value: what is in the box, which physics holds, what it must show. Everything in SI units, y
-// up, in double precision; the simulation rounds it to what it computes in. Read by read_scene() from TOML.
+// A scene is a value: the box, the spheres in it, the physics, and the checks at the end. SI units, y up, double precision;
+// the simulation rounds it to its own precision. read_scene() reads it from TOML.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -61,15 +60,14 @@ struct Bodies {
   int64_t size() const { return static_cast<int64_t>(position.size()); }
 };
 
-/// One entry of [defaults]: a shared option by its name on the command line, with where it was written, so
-/// that whoever knows the option's table can name the place in an error.
+/// One entry of [defaults]: an option of the command line, with its place in the file for errors.
 struct DefaultOption {
   std::string key;    ///< "broadphase", "dt", …
-  std::string value;  ///< as it would be typed after --key
+  std::string value;  ///< as typed after --key
   std::string where;  ///< "file.toml:12: [defaults] broadphase"
 };
 
-/// What the scene must show; the end check of every built-in scene, run as a test.
+/// The conditions at the end of a run; tests check them for every built-in scene.
 struct Needs {
   double duration = 10.0;                  ///< [s]
   std::optional<double> max_overlap;       ///< largest overlap allowed at the end, as a fraction of the smaller radius
@@ -78,19 +76,23 @@ struct Needs {
   std::optional<double> max_speed;           ///< [m/s] largest RMS speed allowed at the end
 };
 
-struct Scene {
+/// The texts of a scene in a list.
+struct SceneInfo {
   std::string name;  ///< "bouncing-balls", or the file's stem
   std::string title;
   std::string description;
   std::string title_de;
   std::string description_de;
+};
+
+struct Scene : SceneInfo {
   Domain domain;
   Physics physics;
   Bodies bodies;
   std::vector<DefaultOption> defaults;
   Needs needs;
-  uint64_t seed = 1;                 ///< that filled it
-  std::vector<std::string> notes{};  ///< what the user is to know: "state.csv: 3 of 10 spheres …"
+  uint64_t seed = 1;                 ///< of the random spheres
+  std::vector<std::string> notes{};  ///< for the user: "state.csv: 3 of 10 spheres …"
 };
 
 }  // namespace ballpit

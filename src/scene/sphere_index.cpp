@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace ballpit {
@@ -15,7 +16,7 @@ Vec3d cell_at(const Vec3d& position, double cell) {
   return {std::floor(position.x * scale), std::floor(position.y * scale), std::floor(position.z * scale)};
 }
 
-/// Beyond this, floating point cannot tell neighbouring cells apart.
+/// Above this, neighbouring cells have the same floating-point coordinate.
 constexpr double kLargestCell = 0x1p52;
 
 bool is_exact(const Vec3d& cell) {
@@ -23,6 +24,15 @@ bool is_exact(const Vec3d& cell) {
 }
 
 }  // namespace
+
+std::vector<int32_t> by_descending_radius(const std::vector<double>& radius, int64_t first, int64_t end) {
+  std::vector<int32_t> order(static_cast<size_t>(end - first));
+  std::iota(order.begin(), order.end(), static_cast<int32_t>(first));
+  std::stable_sort(order.begin(), order.end(), [&](int32_t i, int32_t j) {
+    return radius[static_cast<size_t>(i)] > radius[static_cast<size_t>(j)];
+  });
+  return order;
+}
 
 void SphereIndex::insert(int32_t id, const Vec3d& position, double radius) {
   Level& level = level_of(radius);
@@ -59,7 +69,7 @@ void SphereIndex::grow(Level& level) {
   }
 }
 
-/// Neighbours in x fall into neighbouring buckets, so that a row of cells costs one or two cache lines.
+/// Neighbours in x are in neighbouring buckets, so a row of cells needs one or two cache lines.
 size_t SphereIndex::bucket(const Level& level, const Vec3d& cell) {
   const auto x = static_cast<uint64_t>(static_cast<int64_t>(cell.x));
   const auto y = static_cast<uint64_t>(static_cast<int64_t>(cell.y));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Finds the spheres that overlap a given one, for filling scenes and for checking them. Host only.
+// Finds the spheres that overlap a given one, for filling and checking scenes. Host only.
 //
-//   Levels by size: level e holds diameters of 2^e up to 2^(e+1); its cells are 2^(e+1) wide and have no
-//   bounds, for only buckets are stored.
+//   Levels by size: level e holds diameters of 2^e up to 2^(e+1); its cells are 2^(e+1) wide. The grid is unbounded,
+//   since only buckets are stored.
 //
 //        level −3                     level −5
 //     +-------+-------+            +-+-+-+-+-+-+-+-+
@@ -16,11 +16,11 @@
 //   spheres as inserted        sphere [ s0 | s1 | s2 ]
 //                              next   [ −1 | −1 |  0 ]
 //
-// A query visits, level by level, the cells within its reach, or all spheres of the level where they are
-// fewer: a big sphere among small ones. In a periodic domain it is repeated for each image of the query that
-// reaches across an edge.
+// A query visits the cells within its reach, level by level, or all spheres of a level if there are fewer of them than cells
+// (a big sphere among small ones). In a periodic domain it is repeated for each image of the query that reaches across an edge.
 // Cost: insert O(1) amortised; query O(levels + cells in reach + spheres in them).
-// Siblings: the broad phases of simulate/, which build anew each step, with one size of cell, on all cores.
+// Siblings: src/broad_phase, which rebuilds its cells in each step, on all cores, with bounded grids; and
+// event_driven/cells.h, one bounded grid for spheres that move from cell to cell.
 // Source: Eitz and Lixu, Hierarchical Spatial Hashing for Real-time Collision Detection, SMI 2007.
 #pragma once
 
@@ -31,6 +31,9 @@
 #include "scene/scene.h"
 
 namespace ballpit {
+
+/// The spheres from `first` to `end` − 1, the largest first; equal ones in their order.
+std::vector<int32_t> by_descending_radius(const std::vector<double>& radius, int64_t first, int64_t end);
 
 class SphereIndex {
  public:
@@ -46,13 +49,12 @@ class SphereIndex {
   /// Adds a sphere. In a periodic domain its centre must lie in it.
   void insert(int32_t id, const Vec3d& position, double radius);
 
-  /// Calls `visit(sphere, distance²)` for each stored sphere whose surface is nearer than touching with both
-  /// radii grown by `gap` (a fraction), once for each of its images. Stops, and returns true, when `visit`
-  /// returns true.
+  /// Calls `visit(sphere, distance²)` for each stored sphere that overlaps the query when both radii are enlarged by `gap` (a
+  /// fraction), once for each of its images. Stops and returns true when `visit` returns true.
   template <class Visit>
   bool visit_near(const Vec3d& position, double radius, double gap, Visit visit) const;
 
-  /// Whether a sphere could stand here, at least `gap` · (sum of radii) from all others.
+  /// Whether there is room for a sphere, at least `gap` · (sum of radii) from all others.
   bool is_free(const Vec3d& position, double radius, double gap) const {
     return !visit_near(position, radius, gap, [](const Sphere&, double) { return true; });
   }
@@ -62,13 +64,13 @@ class SphereIndex {
  private:
   struct Level {
     int exponent = 0;
-    double cell = 1.0;     // [m] edge, a power of two, so that position / cell is exact
+    double cell = 1.0;     // [m] edge, a power of two, so position / cell is exact
     double largest = 0.0;  // [m] radius
     std::vector<Sphere> spheres;
     std::vector<int32_t> head;  // size a power of two
   };
 
-  /// The cells that a query reaches, lowest and highest, and how many they are.
+  /// The lowest and highest cell that a query reaches, and the number of cells.
   struct CellRange {
     Vec3d low;
     Vec3d high;
@@ -80,13 +82,13 @@ class SphereIndex {
   static size_t bucket(const Level& level, const Vec3d& cell);
   static void grow(Level& level);
 
-  /// `at` in units of cells. Compared, not subtracted: −1e-20 is in cell −1, though −1e-20 + 1 rounds to 1.
+  /// `at` in units of cells. Compares instead of subtracting: −1e-20 is in cell −1, but −1e-20 + 1 rounds to 1.
   static bool is_in_cell(const Vec3d& at, const Vec3d& cell) {
     return at.x >= cell.x && at.x < cell.x + 1.0 && at.y >= cell.y && at.y < cell.y + 1.0 && at.z >= cell.z &&
            at.z < cell.z + 1.0;
   }
 
-  /// The images of `position` within `reach` of the domain, itself first; returns how many.
+  /// Computes the images of `position` within `reach` of the domain, itself first; returns their number.
   int images(const Vec3d& position, double reach, Vec3d (&image)[27]) const;
 
   template <class Visit>
@@ -133,7 +135,7 @@ bool SphereIndex::visit_level(const Level& level, const CellRange& range, const 
         for (int32_t i = level.head[bucket(level, cell)]; i >= 0;) {
           const Sphere& sphere = level.spheres[static_cast<size_t>(i)];
           i = sphere.next;
-          // Cells share buckets: a sphere belongs to one cell only, so that it is visited once.
+          // Cells share buckets, so check the cell: each sphere is then visited once.
           if (is_in_cell(sphere.position * scale, cell) && visit(sphere)) return true;
         }
       }

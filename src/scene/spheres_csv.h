@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Spheres in CSV files: a header names the columns x, y, z, radius and optionally vx, vy, vz, mass, in any
-// order; then one sphere a line. What else programs write is read too (csv_header.h): diameters, other separators,
-// decimal commas where the separator is no comma, quotes, blank lines, and comments behind '#'. Written are commas and
-// decimal points; numbers are the shortest that read back as the same double, so a round trip is exact. What is too
-// small for a double is read as 0.
-// Cost: O(bytes), one pass through a buffer of a megabyte; the spheres are all that is kept.
+// Spheres in CSV files: a header names the columns x, y, z, radius and optionally vx, vy, vz, mass, in any order; then one
+// sphere per line. Formats of other programs are read too (csv_header.h): diameters, other separators, decimal commas if the
+// separator is not a comma, quotes, blank lines, and comments after '#'. Files are written with commas and decimal points;
+// numbers are the shortest that read back as the same double, so a round trip is exact. Numbers too small for a double are
+// read as 0.
+// Cost: O(bytes), one pass through a buffer of a megabyte.
 #pragma once
 
 #include <filesystem>
@@ -16,34 +16,34 @@
 
 namespace ballpit {
 
-/// Where the spheres of a file stand, and what the user is to know about it.
+/// The lines of the spheres in a file, and a note for the user.
 struct SphereSource {
   std::vector<int> line;  ///< of each sphere
-  std::string note;       ///< names the columns that are ignored; empty where none is
+  std::string note;       ///< names the columns that are ignored; empty if there are none
 };
 
-/// Reads the spheres in `path`. Velocities that the file lacks are 0, masses are `density` [kg/m³] · volume.
+/// Reads the spheres in `path`. Missing velocities are 0, missing masses `density` [kg/m³] · volume.
 /// Throws UserError naming file, line and column, what was found and what is allowed.
 Bodies read_spheres_csv(const std::filesystem::path& path, double density = 1000.0, SphereSource* source = nullptr);
 
-/// The same from text; `file_name` is what errors call it.
+/// The same from text; `file_name` is for errors.
 Bodies parse_spheres_csv(std::string_view text, std::string_view file_name, double density = 1000.0,
                          SphereSource* source = nullptr);
 
-/// Spheres at rest, as a search for pairs takes them: 16 bytes each.
+/// Spheres at rest for a search for pairs: 16 bytes each.
 struct RestingSpheres {
   std::vector<Vec3> position;  ///< [m] rounded from the file's doubles
   std::vector<float> radius;   ///< [m] the same
-  std::string note{};          ///< for the user: what was ignored of their file; empty where nothing was
+  std::string note{};          ///< names the columns that are ignored; empty if there are none
 
   int64_t size() const { return static_cast<int64_t>(position.size()); }
 };
 
-/// Reads centres and radii alone. Other columns are checked as read_spheres_csv() does, and left out; masses that the
-/// file lacks are not made, so radii have no limit but their own.
+/// Reads only centres and radii. Other columns are checked as in read_spheres_csv(), and dropped. Missing masses are not
+/// computed, so their limits do not apply.
 RestingSpheres read_resting_spheres(const std::filesystem::path& path);
 
-/// The same from text; `file_name` is what errors call it.
+/// The same from text; `file_name` is for errors.
 RestingSpheres parse_resting_spheres(std::string_view text, std::string_view file_name);
 
 /// Writes all eight columns. Throws RunError if the file cannot be written.

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "core/numbers.h"
+
 namespace ballpit {
 
 namespace {
 
-int line_of(const toml::node& node) { return std::max(1, static_cast<int>(node.source().begin.line)); }
+int line_of(const toml::source_region& source) { return std::max(1, static_cast<int>(source.begin.line)); }
 
 }  // namespace
 
@@ -17,14 +21,14 @@ std::string describe(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return number_text(number->get());
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
-  if (const auto* array = node.as_array()) return "an array of " + std::to_string(array->size()) + " values";
+  if (const auto* array = node.as_array()) return fmt::format("an array of {} values", array->size());
   return node.is_table() ? "a table" : "a date or time";
 }
 
 std::optional<int64_t> whole_number(const toml::node& node) {
   if (const auto* number = node.as_integer()) return number->get();
   const auto* number = node.as_floating_point();
-  constexpr double kExact = 0x1p53;  // beyond it, not every integer is a double
+  constexpr double kExact = 0x1p53;  // above it, not every integer is a double
   if (number == nullptr || !(std::abs(number->get()) <= kExact) || std::trunc(number->get()) != number->get()) {
     return std::nullopt;
   }
@@ -35,16 +39,15 @@ toml::table parse_toml(std::string_view text, std::string_view file_name) {
   try {
     return toml::parse(text, file_name);
   } catch (const toml::parse_error& error) {
-    const Place place{std::string(file_name), std::max(1, static_cast<int>(error.source().begin.line))};
-    throw input_error(place, "", "a syntax error: " + std::string(error.description()), "TOML 1.0");
+    throw input_error({std::string(file_name), line_of(error.source())}, "",
+                      fmt::format("a syntax error: {}", error.description()), "TOML 1.0");
   }
 }
 
-TableReader::TableReader(const toml::table& table, std::string file, std::string label,
-                         std::span<const std::string_view> keys)
+TableReader::TableReader(const toml::table& table, std::string file, std::string label, Keys keys)
     : table_(table), file_(std::move(file)), label_(std::move(label)) {
   for (const auto& [key, node] : table_) {
-    if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
+    if (keys.size() > 0 && std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
       throw error(key.str(), "an unknown key", join(keys));
     }
   }
@@ -52,14 +55,18 @@ TableReader::TableReader(const toml::table& table, std::string file, std::string
 
 Place TableReader::place(std::string_view key) const {
   const toml::node* node = table_.get(key);
-  return {file_, line_of(node != nullptr ? *node : table_)};
+  return {file_, line_of(node != nullptr ? node->source() : table_.source())};
+}
+
+std::string TableReader::full_key(std::string_view key) const {
+  return fmt::format("{}{}{}", label_, label_.empty() ? "" : " ", key);
 }
 
 double TableReader::number_at(const toml::node& node, std::string_view key, const Limits& limits) const {
   const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
   if (value && limits.contains(*value)) return *value;
   const std::string allowed = (value ? "" : "a number, ") + limits_text(limits);
-  throw input_error({file_, line_of(node)}, full_key(key), describe(node), allowed);
+  throw input_error({file_, line_of(node.source())}, full_key(key), describe(node), allowed);
 }
 
 std::optional<double> TableReader::number(std::string_view key, const Limits& limits) const {
@@ -73,7 +80,7 @@ std::optional<int64_t> TableReader::integer(std::string_view key, int64_t low, i
   if (node == nullptr) return std::nullopt;
   const std::optional<int64_t> value = whole_number(*node);
   if (value && *value >= low && *value <= high) return value;
-  throw error(key, describe(*node), "an integer, " + std::to_string(low) + " to " + std::to_string(high));
+  throw error(key, describe(*node), fmt::format("an integer, {} to {}", low, high));
 }
 
 std::optional<std::string> TableReader::text(std::string_view key) const {
@@ -86,8 +93,7 @@ std::optional<std::string> TableReader::text(std::string_view key) const {
 std::optional<size_t> TableReader::choice(std::string_view key, std::span<const std::string_view> names) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;
-  const std::string_view value = node->is_string() ? std::string_view(node->as_string()->get()) : std::string_view{};
-  const auto found = std::find(names.begin(), names.end(), value);
+  const auto found = std::find(names.begin(), names.end(), node->value_or(std::string_view()));
   if (found == names.end()) throw error(key, describe(*node), join(names));
   return static_cast<size_t>(found - names.begin());
 }
@@ -102,8 +108,7 @@ std::optional<Vec3d> TableReader::vector(std::string_view key, int dimensions, c
   }
   Vec3d result(0.0);
   for (size_t axis = 0; axis < size; ++axis) {
-    const std::string element = std::string(key) + '[' + std::to_string(axis) + ']';
-    result[static_cast<int>(axis)] = number_at((*array)[axis], element, limits);
+    result[static_cast<int>(axis)] = number_at((*array)[axis], fmt::format("{}[{}]", key, axis), limits);
   }
   if (dimensions == 2) result.z = 0.0;
   return result;
@@ -117,9 +122,9 @@ std::optional<Limits> TableReader::range(std::string_view key, const Limits& lim
     const double value = number_at(*node, key, limits);
     return Limits{value, value};
   }
-  const std::string name(key);
   if (array->size() != 2) throw error(key, describe(*node), "a number, or an array of 2 numbers, low and high");
-  const Limits result{number_at((*array)[0], name + "[0]", limits), number_at((*array)[1], name + "[1]", limits)};
+  const Limits result{number_at((*array)[0], fmt::format("{}[0]", key), limits),
+                      number_at((*array)[1], fmt::format("{}[1]", key), limits)};
   if (result.low <= result.high) return result;
   throw error(key, number_text(result.low) + " before " + number_text(result.high), "low before high");
 }
@@ -128,20 +133,23 @@ std::vector<const toml::table*> TableReader::tables(std::string_view key) const 
   std::vector<const toml::table*> result;
   const toml::node* node = table_.get(key);
   if (node == nullptr) return result;
-  const std::string allowed = "tables [[" + std::string(key) + "]]";
+  const std::string allowed = fmt::format("tables [[{}]]", key);
   if (!node->is_array()) throw error(key, describe(*node), allowed);
   for (const toml::node& element : *node->as_array()) {
-    if (!element.is_table()) throw input_error({file_, line_of(element)}, full_key(key), describe(element), allowed);
+    if (!element.is_table()) {
+      throw input_error({file_, line_of(element.source())}, full_key(key), describe(element), allowed);
+    }
     result.push_back(element.as_table());
   }
   return result;
 }
 
-const toml::table* TableReader::subtable(std::string_view key) const {
+std::optional<TableReader> TableReader::section(std::string_view key, Keys keys) const {
   const toml::node* node = table_.get(key);
-  if (node == nullptr) return nullptr;
-  if (!node->is_table()) throw error(key, describe(*node), "a table [" + std::string(key) + "]");
-  return node->as_table();
+  if (node == nullptr) return std::nullopt;
+  const std::string label = fmt::format("[{}]", key);
+  if (!node->is_table()) throw error(key, describe(*node), "a table " + label);
+  return nested(*node->as_table(), label, keys);
 }
 
 }  // namespace ballpit

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/append_number.h"
 #include "core/error.h"
+#include "core/numbers.h"
 #include "export/png.h"
 
 namespace ballpit {

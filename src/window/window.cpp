@@ -8,7 +8,8 @@
 #include <GLFW/glfw3.h>
 
 #include "core/error.h"
-#include "render/gl_library.h"
+#include "render/gl_context.h"
+#include "render/gl_debug.h"
 
 namespace ballpit {
 
@@ -61,12 +62,11 @@ Window::Window(int width, int height, const std::string& title) {
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
-  debug_ = std::make_unique<GlDebug>();
+  enable_gl_debug();
   listen();
 }
 
 Window::~Window() {
-  debug_.reset();
   glfwDestroyWindow(window_);
   glfwTerminate();
 }

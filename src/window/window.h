@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/math.h"
-#include "render/gl_debug.h"
 
 struct GLFWwindow;
 
@@ -53,7 +52,6 @@ class Window {
 
   GLFWwindow* window_ = nullptr;
   WindowEvents events_;
-  std::unique_ptr<GlDebug> debug_;
 };
 
 }  // namespace ballpit

@@ -217,10 +217,10 @@ TEST_CASE("the option --resume refuses frames that show something else, and says
 TEST_CASE("frames of older versions, which do not say what they show, are refused where their size is another") {
   const Scratch folder;
   for (int k = 0; k < 2; ++k) {
-    write_text(frame(folder, k), encode_png_fast({160, 90, std::vector<uint8_t>(160 * 90 * 4, 9)}));
+    write_text(frame(folder, k), encode_png({160, 90, std::vector<uint8_t>(160 * 90 * 4, 9)}));
   }
   CHECK(render_whole(folder.path().string(), 3, {"--resume", "--json"}).json()["rendered"] == 1);
-  write_text(frame(folder, 1), encode_png_fast({80, 90, std::vector<uint8_t>(80 * 90 * 4, 9)}));
+  write_text(frame(folder, 1), encode_png({80, 90, std::vector<uint8_t>(80 * 90 * 4, 9)}));
   Arguments again = render(folder.path().string(), 4, {"--resume"});
   const Outcome outcome = run_program(again);
   CHECK(outcome.status == 2);

@@ -4,6 +4,7 @@
 
 #include "render/body_writer.h"
 #include "render/gl_context.h"
+#include "render/gl_debug.h"
 #include "tests/cuda/fault_injection.h"
 #include "tests/support/scenes.h"
 

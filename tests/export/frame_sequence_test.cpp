@@ -45,7 +45,7 @@ TEST_CASE("pushed frames lie in the folder, numbered in order and whole") {
   sequence.finish();
   CHECK(count_files(folder.path / "new" / "film") == 20);
   for (int i = 0; i < 20; ++i) {
-    CHECK(read_file(folder.path / "new" / "film" / frame_name(i)) == encode_png_fast(frame(static_cast<uint8_t>(i))));
+    CHECK(read_file(folder.path / "new" / "film" / frame_name(i)) == encode_png(frame(static_cast<uint8_t>(i))));
   }
   CHECK(frame_name(12) == "frame_00012.png");
 }
@@ -101,7 +101,7 @@ TEST_CASE("memory stays bounded: pushing waits while the encoder cannot keep up"
   CHECK(pushed == 4);  // three wait, one is being written
   {
     std::ifstream reader(pipe, std::ios::binary);
-    CHECK(std::string(std::istreambuf_iterator<char>(reader), {}) == encode_png_fast(frame(5)));
+    CHECK(std::string(std::istreambuf_iterator<char>(reader), {}) == encode_png(frame(5)));
   }
   producer.join();
   sequence.finish();
@@ -153,7 +153,7 @@ TEST_CASE("a frame carries its key in front of the same pixels") {
   CHECK(head->width == 16);
   CHECK(head->height == 9);
   CHECK(head->key == "size 16x9\nscene a\n");
-  const std::string with_key = read_file(folder.path / frame_name(0)), without = encode_png_fast(frame(3));
+  const std::string with_key = read_file(folder.path / frame_name(0)), without = encode_png(frame(3));
   CHECK(with_key.substr(with_key.find("IDAT")) == without.substr(without.find("IDAT")));
   write_file(folder.path / frame_name(1), without);
   CHECK(read_png_head(folder.path / frame_name(1))->key.empty());

@@ -42,22 +42,21 @@ Image test_picture(int width, int height) {
 
 }  // namespace
 
-TEST_CASE("both encoders give back every pixel, at any size") {
+TEST_CASE("a PNG file gives back every pixel, at any size") {
   for (const auto& [width, height] : {std::pair(1, 1), {1, 9}, {13, 1}, {17, 5}, {640, 360}}) {
     const Image image = test_picture(width, height);
-    for (const std::string& bytes : {encode_png(image), encode_png_fast(image)}) {
-      int w = 0;
-      int h = 0;
-      CHECK(decode_rgba(bytes, w, h) == image.pixels);
-      CHECK(w == width);
-      CHECK(h == height);
-      CHECK(is_whole_png(bytes));
-    }
+    const std::string bytes = encode_png(image);
+    int w = 0;
+    int h = 0;
+    CHECK(decode_rgba(bytes, w, h) == image.pixels);
+    CHECK(w == width);
+    CHECK(h == height);
+    CHECK(is_whole_png(bytes));
   }
 }
 
 TEST_CASE("half a PNG is not a whole one") {
-  const std::string bytes = encode_png_fast(test_picture(20, 10));
+  const std::string bytes = encode_png(test_picture(20, 10));
   CHECK_FALSE(is_whole_png(bytes.substr(0, bytes.size() - 1)));
   CHECK_FALSE(is_whole_png(bytes.substr(0, 40)));
   CHECK_FALSE(is_whole_png(bytes.substr(1)));

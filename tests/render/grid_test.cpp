@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/grid.h"
-
 #include <catch2/catch.hpp>
 
+#include "render/overlays/overlay.h"
 #include "tests/support/test_scenes.h"
 
 using namespace ballpit;

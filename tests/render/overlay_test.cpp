@@ -5,11 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/overlays/interval_list.h"
-#include "render/overlays/lists.h"
-#include "render/overlays/pairs.h"
 #include "render/overlays/selection.h"
-#include "render/overlays/swept.h"
-#include "render/overlays/velocity.h"
 #include "render/painter.h"
 #include "tests/support/test_scenes.h"
 

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "render/gl_context.h"
+#include "render/gl_debug.h"
 #include "render/overlays/overlay.h"
 #include "render/shader.h"
 #include "tests/support/test_scenes.h"
@@ -52,15 +53,12 @@ TEST_CASE("a context that the driver has reset is told in words") {
 }
 
 TEST_CASE("contexts live side by side, and one outlives the other") {
-  GlContext first;
-  { const GlContext second; }
-  first.make_current();
+  auto first = std::make_unique<GlContext>();
+  const GlContext second;
+  first.reset();
   const Inspection inspection = inspect(some_spheres(), kBox);
-  {
-    Renderer renderer(64, 36);
-    CHECK_NOTHROW(renderer.draw(view_of(inspection, kBox, 16.0f / 9)));
-  }
-  first.release();
+  Renderer renderer(64, 36);
+  CHECK_NOTHROW(renderer.draw(view_of(inspection, kBox, 16.0f / 9)));
 }
 
 TEST_CASE("drawing everything leaves no OpenGL error") {

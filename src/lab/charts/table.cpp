@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/append_number.h"
 #include "core/numbers.h"
 #include "scene/input_error.h"
 

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/grid.h"
-
+// Draws the cells of a grid that hold bodies, stronger the more bodies they hold.
+//
+//     spatial: edges of occupied cells        planar: tinted squares, and
+//     (an edge of several cells               thin lines of all cells
+//     is drawn once); for thousands             ┌──┬──┬──┐
+//     of cells only their floors                │  │▒▒│  │
+//        ┌──┬──┐                                ├──┼──┼──┤
+//        ├──┼──┘                                │░░│  │▓▓│
+//        └──┘                                   └──┴──┴──┘
+// Cost: proportional to the number of cells and bodies.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 
 #include "broad_phase/inspection.h"
+#include "render/overlays/overlay.h"
 #include "render/overlays/selection.h"
 #include "render/painter.h"
 #include "render/projection.h"
@@ -15,9 +24,9 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kEdgeWidth = 2.0f;        // in 1/1080 of the picture's height
-constexpr float kLegibleCell = 40.0f;     // [pixel]
-constexpr int64_t kMostWithEdges = 4000;  // occupied cells
+constexpr float kEdgeWidth = 2.0f;       // [1/1080 of the picture's height]
+constexpr float kLegibleCell = 40.0f;    // [pixel]
+constexpr int64_t kMaxWithEdges = 4000;  // occupied cells
 
 size_t cell_index(const IVec3& cells, int x, int y, int z) {
   return (static_cast<size_t>(z) * static_cast<size_t>(cells.y) + static_cast<size_t>(y)) *
@@ -25,13 +34,13 @@ size_t cell_index(const IVec3& cells, int x, int y, int z) {
          static_cast<size_t>(x);
 }
 
-/// 0 to 1: one body is seen clearly, more are told apart up to about eight.
+/// 0 to 1: one body is clearly visible, and counts up to about eight look different.
 float strength(int count) { return static_cast<float>(count) / static_cast<float>(count + 2); }
 
-/// Edges of cells with one body stay in the background among thousands; full cells stand out.
+/// Cells with one body are faint, full cells stand out.
 float spatial_opacity(int count) { return std::min(0.4f + 0.25f * static_cast<float>(count - 1), 1.0f); }
 
-/// A corner of cells. The last cells along an axis may reach beyond the domain; they are drawn up to its wall.
+/// A corner of cells. The last cells along an axis may extend beyond the domain; they are drawn up to its wall.
 Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IVec3& corner) {
   Vec3 point = grid.origin + grid.edge * Vec3(corner);
   for (int axis = 0; axis < domain.dimensions; ++axis) {
@@ -41,7 +50,7 @@ Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IV
   return point;
 }
 
-/// The fullest of the cells around the lattice edge that starts at (x, y, z) and runs along `axis`.
+/// The largest count of the cells around the lattice edge that starts at `point` and runs along `axis`.
 int fullest_around_edge(const GridInspection& grid, const std::vector<int>& counts, IVec3 point, int axis) {
   const int a = (axis + 1) % 3;
   const int b = (axis + 2) % 3;
@@ -58,7 +67,7 @@ int fullest_around_edge(const GridInspection& grid, const std::vector<int>& coun
   return fullest;
 }
 
-/// Fades what is far, so that near cells stand before those behind: 1 at the front of the grid to kFarthest.
+/// An opacity that falls with the distance from the viewer: from 1 at the front of the grid to kFarthest.
 class DepthFade {
  public:
   DepthFade(const GridInspection& grid, const Camera& camera) : eye_(camera.eye) {
@@ -80,7 +89,7 @@ class DepthFade {
   float farthest_;
 };
 
-/// The lattice's edges along `axis` through `start`; neighbours of equal count become one line.
+/// Adds the lattice's edges along `axis` through `start`; neighbours with equal counts become one line.
 void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const DomainBox& domain,
                      const std::vector<int>& counts, const DepthFade& fade, const Theme& theme,
                      std::vector<Line>& lines) {
@@ -121,10 +130,12 @@ std::vector<Line> occupied_edges(const GridInspection& grid, const DomainBox& do
   return lines;
 }
 
-/// The floor of each occupied cell, where there are more edges than can be told apart.
-std::vector<Face> occupied_floors(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
-                                  const Camera& camera, const Theme& theme) {
+/// A face in each occupied cell: in planar scenes its square; in spatial ones its floor, for grids with more edges than a
+/// viewer can distinguish.
+std::vector<Face> occupied_faces(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
+                                 const Camera& camera, const Theme& theme) {
   const DepthFade fade(grid, camera);
+  const int across = domain.is_planar() ? 1 : 2;
   std::vector<Face> faces;
   IVec3 cell(0);
   for (cell.z = 0; cell.z < grid.cells.z; ++cell.z) {
@@ -132,33 +143,18 @@ std::vector<Face> occupied_floors(const GridInspection& grid, const DomainBox& d
       for (cell.x = 0; cell.x < grid.cells.x; ++cell.x) {
         const int count = counts[cell_index(grid.cells, cell.x, cell.y, cell.z)];
         if (count == 0) continue;
-        const Vec3 low = lattice_point(grid, domain, cell);
-        const Vec3 size = lattice_point(grid, domain, cell + 1) - low;
-        faces.push_back(
-            {low, {size.x, 0, 0}, {0, 0, size.z}, to_rgba(theme.grid, spatial_opacity(count) * fade.at(low))});
+        const Vec3 low = lattice_point(grid, domain, cell), size = lattice_point(grid, domain, cell + 1) - low;
+        const float opacity = domain.is_planar() ? 0.6f * strength(count) : spatial_opacity(count) * fade.at(low);
+        Face face{low, {size.x, 0, 0}, Vec3(0), to_rgba(theme.grid, opacity)};
+        face.v[across] = size[across];
+        faces.push_back(face);
       }
     }
   }
   return faces;
 }
 
-std::vector<Face> occupied_squares(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
-                                   const Theme& theme) {
-  std::vector<Face> faces;
-  for (int y = 0; y < grid.cells.y; ++y) {
-    for (int x = 0; x < grid.cells.x; ++x) {
-      const int count = counts[cell_index(grid.cells, x, y, 0)];
-      if (count == 0) continue;
-      const Rgba color = to_rgba(theme.grid, 0.6f * strength(count));
-      const Vec3 low = lattice_point(grid, domain, {x, y, 0});
-      const Vec3 size = lattice_point(grid, domain, {x + 1, y + 1, 0}) - low;
-      faces.push_back({low, {size.x, 0, 0}, {0, size.y, 0}, color});
-    }
-  }
-  return faces;
-}
-
-/// All cells' borders, except where the domain's own edges lie.
+/// The borders of all cells, except on the edges of the domain.
 std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domain, const Theme& theme) {
   std::vector<Line> lines;
   const Rgba color = to_rgba(theme.grid, 0.7f);
@@ -177,7 +173,7 @@ std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domai
   return lines;
 }
 
-/// The number of bodies in the upper right corner of each occupied cell.
+/// Writes the number of bodies into the upper right corner of each occupied cell.
 void draw_counts(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
   if (projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y)) < kLegibleCell) return;
@@ -206,21 +202,19 @@ std::vector<int> count_per_cell(const GridInspection& grid) {
   return counts;
 }
 
-void GridOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
-  // A planar grid lies under the discs; a spatial one between the spheres, told apart by depth.
-  if ((layer == Layer::under) != view.domain.is_planar()) return;
+void draw_grid(const FrameView& view, Painter& painter) {
   const float width = kEdgeWidth * painter.line_unit;
   for (const GridInspection& grid : view.inspection.grids) {
     if (grid.head.empty()) continue;
     const std::vector<int> counts = count_per_cell(grid);
     if (view.domain.is_planar()) {
-      painter.faces.draw(occupied_squares(grid, view.domain, counts, painter.theme));
+      painter.faces.draw(occupied_faces(grid, view.domain, counts, view.camera, painter.theme));
       painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
       if (!shows_labels(view)) draw_counts(grid, counts, view, painter);
-    } else if (std::count_if(counts.begin(), counts.end(), [](int count) { return count > 0; }) <= kMostWithEdges) {
+    } else if (std::count_if(counts.begin(), counts.end(), [](int count) { return count > 0; }) <= kMaxWithEdges) {
       painter.lines.draw(occupied_edges(grid, view.domain, counts, view.camera, painter.theme), width);
     } else {
-      painter.faces.draw(occupied_floors(grid, view.domain, counts, view.camera, painter.theme));
+      painter.faces.draw(occupied_faces(grid, view.domain, counts, view.camera, painter.theme));
     }
   }
   draw_selection(view, painter);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace ballpit {
 
 namespace {
 
-constexpr float kBoxHeight = 40, kAbove = 46, kBelow = 12;  // of the list [1/1080 of the picture's height]
+constexpr float kBoxHeight = 40, kAbove = 46, kBelow = 12;  // [1/1080 of the picture's height]
 
 void draw_box(const Endpoint& endpoint, size_t k, const Row& row, bool walks, bool is_met, Painter& painter) {
   Sheet& sheet = painter.sheet;
@@ -48,24 +50,23 @@ void draw_walk(const Walk& walk, const Row& row, Painter& painter) {
 }  // namespace
 
 std::string name_of(const Endpoint& endpoint) {
-  std::string name = std::to_string(endpoint.body);
-  name.insert(name.begin(), endpoint.is_end ? 'e' : 'b');
-  return name;
+  return fmt::format("{}{}", endpoint.is_end ? 'e' : 'b', endpoint.body);
 }
 
 Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected) {
-  // What a begin meets: the begins up to its end, without those up to itself.
+  // The walk of a body meets the begins up to its end, without those up to its own begin.
   Walk walk;
-  std::vector<std::pair<int, size_t>> begin(endpoints.size());  // of each body: begins so far, and entry
-  int begins = 0, most = -1;
+  std::vector<std::pair<int, size_t>> begin(
+      endpoints.size());  // of each body: number of begins so far, entry in the list
+  int begins = 0, max = -1;
   for (size_t k = 0; k < endpoints.size(); ++k) {
     const auto body = static_cast<size_t>(endpoints[k].body);
     if (body >= begin.size()) continue;
     if (!endpoints[k].is_end) {
       begin[body] = {++begins, k};
     } else if (begin[body].first > 0 &&
-               (selected < 0 ? begins - begin[body].first > most : endpoints[k].body == selected)) {
-      most = begins - begin[body].first;
+               (selected < 0 ? begins - begin[body].first > max : endpoints[k].body == selected)) {
+      max = begins - begin[body].first;
       walk = {endpoints[k].body, begin[body].second, k, {}};
     }
   }
@@ -82,7 +83,7 @@ std::optional<Row> take_row(const std::vector<Endpoint>& endpoints, Painter& pai
   float text = 0;
   for (const Endpoint& endpoint : endpoints) text = std::max(text, sheet.size_of(name_of(endpoint), TextSize::small).x);
   const float box = std::min(width / static_cast<float>(endpoints.size()), std::max(64 * u, text + 12 * u));
-  if (endpoints.size() > kMostLabels || box < text + 5 * u) return std::nullopt;
+  if (endpoints.size() > kMaxLabels || box < text + 5 * u) return std::nullopt;
   const float height = std::max(kBoxHeight * u, sheet.size_of("0", TextSize::small).y + 6 * u);
   const Strip strip = painter.take_strip((kAbove + kBelow) * u + height);
   const float left = (static_cast<float>(sheet.width()) - box * static_cast<float>(endpoints.size())) / 2;

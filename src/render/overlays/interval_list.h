@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The list that sort-and-sweep sorts, as a row of boxes at the picture's lower edge (slide 4), and one thread's walk.
+// Draws the list that sort-and-sweep sorts, as a row of boxes at the picture's lower edge (slide 4), and one thread's walk.
 //
-//           ┌─────────┐   T         an arrow from the thread's begin to its end; what it meets is sky;
-//     ┌──┬──┴──┬──┬───▼┬──┐         ends are grey with a stub: their threads return at once
+//           ┌─────────┐   T         an arrow from the thread's begin to its end; the begins that it
+//     ┌──┬──┴──┬──┬───▼┬──┐         meets are sky; ends are grey: their threads return at once
 //     │b0│ b1  │b2│ e1 │e0│
 //     └──┴─────┴──┴────┴──┘
 #pragma once
@@ -16,20 +16,20 @@
 
 namespace ballpit {
 
-/// A longer list's endpoints stay without names.
-inline constexpr size_t kMostLabels = 2 * 24;
+/// The endpoints of a longer list have no names.
+inline constexpr size_t kMaxLabels = 2 * 24;
 
 /// "b3" or "e3".
 std::string name_of(const Endpoint& endpoint);
 
-/// A thread's way along the sorted list: from a begin to the end of the same body.
+/// A thread's walk along the sorted list: from a begin to the end of the same body.
 struct Walk {
   int body = -1;
   size_t first = 0, last = 0;  ///< entries of the list
-  std::vector<size_t> met;     ///< begins between them: what the thread tests
+  std::vector<size_t> met;     ///< the begins between them, which the thread tests
 };
 
-/// The walk of the selected body; if there is none, the one that tests most. Its body is −1 without endpoints.
+/// The walk of the selected body; without a selection, the walk with the most tests. Its body is −1 if there is none.
 Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected);
 
 struct Row {
@@ -40,7 +40,7 @@ struct Row {
   float middle(size_t k) const { return left + (static_cast<float>(k) + 0.5f) * box; }
 };
 
-/// The list's place, if its names fit.
+/// Room for the list, if its names fit.
 std::optional<Row> take_row(const std::vector<Endpoint>& endpoints, Painter& painter);
 
 void draw_list(const std::vector<Endpoint>& endpoints, const Walk& walk, const Row& row, Painter& painter);

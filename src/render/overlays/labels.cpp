@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/labels.h"
-
+// Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with few
+// cells also the number of each cell: in its lower left corner (slide 8), or in another one if a sphere lies there.
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -10,6 +10,7 @@
 #include "bodies/body_snapshot.h"
 #include "broad_phase/inspection.h"
 #include "render/body_buffer.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "render/projection.h"
 
@@ -17,9 +18,9 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kSmallest = 7;         // [pixel] a sphere's radius
-constexpr size_t kMostSpheres = 3000;  // larger than that: the nearest ones
-constexpr size_t kMostCells = 400;
+constexpr float kMinRadius = 7;       // [pixel] of a sphere
+constexpr size_t kMaxSpheres = 3000;  // of more spheres, the nearest get numbers
+constexpr size_t kMaxCells = 400;
 
 struct Seen {
   int64_t body;
@@ -38,14 +39,14 @@ std::vector<Seen> large_spheres(const FrameView& view, const Projection& project
     const Vec2 at = projection.at(centre);
     const bool is_outside =
         at.x < 0 || at.y < 0 || at.x > static_cast<float>(sheet.width()) || at.y > static_cast<float>(sheet.height());
-    if (radius >= kSmallest && !is_outside) seen.push_back({i, at, radius, projection.depth(centre)});
+    if (radius >= kMinRadius && !is_outside) seen.push_back({i, at, radius, projection.depth(centre)});
   }
   std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
-  if (seen.size() > kMostSpheres) seen.resize(kMostSpheres);
+  if (seen.size() > kMaxSpheres) seen.resize(kMaxSpheres);
   return seen;
 }
 
-/// The largest size in which a number stays within its sphere.
+/// The largest size in which a number fits into its sphere.
 std::optional<TextSize> size_within(const std::string& text, float radius, const Sheet& sheet) {
   for (const TextSize size : {TextSize::normal, TextSize::small}) {
     const Vec2 extent = sheet.size_of(text, size);
@@ -73,11 +74,11 @@ bool shows_lines(const FrameView& view) {
          view.overlays.end();
 }
 
-/// From near to far: what a nearer sphere or its number covers stays without a number. Where lines meet in the centre,
-/// a number stands on a plate of its sphere's colour. Returns how many there are.
+/// From near to far: a sphere gets no number where a nearer sphere or number covers it. Where lines meet in the centre, a
+/// number has a disc of its sphere's colour behind it. Returns how many numbers were drawn.
 size_t draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
   const std::vector<Mark> marks = contact_marks(view.inspection.bodies.count, view.inspection.contacts);
-  const bool has_plates = shows_lines(view);
+  const bool has_discs = shows_lines(view);
   std::vector<Area> taken;
   for (size_t k = 0; k < spheres.size(); ++k) {
     const Seen& sphere = spheres[k];
@@ -90,7 +91,7 @@ size_t draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Pai
     if (std::any_of(spheres.begin(), end, [&](const Seen& nearer) { return meets(area, nearer); })) continue;
     if (std::any_of(taken.begin(), taken.end(), [&](const Area& other) { return meets(area, other); })) continue;
     taken.push_back(area);
-    if (has_plates) {
+    if (has_discs) {
       const bool touches = marks[static_cast<size_t>(sphere.body)] == Mark::contact;
       const Rgba color = to_rgba(touches ? painter.theme.contact : painter.theme.body, 0.85f);
       painter.sheet.disc(sphere.at, std::min(1.2f * length(half), 0.9f * sphere.radius), color);
@@ -100,7 +101,7 @@ size_t draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Pai
   return taken.size();
 }
 
-/// In the cell's lower left corner, as on the slide; if a sphere lies there, in the first corner that is free, if any.
+/// In the cell's lower left corner, as on the slide; if a sphere lies there, in the first free corner, if any.
 void draw_cell_number(size_t cell, const Area& square, const std::vector<Seen>& spheres, Painter& painter) {
   constexpr Anchor kCorners[] = {kLowerLeft, {1, 1}, kUpperLeft, kUpperRight};
   Sheet& sheet = painter.sheet;
@@ -135,16 +136,15 @@ void draw_cell_numbers(const GridInspection& grid, const DomainBox& domain, cons
 
 }  // namespace
 
-void LabelsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
-  if (layer != Layer::over) return;
+void draw_labels(const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
   const std::vector<Seen> spheres = large_spheres(view, projection, painter.sheet);
   const std::vector<GridInspection>& grids = view.inspection.grids;
-  if (view.domain.is_planar() && grids.size() == 1 && grids[0].head.size() <= kMostCells && !grids[0].head.empty()) {
+  if (view.domain.is_planar() && grids.size() == 1 && grids[0].head.size() <= kMaxCells && !grids[0].head.empty()) {
     draw_cell_numbers(grids[0], view.domain, spheres, projection, painter);
   }
   if (draw_numbers(view, spheres, painter) == 0 && view.inspection.bodies.count > 0) {
-    painter.note({{Swatch::none, {}, "no numbers: the spheres are too small in the picture"}});
+    painter.note("no numbers: the spheres are too small in the picture");
   }
 }
 

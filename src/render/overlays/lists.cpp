@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/lists.h"
-
+// Shows the arrays in which a method stores its cells. Linked lists (slides 12 to 15): per cell the first body, per body the
+// next one.
+//
+//             0    1    2    3    4
+//     head  │ −1 │  2 │ −1 │ −1 │ −1 │      cell 1 holds bodies 2 and 0
+//                  │
+//             0    ▼ 1    2
+//     next  │ −1 │ −1 │  0 │                drawn: head[1] → 2, and 2 → 0 in an arc below
+//             ▲─────────╯
+//
+// Sorted by cell: per cell the begin of its range of bodies; the last entry is the end of the last range.
+//
+//               0    1    2    3
+//     offsets │  0 │  0 │  2 │  3 │         cell 1 holds bodies 4 and 0
+//                     │
+//               0     ▼ 1    2
+//     bodies  │  4 │  0 │  7 │
+//              └───────┘
+//
+// A hashed grid has buckets instead of cells. If there are more entries or bodies than fit in a row, a histogram
+// shows the lengths of the lists or ranges instead.
 #include <algorithm>
 
 #include "broad_phase/inspection.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "world/inspection.h"
 
@@ -11,9 +31,9 @@ namespace ballpit {
 
 namespace {
 
-constexpr size_t kMostBoxes = 32;
-constexpr size_t kMostLength = 10;
-// In 1/1080 of the picture's height.
+constexpr size_t kMaxBoxes = 32;
+constexpr size_t kMaxLength = 10;
+// [1/1080 of the picture's height]
 constexpr float kMargin = 16, kBoxHeight = 40, kGap = 84, kArcs = 58, kWidest = 72;
 
 /// One array: numbered boxes beside its name.
@@ -25,7 +45,7 @@ struct Boxes {
   Vec2 under(size_t k) const { return {middle(k), top + height}; }
 };
 
-/// The arrays as the method has them: of lists (head, next), or of bodies sorted by cell (offsets, bodies).
+/// The arrays of the method: lists (head, next), or bodies sorted by cell (offsets, bodies).
 struct Arrays {
   bool is_sorted, is_hashed;
   const std::vector<int32_t>&cells, &bodies;
@@ -34,7 +54,7 @@ struct Arrays {
   const char* name_of_cells() const { return is_sorted ? "offsets" : "head"; }
   const char* name_of_bodies() const { return is_sorted ? "bodies" : "next"; }
 
-  /// Those of one cell or place, in the order of memory.
+  /// Visits the bodies of one cell or bucket, in the order of memory.
   template <class Visit>
   void for_each_body(size_t entry, Visit&& visit) const {
     if (is_sorted) {
@@ -68,7 +88,7 @@ void draw_array(const char* name, const std::vector<int32_t>& values, const Boxe
   }
 }
 
-/// An arc below the row, the deeper the farther it goes.
+/// An arc below the row; a longer arc is deeper.
 void draw_link(const Boxes& next, size_t from, size_t to, Rgba color, Painter& painter) {
   const float u = painter.sheet.unit();
   const Vec2 a = next.under(from), b = next.under(to);
@@ -89,7 +109,7 @@ void draw_list(const Arrays& arrays, size_t cell, const Boxes& head, const Boxes
   }
 }
 
-/// The range of one cell: from its offset to the first slot, and a brace below all of its slots.
+/// The range of one cell: an arrow from its offset to the first slot, and a brace below all of its slots.
 void draw_range(const Arrays& arrays, size_t cell, const Boxes& offsets, const Boxes& bodies, Rgba color,
                 Painter& painter) {
   const auto first = static_cast<size_t>(arrays.cells[cell]), end = static_cast<size_t>(arrays.cells[cell + 1]);
@@ -104,9 +124,9 @@ void draw_range(const Arrays& arrays, size_t cell, const Boxes& offsets, const B
   sheet.line(right + down, right, color, 3 * u);
 }
 
-bool fits(const Arrays& arrays) { return arrays.entries() <= kMostBoxes && arrays.bodies.size() <= kMostBoxes; }
+bool fits(const Arrays& arrays) { return arrays.entries() <= kMaxBoxes && arrays.bodies.size() <= kMaxBoxes; }
 
-/// False where boxes would be too narrow for their numbers.
+/// Returns false if the boxes would be too narrow for their numbers.
 bool draw_arrays(const Arrays& arrays, int64_t selected, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const std::string widest = std::string(arrays.name_of_cells()) + " ";
@@ -136,13 +156,13 @@ void draw_histogram(const GridInspection& grid, Painter& painter) {
   constexpr float kBar = 62, kHigh = 190;
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y;
-  std::vector<int> counts = count_lengths(grid, kMostLength);
+  std::vector<int> counts = count_lengths(grid, kMaxLength);
   const bool is_cut = counts.back() > 0;
   while (counts.size() > 1 && counts.back() == 0) counts.pop_back();
   const auto most = static_cast<float>(*std::max_element(counts.begin(), counts.end()));
 
   const Arrays arrays = arrays_of(grid);
-  const std::string title = std::string(arrays.is_hashed ? "places of the table" : "cells") +
+  const std::string title = std::string(arrays.is_hashed ? "buckets of the table" : "cells") +
                             " by the length of their " + (arrays.is_sorted ? "range" : "list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
@@ -167,13 +187,13 @@ void draw_histogram(const GridInspection& grid, Painter& painter) {
 
 }  // namespace
 
-std::vector<int> count_lengths(const GridInspection& grid, size_t most) {
-  std::vector<int> result(most + 1, 0);
+std::vector<int> count_lengths(const GridInspection& grid, size_t max) {
+  std::vector<int> result(max + 1, 0);
   const Arrays arrays = arrays_of(grid);
   for (size_t entry = 0; entry < arrays.entries(); ++entry) {
     size_t count = 0;
     arrays.for_each_body(entry, [&](int32_t) { ++count; });
-    ++result[std::min(count, most)];
+    ++result[std::min(count, max)];
   }
   return result;
 }
@@ -182,8 +202,8 @@ float lists_room(const Inspection& inspection) {
   return !inspection.grids.empty() && fits(arrays_of(inspection.grids[0])) ? 0.29f : 0.0f;
 }
 
-void ListsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
-  if (layer != Layer::over || view.inspection.grids.empty()) return;
+void draw_lists(const FrameView& view, Painter& painter) {
+  if (view.inspection.grids.empty()) return;
   const GridInspection& grid = view.inspection.grids[0];
   const Arrays arrays = arrays_of(grid);
   if (arrays.entries() == 0) return;

@@ -3,25 +3,9 @@
 
 #include <algorithm>
 
-#include "broad_phase/inspection.h"
-#include "core/error.h"
-#include "render/overlays/grid.h"
-#include "render/overlays/intervals.h"
-#include "render/overlays/labels.h"
-#include "render/overlays/lists.h"
-#include "render/overlays/pairs.h"
-#include "render/overlays/swept.h"
-#include "render/overlays/velocity.h"
-#include "world/inspection.h"
-
 namespace ballpit {
 
 namespace {
-
-template <class Kind>
-std::unique_ptr<Overlay> make() {
-  return std::make_unique<Kind>();
-}
 
 constexpr const char* kNoCells = "this broad phase has no cells to show; linked-cell and sorted-grid have";
 
@@ -42,25 +26,25 @@ std::string lacks_intervals(const Inspection& inspection) {
 
 const std::vector<OverlayEntry>& overlay_table() {
   static const std::vector<OverlayEntry> table = {
-      {"grid", "Grid cells", make<GridOverlay>, {}, nullptr, lacks_cells},
-      {"pairs", "Pairs", make<PairsOverlay>, {.candidates = true, .missed = true}, nullptr},
-      {"velocity", "Velocities", make<VelocityOverlay>, {}, nullptr},
-      {"swept", "Swept ways", make<SweptOverlay>, {}, nullptr},
-      {"labels", "Numbers", make<LabelsOverlay>, {}, nullptr},
-      {"lists", "Lists", make<ListsOverlay>, {}, lists_room, lacks_lists},
-      {"intervals", "Intervals", make<IntervalsOverlay>, {.endpoints = true}, intervals_room, lacks_intervals},
+      {"grid", "Grid cells", draw_grid, {}, nullptr, lacks_cells, true},
+      {"pairs", "Pairs", draw_pairs, {.candidates = true, .missed = true}},
+      {"velocity", "Velocities", draw_velocities},
+      {"swept", "Swept ways", draw_swept},
+      {"labels", "Numbers", draw_labels},
+      {"lists", "Lists", draw_lists, {}, lists_room, lacks_lists},
+      {"intervals", "Intervals", draw_intervals, {.endpoints = true}, intervals_room, lacks_intervals},
   };
   return table;
 }
 
 float room_below(const std::vector<std::string>& overlays, const Inspection& inspection) {
-  constexpr float kMost = 0.5f;  // the scene is the hero
+  constexpr float kMaxRoom = 0.5f;  // the scene needs the rest
   float room = 0;
   for (const OverlayEntry& entry : overlay_table()) {
     const bool enabled = std::find(overlays.begin(), overlays.end(), entry.name) != overlays.end();
     if (enabled && entry.room_below) room += entry.room_below(inspection);
   }
-  return std::min(room, kMost);
+  return std::min(room, kMaxRoom);
 }
 
 }  // namespace ballpit

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Overlays show what the simulation does, over the spheres: each owns its drawing, reads only the inspection,
-// and is one entry of the table that feeds command line, panel and tests.
+// Overlays show over the spheres what the simulation does. Each is a function that reads only the inspection, in a file of
+// its own, and one entry of the table that command line, panel and tests use.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,34 +14,54 @@ namespace ballpit {
 
 struct Painter;  // render/painter.h: what all overlays draw with
 
-/// When an overlay draws: `under` before the bodies, `over` after them. Depth is tested in both.
-enum class Layer { under, over };
-
-class Overlay {
- public:
-  Overlay() = default;
-  Overlay(const Overlay&) = delete;
-  Overlay& operator=(const Overlay&) = delete;
-  virtual ~Overlay() = default;
-
-  /// Called twice a frame, once for each layer. Draws nothing but a note where the inspection lacks what it shows.
-  virtual void draw(const FrameView& view, Painter& painter, Layer layer) = 0;
-};
-
 struct OverlayEntry {
-  std::string_view name;                                ///< "grid", as typed
-  std::string_view label;                               ///< "Grid cells", as the panel shows it
-  std::unique_ptr<Overlay> (*create)();                 ///< needs a current GL context
-  Wanted wanted = {};                                   ///< of the inspection, to be drawn
-  float (*room_below)(const Inspection&) = nullptr;     ///< of the picture's height, that it fills at the lower edge
-  std::string (*lacking)(const Inspection&) = nullptr;  ///< why the method gives it nothing to draw; "" where it does
+  std::string_view name;                             ///< "grid", as typed
+  std::string_view label;                            ///< "Grid cells", as the panel shows it
+  void (*draw)(const FrameView&, Painter&);          ///< only a note if the inspection lacks the data
+  Wanted wanted = {};                                ///< of the inspection, for drawing
+  float (*room_below)(const Inspection&) = nullptr;  ///< part of the picture's height that it fills at the lower edge
+  std::string (*lacking)(const Inspection&) = nullptr;  ///< why the method gives it nothing to draw; "" if it does
+  bool is_under_discs = false;                          ///< in planar scenes; all others are drawn after the bodies
 
   std::string lack(const Inspection& inspection) const { return lacking ? lacking(inspection) : ""; }
 };
 
+/// All overlays, in the order in which they are drawn.
 const std::vector<OverlayEntry>& overlay_table();
 
-/// What these overlays together fill at the lower edge: a fraction of the picture's height, for leave_room_below().
+/// The part of the picture's height that these overlays fill together at the lower edge, for leave_room_below().
 float room_below(const std::vector<std::string>& overlays, const Inspection& inspection);
+
+// The overlays; each file explains what it draws.
+void draw_grid(const FrameView& view, Painter& painter);
+void draw_pairs(const FrameView& view, Painter& painter);
+void draw_velocities(const FrameView& view, Painter& painter);
+void draw_swept(const FrameView& view, Painter& painter);
+void draw_labels(const FrameView& view, Painter& painter);
+void draw_lists(const FrameView& view, Painter& painter);
+void draw_intervals(const FrameView& view, Painter& painter);
+
+/// The parts of the picture's height that they fill.
+float lists_room(const Inspection& inspection);
+float intervals_room(const Inspection& inspection);
+
+/// The number of bodies in every cell: the length of its list.
+std::vector<int> count_per_cell(const GridInspection& grid);
+
+/// Entry k: the number of cells or buckets whose list or range has k bodies; entry `max` also counts longer ones.
+std::vector<int> count_lengths(const GridInspection& grid, size_t max);
+
+/// More candidates are only counted, not drawn.
+inline constexpr size_t kMaxCandidates = 20000;
+
+/// The candidates that are not contacts, each once.
+std::vector<Pair> candidates_apart(const Inspection& inspection);
+
+/// [s] How long a sphere needs for the length of its velocity arrow; 0 if all are at rest.
+float arrow_time(const FrameView& view);
+
+/// The longest path until the next search for contacts, in diameters of its sphere: above 1, spheres may pass through each
+/// other. 0 without velocities.
+float longest_way(const FrameView& view);
 
 }  // namespace ballpit

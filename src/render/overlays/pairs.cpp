@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/pairs.h"
-
+// Shows the candidates of the broad phase and which of them are contacts, as lines between centres.
+//
+//     o───────o   candidate that does not touch: thin, sky
+//     o━━━━━━━o   contact: bold, orange with a dark core
+//     ◎═══════◎   contact that the method missed: double, vermillion, a ring around both
+//
+// Lines of candidates and contacts are in front of their own two spheres and behind others; those of missed contacts are in
+// front of everything. Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <tuple>
 
 #include "bodies/body_snapshot.h"
-#include "render/overlays/line_scale.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "render/projection.h"
 #include "world/inspection.h"
@@ -16,13 +22,13 @@ namespace ballpit {
 
 namespace {
 
-// In 1/1080 of the picture's height.
+// [1/1080 of the picture's height]
 constexpr float kThin = 3, kBold = 7, kEdge = 4, kThinEdge = 1, kGap = 5, kDouble = 4, kRing = 5;
-constexpr size_t kMostRings = 2000;
+constexpr size_t kMaxRings = 2000;
 
 bool before(const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); }
 
-/// Where the second sphere of a touching pair is, seen from the first: in a periodic domain, perhaps beyond the border.
+/// The image of the second sphere that touches the first; in a periodic domain it may lie beyond the border.
 Vec3 touching_image(const BodySnapshot& bodies, const Pair& pair, const DomainBox& domain) {
   const Vec3 from = bodies.position_of(pair.i), size = domain.max - domain.min;
   Vec3 to = bodies.position_of(pair.j);
@@ -33,12 +39,12 @@ Vec3 touching_image(const BodySnapshot& bodies, const Pair& pair, const DomainBo
   return to;
 }
 
-/// From the centre of i to `end`, before both spheres; longer by `beyond` [pixel] at both ends.
+/// A line from the centre of i to `end`, in front of both spheres; longer by `beyond` [pixel] at both ends.
 Line lifted(const BodySnapshot& bodies, const Pair& pair, Vec3 end, const Projection& projection, Rgba color,
             float beyond, bool touches) {
   const float way = 1.02f * std::max(bodies.radius_of(pair.i), bodies.radius_of(pair.j));
   Vec3 start = bodies.position_of(pair.i);
-  // What touches is seen whole, also where one sphere stands behind the other.
+  // The line of a contact is visible as a whole, even if one sphere stands behind the other.
   const auto behind = [&](const Vec3& a, const Vec3& b) {
     return touches ? std::max(0.0f, projection.depth(a) - projection.depth(b)) : 0.0f;
   };
@@ -67,7 +73,7 @@ void draw_apart(const BodySnapshot& bodies, const std::vector<Pair>& apart, Pain
 
 void draw_contacts(const FrameView& view, Painter& painter, const Projection& projection, float scale) {
   const BodySnapshot& bodies = view.inspection.bodies;
-  // Their spheres are orange, too: a dark core tells the line from them.
+  // A dark core separates the line from the spheres, which are orange too.
   const Rgba color = to_rgba(0.45f * painter.theme.contact), edge = to_rgba(painter.theme.contact);
   std::vector<Line> lines, edges;
   for (const Pair& pair : view.inspection.contacts) {
@@ -84,7 +90,7 @@ void draw_missed(const FrameView& view, Painter& painter, const Projection& proj
   Sheet& sheet = painter.sheet;
   const float u = std::max(scale, 0.4f) * sheet.unit();
   const Rgba color = to_rgba(painter.theme.missed), ground = to_rgba(painter.theme.background);
-  const size_t drawn = std::min(view.inspection.missed.size(), kMostRings);
+  const size_t drawn = std::min(view.inspection.missed.size(), kMaxRings);
   for (size_t k = 0; k < drawn; ++k) {
     const Pair& pair = view.inspection.missed[k];
     const Vec3 centre = bodies.position_of(pair.i), end = touching_image(bodies, pair, view.domain);
@@ -106,13 +112,13 @@ void draw_notes(const FrameView& view, size_t apart, Painter& painter) {
   const Inspection& inspection = view.inspection;
   const Theme& theme = painter.theme;
   const auto count = [](size_t n) { return static_cast<int64_t>(n); };
-  if (view.left_out.missed) painter.note({{Swatch::none, {}, "too many spheres to look for missed contacts"}});
+  if (view.left_out.missed) painter.note("too many spheres to look for missed contacts");
   if (view.left_out.candidates) {
     painter.note({{Swatch::none, {}, "too many candidates to list,"},
                   {Swatch::bold, theme.contact, counted(count(inspection.contacts.size()), "contact")}});
     return;
   }
-  const bool too_many = apart > kMostCandidates;
+  const bool too_many = apart > kMaxCandidates;
   painter.note({{Swatch::none, {}, counted(count(apart + inspection.contacts.size()), "candidate") + ":"},
                 {too_many ? Swatch::none : Swatch::line, theme.candidate,
                  grouped(count(apart)) + (too_many ? " apart (too many to draw)" : " apart")},
@@ -121,7 +127,7 @@ void draw_notes(const FrameView& view, size_t apart, Painter& painter) {
     const size_t missed = inspection.missed.size();
     painter.note({{Swatch::twice, theme.missed,
                    counted(count(missed), "contact") + " missed" +
-                       (missed > kMostRings ? ", " + grouped(count(kMostRings)) + " of them drawn" : "")}});
+                       (missed > kMaxRings ? ", " + grouped(count(kMaxRings)) + " of them drawn" : "")}});
   }
 }
 
@@ -135,13 +141,12 @@ std::vector<Pair> candidates_apart(const Inspection& inspection) {
   return apart;
 }
 
-void PairsOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
-  if (layer != Layer::over) return;
+void draw_pairs(const FrameView& view, Painter& painter) {
   const Inspection& inspection = view.inspection;
   const Projection projection(view.camera, painter.sheet);
   const float scale = line_scale(view, projection, painter.sheet.unit());
   const std::vector<Pair> apart = candidates_apart(inspection);
-  if (apart.size() <= kMostCandidates) draw_apart(inspection.bodies, apart, painter, projection);
+  if (apart.size() <= kMaxCandidates) draw_apart(inspection.bodies, apart, painter, projection);
   draw_contacts(view, painter, projection, scale);
   draw_missed(view, painter, projection, scale);
   draw_notes(view, apart.size(), painter);

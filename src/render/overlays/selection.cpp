@@ -13,9 +13,9 @@ namespace ballpit {
 namespace {
 
 constexpr float kTint = 0.2f;
-constexpr float kWidth = 5;  // in 1/1080 of the picture's height
+constexpr float kWidth = 5;  // [1/1080 of the picture's height]
 
-/// The sides of the block that the viewer sees from within: tinted, they stand behind what lies in it.
+/// The sides of the block behind the spheres in it, as the viewer sees them.
 std::vector<Face> far_sides(const Vec3& low, const Vec3& size, const Camera& camera, Rgba color) {
   std::vector<Face> faces;
   for (int axis = 0; axis < 3; ++axis) {
@@ -48,7 +48,7 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
   const DomainBox& domain = view.domain;
   const Vec3 low = grid.origin + grid.edge * Vec3(block.low);
   Vec3 high = grid.origin + grid.edge * Vec3(block.high);
-  for (int axis = 0; axis < 3; ++axis) {  // the last cells may reach beyond the wall
+  for (int axis = 0; axis < 3; ++axis) {  // the last cells may extend beyond the wall
     if (block.high[axis] == grid.cells[axis] && !(axis == 1 && domain.open_top)) high[axis] = domain.max[axis];
   }
   Vec3 size = high - low;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a sphere's contacts are sought (slide 10): the selected sphere with a ring, and its block of 3 × 3 (× 3) cells.
+// Marks the selected sphere with a ring, and the block of 3 × 3 (× 3) cells that is searched for its contacts (slide 10).
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace ballpit {
 
-/// Cells from `low` up to, but without, `high`.
+/// Cells from `low` (included) to `high` (excluded).
 struct Block {
   IVec3 low, high;
 };
 
-/// The cells around the one that lists the body, as far as the grid goes; none if the grid does not list it.
+/// The cells around the one that lists the body, without those outside of the grid; none if the grid does not list it.
 std::optional<Block> block_around(const GridInspection& grid, const BodySnapshot& bodies, int64_t body);
 
 /// Draws nothing unless a body is selected.

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/swept.h"
-
+// Draws the path of each sphere until the next search for contacts: the space that it sweeps over, and where it arrives.
+//
+//       ╭────────────────────╮
+//     ( o )· · · · · · · · ·( )     two sides, tinted between them, and a ring at the end
+//       ╰────────────────────╯
+//
+// A search finds contacts at both ends of the path; only swept contacts are found in between. The velocity is the present
+// one: forces during the step are ignored.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "bodies/body_snapshot.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "render/projection.h"
 
@@ -16,10 +24,10 @@ namespace {
 
 constexpr float kWidth = 3;  // [1/1080 of the picture's height]
 constexpr float kOpacity = 0.85f, kTint = 0.14f;
-constexpr float kSmallest = 2;  // [pixel] a smaller radius is a line without sides and ring
+constexpr float kSmallest = 2;  // [pixel] spheres with a smaller radius are drawn as a line
 
-/// What is drawn of all ways.
-struct Ways {
+/// The shapes of all paths.
+struct Paths {
   std::vector<Line> lines;
   std::vector<Face> faces;
 };
@@ -35,21 +43,21 @@ void add_ring(const Vec3& centre, const Vec3& a, const Vec3& b, int corners, Rgb
   }
 }
 
-void add_way(const Vec3& from, const Vec3& way, float radius, float radius_in_pixels, const Camera& camera,
-             const Painter& painter, Ways& ways) {
+void add_path(const Vec3& from, const Vec3& way, float radius, float radius_in_pixels, const Camera& camera,
+              const Painter& painter, Paths& paths) {
   const Rgba ink = painter.ink(kOpacity);
   const Vec3 to = from + way, look = normalize(camera.is_orthographic() ? camera.target - camera.eye : to - camera.eye);
   const Vec3 across = glm::cross(way, look);
   if (radius_in_pixels < kSmallest) {
-    ways.lines.push_back({from, ink, to, ink});
+    paths.lines.push_back({from, ink, to, ink});
     return;
   }
   const Vec3 right = radius * normalize(glm::cross(look, camera.up)), up = glm::cross(right, look);
-  add_ring(to, right, up, std::clamp(static_cast<int>(2 * radius_in_pixels), 12, 48), ink, ways.lines);
-  if (length(across) < 1e-3f * length(way)) return;  // it flies at the viewer
+  add_ring(to, right, up, std::clamp(static_cast<int>(2 * radius_in_pixels), 12, 48), ink, paths.lines);
+  if (length(across) < 1e-3f * length(way)) return;  // it moves straight at the viewer
   const Vec3 side = radius * normalize(across);
-  for (const Vec3& s : {side, -side}) ways.lines.push_back({from + s, ink, to + s, ink});
-  ways.faces.push_back({from - side, way, 2.0f * side, painter.ink(kTint)});
+  for (const Vec3& s : {side, -side}) paths.lines.push_back({from + s, ink, to + s, ink});
+  paths.faces.push_back({from - side, way, 2.0f * side, painter.ink(kTint)});
 }
 
 }  // namespace
@@ -64,28 +72,25 @@ float longest_way(const FrameView& view) {
   return most;
 }
 
-void SweptOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
-  if (layer != Layer::over) return;
+void draw_swept(const FrameView& view, Painter& painter) {
   const float longest = longest_way(view);
   if (!(longest > 0) || !std::isfinite(longest)) {
-    painter.note({{Swatch::none, {}, "no swept ways: all spheres are at rest"}});
+    painter.note("no swept ways: all spheres are at rest");
     return;
   }
   const BodySnapshot& bodies = view.inspection.bodies;
   const Projection projection(view.camera, painter.sheet);
-  Ways ways;
+  Paths paths;
   for (int64_t i = 0; i < bodies.count; ++i) {
     const Vec3 centre = bodies.position_of(i), way = view.step * bodies.velocity_of(i);
     if (!projection.sees(centre) || !projection.sees(centre + way)) continue;
     if (projection.length_at(centre, length(way)) < 1) continue;
     const float radius = bodies.radius_of(i);
-    add_way(centre, way, radius, projection.length_at(centre, radius), view.camera, painter, ways);
+    add_path(centre, way, radius, projection.length_at(centre, radius), view.camera, painter, paths);
   }
-  painter.faces.draw(ways.faces);
-  painter.lines.draw(ways.lines, kWidth * painter.line_unit);
-  char text[64];
-  std::snprintf(text, sizeof(text), "longest way in a step: %.3g diameters", static_cast<double>(longest));
-  painter.note({{Swatch::line, painter.theme.text, text}});
+  painter.faces.draw(paths.faces);
+  painter.lines.draw(paths.lines, kWidth * painter.line_unit);
+  painter.note({{Swatch::line, painter.theme.text, fmt::format("longest way in a step: {:.3g} diameters", longest)}});
 }
 
 }  // namespace ballpit

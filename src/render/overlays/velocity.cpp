@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/velocity.h"
-
+// Draws an arrow along each velocity, from the centre of the sphere. The longest arrow is a twelfth of the picture's height;
+// a note gives its speed.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "bodies/body_snapshot.h"
-#include "render/overlays/line_scale.h"
+#include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "render/projection.h"
 
@@ -25,14 +26,14 @@ float fastest(const BodySnapshot& bodies) {
   return most;
 }
 
-/// Shaft and two barbs, in the plane that the viewer sees from the front; before the sphere itself, behind others.
+/// Adds a shaft and two barbs, in the plane that faces the viewer.
 void add_arrow(const Vec3& from, const Vec3& way, float barb, const Camera& camera, Rgba color,
                std::vector<Line>& lines) {
   const Vec3 tip = from + way, along = normalize(way);
   const Vec3 look = camera.is_orthographic() ? camera.target - camera.eye : tip - camera.eye;
   const Vec3 sideways = glm::cross(along, look);
   lines.push_back({from, color, tip, color});
-  if (length(sideways) < 1e-6f * length(look)) return;  // it flies at the viewer
+  if (length(sideways) < 1e-6f * length(look)) return;  // it moves straight at the viewer
   const Vec3 across = 0.5f * normalize(sideways);
   const float size = std::min(barb, 0.5f * length(way));
   for (const float side : {-1.0f, 1.0f}) lines.push_back({tip, color, tip - size * (along + side * across), color});
@@ -47,11 +48,10 @@ float arrow_time(const FrameView& view) {
   return kLongest * view.camera.pixel_size(distance, 1) / speed;
 }
 
-void VelocityOverlay::draw(const FrameView& view, Painter& painter, Layer layer) {
-  if (layer != Layer::over) return;
+void draw_velocities(const FrameView& view, Painter& painter) {
   const float time = arrow_time(view);
   if (time == 0) {
-    painter.note({{Swatch::none, {}, "no arrows: all spheres are at rest"}});
+    painter.note("no arrows: all spheres are at rest");
     return;
   }
   const BodySnapshot& bodies = view.inspection.bodies;
@@ -66,10 +66,8 @@ void VelocityOverlay::draw(const FrameView& view, Painter& painter, Layer layer)
     add_arrow(from, way, scale * kBarb * painter.sheet.unit() * pixel, view.camera, painter.ink(kOpacity), lines);
   }
   painter.lines.draw(lines, scale * kWidth * painter.line_unit);
-  char speed[32];
-  std::snprintf(speed, sizeof(speed), "%.3g m/s", static_cast<double>(fastest(bodies)));
   painter.note({{Swatch::arrow, 0.6f * painter.theme.text + 0.4f * painter.theme.background,
-                 std::string("longest arrow: ") + speed}});
+                 fmt::format("longest arrow: {:.3g} m/s", fastest(bodies))}});
 }
 
 }  // namespace ballpit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/sphere_renderer.h"
+#include "render/body_renderer.h"
 
 #include <algorithm>
 
@@ -7,13 +7,15 @@ namespace ballpit {
 
 namespace {
 
-void draw_quads(const BodyBuffer& bodies) {
+void draw_quads(const Shader& shader, const BodyBuffer& bodies, bool writes_depth) {
+  shader.use();
   bodies.bind(BodyBuffer::Rate::body_per_instance);
+  glDepthMask(writes_depth ? GL_TRUE : GL_FALSE);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(bodies.count()));
+  glDepthMask(GL_TRUE);
 }
 
-}  // namespace
-
+/// Whether every sphere in the domain is smaller than a pixel and a half, so that a point shows it as well.
 bool all_are_points(const BodyBuffer& bodies, const FrameView& view, int height) {
   constexpr float kSmallRadius = 1.5f;  // [pixel]
   const Camera& camera = view.camera;
@@ -22,32 +24,20 @@ bool all_are_points(const BodyBuffer& bodies, const FrameView& view, int height)
   return bodies.max_radius() < kSmallRadius * camera.pixel_size(distance, height);
 }
 
-SphereRenderer::SphereRenderer()
-    : sphere_("sphere.vert", "sphere.frag"),
-      outline_("outline.vert", "outline.frag"),
-      point_("point.vert", "point.frag"),
-      shadow_("shadow.vert", "shadow.frag") {}
+}  // namespace
 
-void SphereRenderer::draw_shadows(const BodyBuffer& bodies) {
-  shadow_.use();
-  glDepthMask(GL_FALSE);
-  draw_quads(bodies);
-  glDepthMask(GL_TRUE);
-}
-
-void SphereRenderer::draw(const BodyBuffer& bodies, const FrameView& view, int height) {
-  if (all_are_points(bodies, view, height)) {
+void BodyRenderer::draw(const BodyBuffer& bodies, const FrameView& view, int height) {
+  if (view.domain.is_planar()) {
+    draw_quads(disc_, bodies, false);
+  } else if (all_are_points(bodies, view, height)) {
     point_.use();
     bodies.bind(BodyBuffer::Rate::body_per_vertex);
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(bodies.count()));
-    return;
+  } else {
+    draw_quads(shadow_, bodies, false);
+    draw_quads(sphere_, bodies, true);
+    draw_quads(outline_, bodies, false);
   }
-  sphere_.use();
-  draw_quads(bodies);
-  outline_.use();
-  glDepthMask(GL_FALSE);
-  draw_quads(bodies);
-  glDepthMask(GL_TRUE);
 }
 
 }  // namespace ballpit
