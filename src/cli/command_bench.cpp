@@ -2,60 +2,64 @@
 // ballpit bench: time per step by method, backend, threads and number of spheres, on a gas of elastic spheres.
 #include <algorithm>
 #include <array>
-#include <iostream>
+#include <optional>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/bench_summary.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/summary.h"
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "measure/gas.h"
 #include "measure/machine.h"
+#include "measure/spread.h"
 #include "measure/step_timing.h"
 #include "methods/methods.h"
 
 namespace ballpit {
 
+using Json = nlohmann::ordered_json;
+
 namespace {
 
-/// The shared options that change what a step costs, and that the command does not vary by itself.
+/// The settings that affect a step and that the command does not vary itself.
 constexpr std::array<std::string_view, 7> kStepSettings{"cell-size", "axis",       "table",    "skin",
                                                         "response",  "integrator", "precision"};
 
 /// All but "auto".
 template <class Enum>
 std::vector<std::string> names_of() {
-  std::vector<std::string> names;
-  for (const std::string_view name : kNames<Enum>) {
-    if (name != "auto") names.emplace_back(name);
-  }
-  return names;
+  return {kNames<Enum>.begin() + 1, kNames<Enum>.end()};
 }
 
 /// Each once, in the order given.
-template <class Enum>
-std::vector<std::string> parse_names(std::string_view option, const std::string& text) {
+std::vector<std::string> parse_names(std::string_view option, const std::string& text,
+                                     const std::vector<std::string>& allowed) {
   std::vector<std::string> names;
   for (const std::string& name : split_list(text)) {
-    parse_choice(option, name, names_of<Enum>());
+    parse_choice(option, name, allowed);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
 }
 
-/// Each once, ascending.
-std::vector<int64_t> parse_integers(std::string_view option, const std::string& text, int64_t low, int64_t high) {
-  std::vector<int64_t> numbers;
-  for (const std::string& item : split_list(text)) numbers.push_back(parse_integer(option, item, low, high));
+template <class T>
+void keep_each_once(std::vector<T>& numbers) {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+template <class T>
+std::vector<T> parse_numbers(std::string_view option, const std::string& text, const Range<T>& range) {
+  std::vector<T> numbers;
+  for (const std::string& item : split_list(text)) numbers.push_back(parse_number(option, item, range));
   return numbers;
 }
 
-/// Those of these names, or where there are none, all that can serve here.
+/// The backends of these names; without names, all that can serve here.
 std::vector<Backend> choose_backends(const std::vector<std::string>& names) {
   std::vector<Backend> backends;
   for (const Backend& backend : {cpu_backend(), cuda_backend()}) {
@@ -69,21 +73,108 @@ std::vector<Backend> choose_backends(const std::vector<std::string>& names) {
   return backends;
 }
 
+/// How many times as fast as the first method at the same count, backend and threads; empty if that was skipped.
+std::optional<double> speedup_of(const StepTiming& timing, const std::vector<StepTiming>& all) {
+  const auto first = std::find_if(all.begin(), all.end(), [&](const StepTiming& other) {
+    return other.count == timing.count && other.which.backend.name == timing.which.backend.name &&
+           other.which.threads == timing.which.threads;
+  });
+  if (first->seconds.empty()) return std::nullopt;
+  return spread_of(first->seconds).median / spread_of(timing.seconds).median;
+}
+
+Json json_of(const StepTiming& timing, const std::vector<StepTiming>& all) {
+  Json entry{{"count", timing.count}, {"method", timing.which.method}, {"backend", timing.which.backend.name}};
+  entry["threads"] = timing.which.threads > 0 ? Json(timing.which.threads) : Json();
+  if (!timing.skipped.empty()) {
+    entry["skipped"] = timing.skipped;
+    return entry;
+  }
+  const Spread spread = spread_of(timing.seconds);
+  const std::optional<double> speedup = speedup_of(timing, all);
+  entry["seconds"] = spread.median;
+  entry["seconds_min"] = spread.least;
+  entry["seconds_quartiles"] = {spread.lower, spread.upper};
+  entry["speedup"] = speedup ? Json(*speedup) : Json();
+  entry["steps"] = timing.steps;
+  entry["contacts"] = timing.contacts;
+  entry["candidates"] = timing.candidates;
+  entry["stages"] = Json::array();
+  for (const StepStage& stage : timing.stages) {
+    entry["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"launches", stage.launches}});
+  }
+  return entry;
+}
+
+void print_row(const StepTiming& timing, const std::vector<StepTiming>& all) {
+  const StepCase& which = timing.which;
+  fmt::print("{:9}  {:<15} {:<7} {:>7}  ", timing.count, which.method, which.backend.name,
+             which.threads > 0 ? std::to_string(which.threads) : "-");
+  if (!timing.skipped.empty()) {
+    fmt::print("skipped: {}\n", timing.skipped);
+    return;
+  }
+  const Spread spread = spread_of(timing.seconds);
+  fmt::print("{:10.4f}  {:9.4f} to {:9.4f}  {:11.1f}", 1e3 * spread.median, 1e3 * spread.lower, 1e3 * spread.upper,
+             1e9 * spread.median / static_cast<double>(timing.count));
+  if (const std::optional<double> speedup = speedup_of(timing, all)) fmt::print("  {:7.1f}", *speedup);
+  fmt::print("\n");
+}
+
+/// The stages that take at least a hundredth of a step.
+void print_stages(const StepTiming& timing) {
+  if (timing.seconds.empty()) return;
+  const double least = 0.01 * spread_of(timing.seconds).median;
+  for (const StepStage& stage : timing.stages) {
+    if (stage.seconds >= least) fmt::print("{:9}    {:<22} {:14.4f}\n", "", stage.name, 1e3 * stage.seconds);
+  }
+}
+
+/// Machine, scene, and an entry for each timing.
+Json json_of(const TimingPlan& plan, const std::vector<StepTiming>& timings) {
+  Json entries = Json::array();
+  for (const StepTiming& timing : timings) entries.push_back(json_of(timing, timings));
+  return {{"machine", describe_machine()}, {"volume_fraction", kGasVolumeFraction}, {"dt", kGasStep},
+          {"repeat", plan.blocks},         {"baseline", plan.cases.front().method}, {"entries", entries}};
+}
+
+void print_table(const TimingPlan& plan, const std::vector<StepTiming>& timings, bool with_stages) {
+  const Json machine = describe_machine();
+  const auto text = [&](const char* key) { return machine[key].get<std::string>(); };
+  fmt::print("{}, {} cores{}; {}, {}\n", text("cpu"), machine["cores"].dump(),
+             machine.contains("cuda") ? "; " + text("cuda") : "", text("compiler"), text("build_type"));
+  fmt::print("a gas of equal elastic spheres, {:.0f} % of the volume; medians and quartiles of {} blocks of steps\n",
+             100 * kGasVolumeFraction, plan.blocks);
+  fmt::print("speedup: against {} on the same processor\n\n", plan.cases.front().method);
+  fmt::print("{:>9}  {:<15} {:<7} {:>7}  {:>10}  {:>22}  {:>11}  {:>7}\n", "spheres", "method", "backend", "threads",
+             "ms a step", "quartiles", "ns a sphere", "speedup");
+  for (const StepTiming& timing : timings) {
+    print_row(timing, timings);
+    if (with_stages) print_stages(timing);
+  }
+}
+
 class BenchCommand final : public Command {
  public:
+  BenchCommand() { plan_.counts = {1000, 10'000, 100'000}; }
+
   void add_options(CommandOptions& command) override {
-    const auto add = [&](const char* name, std::string& text, const std::string& help, const char* type) {
-      return command.add_option(name, text, help)->type_name(type);
-    };
-    add("--counts", counts_, "numbers of spheres", "N,…")->shows_default();
-    methods_option_ =
-        add("--methods", methods_, "some of " + join(names_of<BroadPhase>()) + "; default: all", "NAME,…");
-    threads_option_ =
-        add("--threads", threads_, "numbers of CPU threads, 0 for all cores; default: 1 and all cores", "N,…");
-    backends_option_ = add("--backends", backends_,
-                           "some of " + join(names_of<BackendName>()) + "; default: all that can serve here", "NAME,…");
-    add("--repeat", repeat_, "blocks of steps to measure of each", "N")->shows_default();
-    add("--limit", limit_, "longest time for each; what would need longer is skipped", "SECONDS")->shows_default();
+    command.add({"--counts", "N,…", "numbers of spheres", fmt::format("{}", fmt::join(plan_.counts, ","))},
+                [this](const std::string& text) {
+                  plan_.counts = parse_numbers("--counts", text, Range{int64_t{1}, int64_t{100'000'000}});
+                });
+    command.add({"--methods", "NAME,…", "some of " + join(methods_) + "; default: all"},
+                [this](const std::string& text) { methods_ = parse_names("--methods", text, methods_); });
+    command.add({"--threads", "N,…", "numbers of CPU threads, 0 for all cores; default: 1 and all cores"},
+                [this](const std::string& text) {
+                  threads_ = parse_numbers("--threads", text, Range{0, 256});
+                });
+    command.add(
+        {"--backends", "NAME,…", "some of " + join(names_of<BackendName>()) + "; default: all that can serve here"},
+        [this](const std::string& text) { backends_ = parse_names("--backends", text, names_of<BackendName>()); });
+    command.add_number({"--repeat", "N", "blocks of steps to measure of each"}, plan_.blocks, Range{1, 1000});
+    command.add_number({"--limit", "SECONDS", "longest time for each; sizes predicted to exceed it are skipped"},
+                       plan_.limit, Range{1e-3, 1e6});
     command.add_flag("--stages", stages_, "show each stage that takes a hundredth of a step, or more");
     command.add_flag("--json", json_, "print one JSON object");
     settings_.add_to(command, "Simulation", kStepSettings);
@@ -91,70 +182,44 @@ class BenchCommand final : public Command {
 
   void run() override {
     catch_interrupts();
-    const TimingPlan plan = make_plan();
-    warn_of_small_cells(plan.settings);
-    const std::vector<StepTiming> timings = measure(plan);
-    const auto summary = summarize(plan, timings);
+    complete_plan();
+    warn_of_small_cells(plan_.settings);
+    const std::vector<StepTiming> timings = measure();
     if (json_) {
-      print_json(summary);
+      print_json(json_of(plan_, timings));
     } else {
-      print_table(summary, stages_);
+      print_table(plan_, timings, stages_);
     }
   }
 
  private:
-  TimingPlan make_plan() const {
-    TimingPlan plan;
-    plan.counts = parse_integers("--counts", counts_, 1, 100'000'000);
-    plan.blocks = static_cast<int>(parse_integer("--repeat", repeat_, 1, 1000));
-    plan.limit = parse_number("--limit", limit_, 1e-3, 1e6);
-    apply_given(plan.settings, settings_.given());
-    check_given(plan.settings, settings_.given());
-    std::vector<std::string> methods = names_of<BroadPhase>(), backends;
-    if (methods_option_->is_given()) methods = parse_names<BroadPhase>("--methods", methods_);
-    if (backends_option_->is_given()) backends = parse_names<BackendName>("--backends", backends_);
-    const std::vector<int> threads = choose_threads();
-    for (const Backend& backend : choose_backends(backends)) {
-      for (const int t : backend.name == "cpu" ? threads : std::vector<int>{0}) {
-        for (const std::string& method : methods) plan.cases.push_back({method, backend, t});
+  void complete_plan() {
+    keep_each_once(plan_.counts);
+    for (int& t : threads_) t = thread_count(t);
+    keep_each_once(threads_);
+    apply_given(plan_.settings, settings_.given());
+    check_given(plan_.settings, settings_.given());
+    for (const Backend& backend : choose_backends(backends_)) {
+      for (const int t : backend.name == "cpu" ? threads_ : std::vector<int>{0}) {
+        for (const std::string& method : methods_) plan_.cases.push_back({method, backend, t});
       }
     }
-    return plan;
   }
 
-  std::vector<int> choose_threads() const {
-    std::vector<int> threads{1, thread_count(0)};
-    if (threads_option_->is_given()) {
-      threads.clear();
-      for (const int64_t t : parse_integers("--threads", threads_, 0, 256)) {
-        threads.push_back(thread_count(static_cast<int>(t)));
-      }
-    }
-    std::sort(threads.begin(), threads.end());
-    threads.erase(std::unique(threads.begin(), threads.end()), threads.end());
-    return threads;
-  }
-
-  static std::vector<StepTiming> measure(const TimingPlan& plan) {
-    const auto total = static_cast<int64_t>(plan.cases.size() * plan.counts.size());
-    Progress progress("entries", total);
-    const auto tell = [&](int64_t done) { progress.show(done); };
-    std::vector<StepTiming> timings = time_steps(plan, tell, was_interrupted);
+  std::vector<StepTiming> measure() const {
+    const size_t total = plan_.cases.size() * plan_.counts.size();
+    Progress progress("entries", static_cast<int64_t>(total));
+    std::vector<StepTiming> timings = time_steps(
+        plan_, [&](int64_t done) { progress.show(done); }, was_interrupted);
     if (!was_interrupted()) return timings;
-    throw RunError("bench",
-                   "interrupted after " + std::to_string(timings.size()) + " of " + std::to_string(total) + " entries");
+    throw RunError("bench", fmt::format("interrupted after {} of {} entries", timings.size(), total));
   }
 
   SettingOptions settings_;
-  std::string counts_ = "1000,10000,100000";
-  std::string methods_, threads_, backends_;
-  std::string repeat_ = "5";
-  std::string limit_ = "5";
-  CommandOption* methods_option_ = nullptr;
-  CommandOption* threads_option_ = nullptr;
-  CommandOption* backends_option_ = nullptr;
-  bool stages_ = false;
-  bool json_ = false;
+  TimingPlan plan_;
+  std::vector<std::string> methods_ = names_of<BroadPhase>(), backends_;
+  std::vector<int> threads_{1, 0};
+  bool stages_ = false, json_ = false;
 };
 
 }  // namespace

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // ballpit doctor: what this machine offers, and what is missing.
-#include <iostream>
+#include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
@@ -20,60 +23,68 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json examine_gl() {
+struct Tool {
+  std::string name, path;  ///< no path: it is missing
+};
+
+struct Machine {
+  unsigned threads = std::thread::hardware_concurrency();
+  Backend cuda = cuda_backend();
+  std::vector<EglDeviceInfo> egl_devices = list_egl_devices();
+  std::optional<GlInfo> gl;
+  std::string gl_error;
+  std::vector<Tool> tools;
+};
+
+Machine examine_machine() {
+  Machine machine;
   try {
-    const GlContext context;
-    const GlInfo& info = context.info();
-    return {{"renderer", info.renderer},
-            {"version", info.version},
-            {"platform", info.platform},
-            {"software", info.software}};
+    machine.gl = GlContext().info();
   } catch (const RunError& error) {
-    return {{"error", error.what()}};
+    machine.gl_error = error.what();
   }
+  for (const char* tool : {"ffmpeg", "gnuplot"}) machine.tools.push_back({tool, find_program(tool)});
+  return machine;
 }
 
-Json examine_machine() {
-  Json devices = Json::array();
-  for (const EglDeviceInfo& device : list_egl_devices()) {
+Json json_of(const Machine& machine) {
+  Json devices = Json::array(), gl{{"error", machine.gl_error}}, tools;
+  for (const EglDeviceInfo& device : machine.egl_devices) {
     devices.push_back({{"index", device.index}, {"name", device.name}, {"software", device.software}});
   }
-  const Backend cuda = cuda_backend();
-  Json tools;
-  for (const char* tool : {"ffmpeg", "gnuplot"}) tools[tool] = find_program(tool);
+  if (const auto& info = machine.gl) {
+    gl = {{"renderer", info->renderer},
+          {"version", info->version},
+          {"platform", info->platform},
+          {"software", info->software}};
+  }
+  for (const Tool& tool : machine.tools) tools[tool.name] = tool.path;
   return {{"version", kVersion},
           {"compiler", kCompiler},
           {"build_type", kBuildType},
-          {"threads", std::thread::hardware_concurrency()},
+          {"threads", machine.threads},
           {"cuda",
-           {{"available", cuda.unavailable_reason.empty()},
-            {"device", cuda.description},
-            {"reason", cuda.unavailable_reason}}},
+           {{"available", machine.cuda.unavailable_reason.empty()},
+            {"device", machine.cuda.description},
+            {"reason", machine.cuda.unavailable_reason}}},
           {"egl_devices", devices},
-          {"gl", examine_gl()},
+          {"gl", gl},
           {"tools", tools}};
 }
 
-void print_text(const Json& found) {
-  const auto line = [](const std::string& name, const std::string& text) {
-    std::cout << name << std::string(14 - std::min<size_t>(13, name.size()), ' ') << text << "\n";
-  };
-  line("ballpit", found["version"].get<std::string>() + ", " + found["compiler"].get<std::string>() + ", " +
-                      found["build_type"].get<std::string>());
-  line("CPU threads", found["threads"].dump());
-  line("CUDA", found["cuda"]["available"] ? found["cuda"]["device"].get<std::string>()
-                                          : "not here: " + found["cuda"]["reason"].get<std::string>());
-  for (const Json& device : found["egl_devices"]) {
-    line("EGL device " + device["index"].dump(),
-         device["name"].get<std::string>() + (device["software"] ? " (software)" : ""));
+void print_text(const Machine& machine) {
+  const auto line = [](const std::string& name, const std::string& text) { fmt::print("{:<13} {}\n", name, text); };
+  line("ballpit", fmt::format("{}, {}, {}", kVersion, kCompiler, kBuildType));
+  line("CPU threads", std::to_string(machine.threads));
+  const std::string& reason = machine.cuda.unavailable_reason;
+  line("CUDA", reason.empty() ? machine.cuda.description : "not here: " + reason);
+  for (const EglDeviceInfo& device : machine.egl_devices) {
+    line(fmt::format("EGL device {}", device.index), device.name + (device.software ? " (software)" : ""));
   }
-  const Json& gl = found["gl"];
-  line("OpenGL", gl.contains("error") ? "not here: " + gl["error"].get<std::string>()
-                                      : gl["version"].get<std::string>() + ", " + gl["renderer"].get<std::string>() +
-                                            ", " + gl["platform"].get<std::string>());
-  for (const auto& [tool, path] : found["tools"].items()) {
-    line(tool, path == "" ? "not here (optional)" : path.get<std::string>());
-  }
+  const auto& gl = machine.gl;
+  line("OpenGL",
+       gl ? fmt::format("{}, {}, {}", gl->version, gl->renderer, gl->platform) : "not here: " + machine.gl_error);
+  for (const Tool& tool : machine.tools) line(tool.name, tool.path.empty() ? "not here (optional)" : tool.path);
 }
 
 class DoctorCommand final : public Command {
@@ -81,11 +92,11 @@ class DoctorCommand final : public Command {
   void add_options(CommandOptions& command) override { command.add_flag("--json", json_, "print one JSON object"); }
 
   void run() override {
-    const Json found = examine_machine();
+    const Machine machine = examine_machine();
     if (json_) {
-      print_json(found);
+      print_json(json_of(machine));
     } else {
-      print_text(found);
+      print_text(machine);
     }
   }
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
+
+#include <fmt/format.h>
 
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -18,6 +19,7 @@
 #include "lab/report/experiment.h"
 #include "lab/report/report.h"
 #include "measure/machine.h"
+#include "render/painter.h"
 #include "show/notes.h"
 
 namespace ballpit {
@@ -30,13 +32,13 @@ double seconds_of(const Experiment& experiment, bool is_quick) {
 
 /// "40 s", "12 min", "1.5 h"
 std::string duration_text(double seconds) {
-  if (seconds < 90) return std::to_string(static_cast<int>(std::ceil(seconds))) + " s";
-  if (seconds < 90 * 60) return std::to_string(static_cast<int>(std::ceil(seconds / 60))) + " min";
-  return std::to_string(static_cast<int>(std::ceil(seconds / 360)) / 10.0).substr(0, 3) + " h";
+  if (seconds < 90) return fmt::format("{:.0f} s", std::ceil(seconds));
+  if (seconds < 90 * 60) return fmt::format("{:.0f} min", std::ceil(seconds / 60));
+  return fmt::format("{:.1f} h", std::ceil(seconds / 360) / 10);
 }
 
-/// The bar over all experiments. What is left is their table's times, as this machine has kept to them so far;
-/// what the cache held counts as done, and says nothing about the machine.
+/// The bar over all experiments. The time left is predicted from the times in their table, scaled by the pace of this machine
+/// so far. Measurements taken from the cache count as done but do not count for the pace.
 class LabProgress {
  public:
   LabProgress(const std::vector<const Experiment*>& chosen, bool is_quick) : is_quick_(is_quick) {
@@ -84,22 +86,22 @@ class LabProgress {
 class LabCommand final : public Command {
  public:
   void add_options(CommandOptions& command) override {
-    command.add_option("EXPERIMENT", name_, "all, or one of " + join(names()))->type_name("NAME")->required();
-    command.add_option("--out", out_, "folder for tables, charts, the report, and what was measured")
-        ->type_name("DIR")
-        ->required();
+    command.add({.name = "EXPERIMENT",
+                 .type = "NAME",
+                 .help = "all, or one of " + join(names_in(experiments())),
+                 .is_required = true},
+                [this](const std::string& text) { choose(text); });
+    command.add_path({.name = "--out",
+                      .type = "DIR",
+                      .help = "folder for tables, charts, the report, and what was measured",
+                      .is_required = true},
+                     out_);
     command.add_flag("--quick", is_quick_, "fewer and smaller cases, each experiment in less than 90 seconds");
-    command.add_option("--seed", seed_, "start of the random numbers")->type_name("N")->shows_default();
+    command.add_number({"--seed", "N", "start of the random numbers"}, seed_, Range{uint64_t{0}, uint64_t{INT64_MAX}});
   }
 
   void run() override {
-    if (name_ == "all") {
-      for (const Experiment& experiment : experiments()) chosen_.push_back(&experiment);
-    } else {
-      chosen_.push_back(&find_experiment(name_));
-    }
-    folder_ = parse_path("--out", out_);
-    seed_number_ = static_cast<uint64_t>(parse_integer("--seed", seed_, 0, INT64_MAX));
+    folder_ = out_;
     check_outputs();
     make_folder(folder_ / "cache");
     catch_interrupts();
@@ -112,7 +114,15 @@ class LabCommand final : public Command {
   }
 
  private:
-  /// What the run is to leave, as far as it is known by name.
+  void choose(const std::string& name) {
+    if (name != "all") {
+      chosen_.push_back(&find_experiment(name));
+      return;
+    }
+    for (const Experiment& experiment : experiments()) chosen_.push_back(&experiment);
+  }
+
+  /// The files and folders of the run whose names are known.
   void check_outputs() const {
     const std::filesystem::path cache = folder_ / "cache";
     check_output_folder(cache);
@@ -123,19 +133,13 @@ class LabCommand final : public Command {
     for (const Experiment* experiment : chosen_) check_output(cache / (std::string(experiment->name) + ".csv"));
   }
 
-  static std::vector<std::string_view> names() {
-    std::vector<std::string_view> result;
-    for (const Experiment& experiment : experiments()) result.push_back(experiment.name);
-    return result;
-  }
-
-  /// Before anything is measured: how long it takes, and what will be missing.
+  /// Before anything is measured: how long it will take, and what will be missing.
   void announce() {
     double seconds = 0;
     for (const Experiment* experiment : chosen_) seconds += seconds_of(*experiment, is_quick_);
-    note("lab", std::to_string(chosen_.size()) + (chosen_.size() == 1 ? " experiment" : " experiments") + ", about " +
-                    duration_text(seconds) + " on two cores, less what " + (folder_ / "cache").string() +
-                    " already holds");
+    note("lab", fmt::format("{}, about {} on two cores, less what {} already holds",
+                            counted(static_cast<int64_t>(chosen_.size()), "experiment"), duration_text(seconds),
+                            (folder_ / "cache").string()));
     if (!gnuplot_.empty()) return;
     lack_ =
         "No charts: gnuplot is not on the PATH (Debian: gnuplot-nox). The same command draws them later, without "
@@ -143,7 +147,7 @@ class LabCommand final : public Command {
     tell_notes({lack_});
   }
 
-  /// The report grows with each experiment: one that is interrupted leaves those before it.
+  /// Writes the report after each experiment, so that an interrupted run leaves what it has.
   std::vector<ReportSection> run_all() {
     LabProgress progress(chosen_, is_quick_);
     std::vector<ReportSection> sections;
@@ -164,7 +168,7 @@ class LabCommand final : public Command {
   ReportSection run_one(const Experiment& experiment, LabProgress& progress) {
     LabOptions options;
     options.is_quick = is_quick_;
-    options.seed = seed_number_;
+    options.seed = seed_;
     options.cache = folder_ / "cache" / (std::string(experiment.name) + ".csv");
     options.tell = [&](bool was_kept) { progress.tell(was_kept); };
     options.name = experiment.name;
@@ -199,17 +203,17 @@ class LabCommand final : public Command {
   }
 
   std::string command_of(const Experiment& experiment) const {
-    return "ballpit lab " + std::string(experiment.name) + " --out " + out_ + (is_quick_ ? " --quick" : "") +
-           (seed_ == "1" ? "" : " --seed " + seed_);
+    return fmt::format("ballpit lab {} --out {}{}{}", experiment.name, out_, is_quick_ ? " --quick" : "",
+                       seed_ == 1 ? "" : fmt::format(" --seed {}", seed_));
   }
 
   std::vector<std::string> circumstances() const {
-    return {"machine: " + machine_line(), std::string("preset: ") + (is_quick_ ? "quick" : "full"), "seed: " + seed_};
+    return {"machine: " + machine_line(), std::string("preset: ") + (is_quick_ ? "quick" : "full"),
+            fmt::format("seed: {}", seed_)};
   }
 
-  std::string name_, out_;
-  std::string seed_ = "1";
-  uint64_t seed_number_ = 1;
+  std::string out_;
+  uint64_t seed_ = 1;
   bool is_quick_ = false;
   std::vector<const Experiment*> chosen_;
   std::filesystem::path folder_;

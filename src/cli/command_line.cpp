@@ -89,41 +89,41 @@ void check_command(int argc, char** argv, std::span<const CommandEntry> commands
 
 }  // namespace
 
-CommandOption* CommandOption::type_name(const std::string& name) {
-  option_->type_name(name);
-  return this;
+struct CommandOptions::Declared {
+  std::string text;
+  CLI::Option* option;
+  std::function<void(const std::string&)> read;
+};
+
+CommandOptions::CommandOptions(CLI::App* command) : command_(command) {}
+CommandOptions::~CommandOptions() = default;
+
+void CommandOptions::add(const OptionText& option, std::function<void(const std::string&)> read) {
+  Declared& declared = *options_.emplace_back(std::make_unique<Declared>());
+  declared.option = command_->add_option(option.name, declared.text, option.help);
+  declared.option->required(option.is_required);
+  if (!option.type.empty()) declared.option->type_name(option.type);
+  if (!option.preset.empty()) declared.option->default_str(option.preset);
+  if (!option.group.empty()) declared.option->group(option.group);
+  declared.read = std::move(read);
 }
 
-CommandOption* CommandOption::group(const std::string& heading) {
-  option_->group(heading);
-  return this;
+void CommandOptions::add_flag(const std::string& name, bool& value, const std::string& help) {
+  command_->add_flag(name, value, help)->disable_flag_override();
 }
 
-CommandOption* CommandOption::required() {
-  option_->required();
-  return this;
+void CommandOptions::add_path(const OptionText& option, std::string& path) {
+  add(option, [&path, name = option.name](const std::string& text) { path = parse_path(name, text); });
 }
 
-CommandOption* CommandOption::shows_default() {
-  option_->capture_default_str();
-  return this;
-}
-
-bool CommandOption::is_given() const { return option_->count() > 0; }
-
-CommandOption* CommandOptions::add_option(const std::string& name, std::string& value, const std::string& help) {
-  options_.push_back(std::make_unique<CommandOption>(command_->add_option(name, value, help)));
-  return options_.back().get();
-}
-
-CommandOption* CommandOptions::add_flag(const std::string& name, bool& value, const std::string& help) {
-  CLI::Option* option = command_->add_flag(name, value, help)->disable_flag_override();
-  options_.push_back(std::make_unique<CommandOption>(option));
-  return options_.back().get();
+void CommandOptions::read() const {
+  for (const auto& declared : options_) {
+    if (declared->option->count() > 0) declared->read(declared->text);
+  }
 }
 
 void run_command_line(int argc, char** argv, std::span<const CommandEntry> entries) {
-  CLI::App app("Ballpit shows how fast collision detection works, on bouncing spheres.", "ballpit");
+  CLI::App app("Ballpit visualizes fast collision-detection algorithms on bouncing spheres.", "ballpit");
   app.set_version_flag("--version", std::string("ballpit ") + kVersion);
   app.require_subcommand(1);
   std::vector<std::unique_ptr<Command>> commands;
@@ -131,8 +131,12 @@ void run_command_line(int argc, char** argv, std::span<const CommandEntry> entri
   for (const CommandEntry& entry : entries) {
     Command* command = commands.emplace_back(entry.create()).get();
     CLI::App* sub = app.add_subcommand(std::string(entry.name), std::string(entry.help));
-    command->add_options(*options.emplace_back(std::make_unique<CommandOptions>(sub)));
-    sub->final_callback([command] { command->run(); });
+    CommandOptions* declared = options.emplace_back(std::make_unique<CommandOptions>(sub)).get();
+    command->add_options(*declared);
+    sub->final_callback([command, declared] {
+      declared->read();
+      command->run();
+    });
   }
   check_command(argc, argv, entries);
   try {

@@ -1,55 +1,70 @@
 // SPDX-License-Identifier: MIT
-// The options that commands declare, and the parsing of a command line. Only command_line.cpp sees CLI11, which takes
-// seconds to compile wherever it is included.
+// The options that a command declares, and the parsing of a command line. CLI11 splits the words and prints the help; values
+// are read by our own code. Only command_line.cpp includes CLI11, which takes seconds to compile.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
+
+#include "show/parse.h"
 
 namespace CLI {
 class App;
-class Option;
-}  // namespace CLI
+}
 
 namespace ballpit {
 
 struct CommandEntry;
 
-/// One declared option or argument.
-class CommandOption {
- public:
-  explicit CommandOption(CLI::Option* option) : option_(option) {}
-
-  CommandOption* type_name(const std::string& name);  ///< of its value: "SECONDS"
-  CommandOption* group(const std::string& heading);   ///< of --help
-  CommandOption* required();
-  CommandOption* shows_default();  ///< --help shows the value that the variable has now
-
-  bool is_given() const;
-
- private:
-  CLI::Option* option_;
+/// An option or argument as --help describes it.
+struct OptionText {
+  std::string name;  ///< "--time"; an argument has no dashes: "SCENE"
+  std::string type;  ///< of its value: "SECONDS"
+  std::string help;
+  std::string preset = {};  ///< the value where the option is not given; empty: --help shows none
+  bool is_required = false;
+  std::string group = {};  ///< heading in --help
 };
 
-/// The options of one command.
+/// The options of one command. Their variables must outlive the parsing.
 class CommandOptions {
  public:
-  explicit CommandOptions(CLI::App* command) : command_(command) {}
+  explicit CommandOptions(CLI::App* command);
+  ~CommandOptions();
 
-  /// An option with a value, or an argument if `name` has no dashes. The variable must outlive the parsing.
-  CommandOption* add_option(const std::string& name, std::string& value, const std::string& help);
+  /// `read` gets the value if the option is given. It throws UserError if the value is wrong.
+  void add(const OptionText& option, std::function<void(const std::string& text)> read);
 
   /// An option without a value.
-  CommandOption* add_flag(const std::string& name, bool& value, const std::string& help);
+  void add_flag(const std::string& name, bool& value, const std::string& help);
+
+  /// A path that is not empty.
+  void add_path(const OptionText& option, std::string& path);
+
+  /// A number, or an optional one. --help names the range, and the variable's value as the default.
+  template <class Number, class T>
+  void add_number(OptionText option, Number& value, const Range<T>& range) {
+    if constexpr (std::is_arithmetic_v<Number>) option.preset = typed(value);
+    option.help += ": " + text_of(range);
+    add(option,
+        [&value, range, name = option.name](const std::string& text) { value = parse_number(name, text, range); });
+  }
+
+  /// Reads the values that were given, in the order of the declarations.
+  void read() const;
 
  private:
+  struct Declared;
+
   CLI::App* command_;
-  std::vector<std::unique_ptr<CommandOption>> options_;
+  std::vector<std::unique_ptr<Declared>> options_;
 };
 
-/// Parses the command line and runs the command that it names. Throws UserError where it is wrong, and what the
+/// Parses the command line and runs the command that it names. Throws UserError if the command line is wrong, and what the
 /// command throws.
 void run_command_line(int argc, char** argv, std::span<const CommandEntry> commands);
 

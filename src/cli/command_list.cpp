@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// ballpit list: what there is to choose from, from the tables that everything else uses.
-#include <cstdio>
-#include <iostream>
+// ballpit list: all scenes, methods and other choices, from the tables that the rest of the program uses.
+#include <array>
+#include <span>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
@@ -51,13 +52,13 @@ Json list_methods() {
   return list;
 }
 
-Json list_backends() {
+Json list_backends(std::span<const Backend> backends) {
   Json list = Json::array();
-  for (const Backend& backend : {cpu_backend(), cuda_backend()}) {
-    list.push_back(
-        {{"name", backend.name},
-         {"available", backend.unavailable_reason.empty()},
-         {"description", backend.unavailable_reason.empty() ? backend.description : backend.unavailable_reason}});
+  for (const Backend& backend : backends) {
+    const bool is_available = backend.unavailable_reason.empty();
+    list.push_back({{"name", backend.name},
+                    {"available", is_available},
+                    {"description", is_available ? backend.description : backend.unavailable_reason}});
   }
   return list;
 }
@@ -81,9 +82,16 @@ Json list_observables() {
   return list;
 }
 
+#if !BALLPIT_HAS_LABORATORY
+struct Experiment {
+  std::string_view name, title, question;
+  double quick_seconds, full_seconds;
+};
+std::span<const Experiment> experiments() { return {}; }
+#endif
+
 Json list_experiments() {
   Json list = Json::array();
-#if BALLPIT_HAS_LABORATORY
   for (const Experiment& experiment : experiments()) {
     list.push_back({{"name", experiment.name},
                     {"title", experiment.title},
@@ -91,49 +99,50 @@ Json list_experiments() {
                     {"quick_seconds", experiment.quick_seconds},
                     {"full_seconds", experiment.full_seconds}});
   }
-#endif
   return list;
 }
 
 /// "Pressure [Pa; in the plane N/m]"
-std::string label_with_unit(const Json& observable) {
-  const std::string label = observable["label"], unit = observable["unit"], planar = observable["planar_unit"];
-  if (unit == "1") return label;
-  return label + " [" + unit + (planar == unit ? "" : "; in the plane " + planar) + "]";
+std::string label_with_unit(const Observable& observable) {
+  const auto& [name, label, unit, planar, estimator, needs_tally, compute] = observable;
+  if (unit == "1") return std::string(label);
+  return fmt::format("{} [{}{}]", label, unit, planar == unit ? "" : fmt::format("; in the plane {}", planar));
 }
 
-void print_line(const std::string& name, const std::string& text) {
-  std::printf("  %-22s %s\n", name.c_str(), text.c_str());
+void print_line(std::string_view name, std::string_view text) { fmt::print("  {:<22} {}\n", name, text); }
+
+template <class Table>
+void print_labels(const char* heading, const Table& table) {
+  fmt::print("{}\n", heading);
+  for (const auto& entry : table) print_line(entry.name, entry.label);
 }
 
-void print_text(const Json& list) {
-  std::puts("Scenes");
-  for (const Json& scene : list["scenes"]) print_line(scene["name"], scene["description"]);
-  std::string family;
-  for (const Json& method : list["methods"]) {
-    if (family != method["family"]) {
-      family = method["family"];
-      std::printf("--%s\n", family.c_str());
+void print_text(std::span<const Backend> backends) {
+  fmt::print("Scenes\n");
+  for (const SceneInfo& scene : built_in_scenes()) print_line(scene.name, scene.description);
+  std::string_view family;
+  for (const Method& method : methods()) {
+    if (method.family == Family::backend) continue;
+    if (family != name_of(method.family)) {
+      family = name_of(method.family);
+      fmt::print("--{}\n", family);
     }
-    print_line(method["name"], method["label"].get<std::string>() + ": " + method["cost"].get<std::string>());
+    print_line(method.name, fmt::format("{}: {}", method.label, method.cost));
   }
-  std::puts("--backend");
-  for (const Json& backend : list["backends"]) {
-    const std::string description = backend["description"];
-    print_line(backend["name"], backend["available"] ? description : "not here: " + description);
+  fmt::print("--backend\n");
+  for (const Backend& backend : backends) {
+    const std::string& reason = backend.unavailable_reason;
+    print_line(backend.name, reason.empty() ? backend.description : "not here: " + reason);
   }
-  std::puts("--overlay");
-  for (const Json& overlay : list["overlays"]) print_line(overlay["name"], overlay["label"]);
-  std::puts("--color");
-  for (const Json& coloring : list["colorings"]) print_line(coloring["name"], coloring["label"]);
-  std::puts("--theme");
-  for (const Json& theme : list["themes"]) print_line(theme["name"], theme["label"]);
-  std::puts("--observe");
-  for (const Json& observable : list["observables"]) {
-    print_line(observable["name"], label_with_unit(observable) + ": " + observable["estimator"].get<std::string>());
+  print_labels("--overlay", overlay_table());
+  print_labels("--color", coloring_table());
+  print_labels("--theme", themes());
+  fmt::print("--observe\n");
+  for (const Observable& observable : observables()) {
+    print_line(observable.name, fmt::format("{}: {}", label_with_unit(observable), observable.estimator));
   }
-  if (!list["experiments"].empty()) std::puts("Experiments of lab");
-  for (const Json& experiment : list["experiments"]) print_line(experiment["name"], experiment["question"]);
+  if (!experiments().empty()) fmt::print("Experiments of lab\n");
+  for (const Experiment& experiment : experiments()) print_line(experiment.name, experiment.question);
 }
 
 class ListCommand final : public Command {
@@ -141,19 +150,19 @@ class ListCommand final : public Command {
   void add_options(CommandOptions& command) override { command.add_flag("--json", json_, "print one JSON object"); }
 
   void run() override {
-    const Json list{{"scenes", list_scenes()},
-                    {"methods", list_methods()},
-                    {"backends", list_backends()},
-                    {"overlays", list_labels(overlay_table())},
-                    {"colorings", list_labels(coloring_table())},
-                    {"themes", list_labels(themes())},
-                    {"observables", list_observables()},
-                    {"experiments", list_experiments()}};
-    if (json_) {
-      print_json(list);
-    } else {
-      print_text(list);
+    const std::array backends{cpu_backend(), cuda_backend()};
+    if (!json_) {
+      print_text(backends);
+      return;
     }
+    print_json({{"scenes", list_scenes()},
+                {"methods", list_methods()},
+                {"backends", list_backends(backends)},
+                {"overlays", list_labels(overlay_table())},
+                {"colorings", list_labels(coloring_table())},
+                {"themes", list_labels(themes())},
+                {"observables", list_observables()},
+                {"experiments", list_experiments()}});
   }
 
  private:

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // ballpit show: a window with the panel.
 //
-//     each turn of the loop:   events ──▶ keys, mouse, panel's input
-//                              clock ──▶ player: as many steps as time asks for, for half a frame at most
-//                              anything new? ──▶ draw picture and panel; else wait for an event
+//     the loop:   events ──▶ keys, mouse, panel's input
+//                 clock ──▶ player: the steps that are due, for half a frame at most
+//                 anything new? ──▶ draw picture and panel; else wait for an event
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <thread>
+
+#include <fmt/format.h>
 
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -34,8 +36,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kFrame = 1.0 / 60;  // [s]
-constexpr double kIdle = 0.25;       // [s] to wait for an event where nothing moves
-constexpr float kClick = 4;          // [pixel] that the mouse may move in a click
+constexpr double kIdle = 0.25;       // [s] to wait for an event while nothing moves
+constexpr float kClick = 4;          // [pixel] largest movement of the mouse in a click
 
 double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
@@ -61,14 +63,14 @@ class Show {
       const auto now = Clock::now();
       const double elapsed = std::min(seconds_between(last, now), 0.25);
       last = now;
-      take(events);
-      saver_.is_filming() ? saver_.go_on() : demo_.advance(elapsed, kFrame / 2);
+      handle(events);
+      saver_.is_filming() ? saver_.advance() : demo_.advance(elapsed, kFrame / 2);
       if (window_.width() < 16 || window_.height() < 16) {  // minimised
         sleep(kFrame);
         continue;
       }
       if (events.any || drawn_ != demo_.version() || is_settling_) draw(events, static_cast<float>(elapsed));
-      tell_title(now);
+      update_title(now);
       const double left = kFrame - seconds_between(now, Clock::now());
       if (demo_.player.is_running && left > 0) sleep(left);
     }
@@ -81,7 +83,7 @@ class Show {
     return options;
   }
 
-  void take(const WindowEvents& events) {
+  void handle(const WindowEvents& events) {
     if (!panel_.has_keyboard()) {
       for (const int code : events.pressed) press(code);
     }
@@ -91,8 +93,8 @@ class Show {
     }
     const float height = static_cast<float>(std::max(window_.height(), 1));
     if (is_turning_ && events.is_mouse_down && events.mouse != mouse_) {
-      const Vec2 way = (events.mouse - mouse_) / height;
-      demo_.view.orbit(way.x, way.y);
+      const Vec2 moved = (events.mouse - mouse_) / height;
+      demo_.view.orbit(moved.x, moved.y);
       demo_.touch();
     }
     if (events.was_released && is_turning_ && length(events.mouse - pressed_at_) <= kClick) pick(events.mouse);
@@ -126,38 +128,38 @@ class Show {
     if (renderer.width() != window_.width() || renderer.height() != window_.height()) {
       renderer.resize(window_.width(), window_.height());
     }
-    const int64_t version = demo_.version();
+    const Demo::Version version = demo_.version();
     drawing_.draw(demo_, options());
     panel_.density = window_.density();
     panel_.is_filming = saver_.is_filming();
     panel_.draw(demo_, {events.mouse, events.is_mouse_down, events.wheel, events.typed, elapsed, events.keys});
     renderer.copy_to_window();
     window_.show();
-    fulfil(panel_.wishes);
+    handle(panel_.requests);
     is_settling_ = drawn_ != version || events.any;  // the panel shows the outcome of a click a frame later
     drawn_ = version;
   }
 
   PictureSize window_size() const { return {window_.width(), window_.height()}; }
 
-  void fulfil(PanelWishes& wishes) {
-    if (wishes.picture) saver_.save_picture(window_size());
-    if (wishes.state) saver_.save_state();
-    if (wishes.film && saver_.is_filming()) {
+  void handle(PanelRequests& requests) {
+    if (requests.picture) saver_.save_picture(window_size());
+    if (requests.state) saver_.save_state();
+    if (requests.film && saver_.is_filming()) {
       saver_.stop_film();
-    } else if (wishes.film) {
-      saver_.start_film(parse_size(wishes.film_size), wishes.film_frames);
+    } else if (requests.film) {
+      saver_.start_film(parse_size(requests.film_size), requests.film_frames);
     }
-    wishes.picture = wishes.state = wishes.film = false;
+    requests.picture = requests.state = requests.film = false;
   }
 
-  /// About once a second, as the exercise sheet asks: spheres, method, milliseconds a step.
-  void tell_title(Clock::time_point now) {
-    if (seconds_between(told_, now) < 1) return;
-    told_ = now;
+  /// Once a second, as the exercise sheet asks: spheres, method, milliseconds a step.
+  void update_title(Clock::time_point now) {
+    if (seconds_between(titled_, now) < 1) return;
+    titled_ = now;
     const Report& report = demo_.report();
-    window_.set_title("Ballpit: " + grouped(report.count) + " spheres, " + report.broadphase + ", " +
-                      three_digits(demo_.player.mean_step_time()) + " ms a step");
+    window_.set_title(fmt::format("Ballpit: {} spheres, {}, {} ms a step", grouped(report.count), report.broadphase,
+                                  three_digits(demo_.player.mean_step_time())));
   }
 
   Window& window_;
@@ -167,34 +169,31 @@ class Show {
   Saver saver_;
   Vec2 mouse_{0.0f}, pressed_at_{0.0f};
   bool is_turning_ = false, is_settling_ = true;
-  int64_t drawn_ = -1;  // version
-  Clock::time_point told_{};
+  Demo::Version drawn_;
+  Clock::time_point titled_{};
 };
 
 class ShowCommand final : public Command {
  public:
   void add_options(CommandOptions& command) override {
-    size_option_ = command.add_option("--size", size_, "the window's size in pixels");
-    size_option_->type_name("WIDTHxHEIGHT")->shows_default();
+    command.add({"--size", "WIDTHxHEIGHT", "the window's size in pixels", text_of(kSize)},
+                [this](const std::string& text) { size_ = parse_size(text); });
     look_.add_to(command);
     command.add_flag("--remember", remembers_,
-                     "go on with scene, options and view of the last `show --remember`, and keep them");
+                     "start with scene, options and view of the last `show --remember`, and store them at the end");
     arguments_.add_to(command);
   }
 
   void run() override {
-    parse_size(size_);
-    (void)look_.view();  // a mistake is told before anything else
     const std::filesystem::path file = remembers_ ? remembered_file() : "";
     if (remembers_) check_remembered(file);
     const std::unique_ptr<Demo> demo = start(recall(file));
-    const auto [width, height] = parse_size(size_);
     catch_interrupts();
-    Window window(width, height, "Ballpit");
+    Window window(size_->width, size_->height, "Ballpit");
     try {
       Show(window, *demo).run();
     } catch (const Interrupted&) {
-      // within a long step: the same as between two
+      // within a long step
     }
     if (!remembers_) return;
     const Session& session = demo->session;
@@ -202,27 +201,27 @@ class ShowCommand final : public Command {
   }
 
  private:
-  /// What cannot be read is not worth a demonstration: it is told, and started without.
+  /// An unreadable file is reported and ignored.
   static std::optional<Remembered> recall(const std::filesystem::path& file) {
     if (file.empty()) return std::nullopt;
     try {
       return read_remembered(file);
     } catch (const UserError& error) {
-      tell_forgotten(error);
+      note_ignored(error);
       return std::nullopt;
     }
   }
 
-  /// A scene's file by a path that leads to it from any folder.
+  /// The name of a built-in scene, or the absolute path of a scene's file.
   static std::string lasting_name(const std::string& scene) {
     return is_scene_file(scene) ? std::filesystem::absolute(scene).string() : scene;
   }
 
-  static void tell_forgotten(const UserError& error) {
+  static void note_ignored(const UserError& error) {
     note("--remember", std::string("nothing is remembered: ") + error.what());
   }
 
-  /// What is on the command line goes before what is remembered; options are those of the scene remembered.
+  /// The command line overrides what is remembered. Remembered options belong to the remembered scene.
   std::unique_ptr<Demo> start(const std::optional<Remembered>& last) {
     const bool is_same_scene = last && (!arguments_.names_scene() || lasting_name(arguments_.scene()) == last->scene);
     std::unique_ptr<Demo> demo;
@@ -235,29 +234,28 @@ class ShowCommand final : public Command {
       try {
         demo = std::make_unique<Demo>(last->scene, given);
       } catch (const UserError& error) {  // a file that is gone, or an option that goes with nothing given now
-        tell_forgotten(error);
+        note_ignored(error);
       }
     }
     if (!demo) demo = std::make_unique<Demo>(arguments_.scene(), arguments_.given());
     demo->view = look_.view(last ? last->view : View{});
     demo->touch();
-    if (last && !size_option_->is_given()) size_ = last->size;
+    if (!size_) size_ = last ? last->size : kSize;
     return demo;
   }
 
-  /// As it is asked for: a display of more pixels to the inch makes more of them.
-  static std::string size_of(const Window& window) {
+  /// As --size gives it: on a HiDPI display the window has more pixels.
+  static PictureSize size_of(const Window& window) {
     const auto side = [&](int pixels) {
-      const auto units = static_cast<int>(std::lround(static_cast<float>(pixels) / window.density()));
-      return std::to_string(std::clamp(units, 16, 16384));
+      return std::clamp(static_cast<int>(std::lround(static_cast<float>(pixels) / window.density())), 16, 16384);
     };
-    return side(window.width()) + "x" + side(window.height());
+    return {side(window.width()), side(window.height())};
   }
 
   SceneArguments arguments_;
   LookArguments look_;
-  std::string size_ = "1600x900";
-  CommandOption* size_option_ = nullptr;
+  static constexpr PictureSize kSize{1600, 900};
+  std::optional<PictureSize> size_;
   bool remembers_ = false;
 };
 

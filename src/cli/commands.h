@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One entry for each command: it declares its options, and runs. A file each: command_render.cpp and so on.
+// The commands. Each declares its options and runs, in a file of its own: command_render.cpp and so on.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ class Command {
 
   virtual void add_options(CommandOptions& command) = 0;
 
-  /// Runs with the parsed options. Throws UserError or RunError.
+  /// Runs with the options that were read. Throws UserError or RunError.
   virtual void run() = 0;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line: one command, one run, one exit status. 0 done, 1 failed while running, 2 the user's input
-// is wrong.
+// The program: runs one command and returns its exit status. 0: done, 1: failed while running, 2: wrong input.
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -35,7 +34,7 @@ constexpr std::array kCommands {
       CommandEntry{"doctor", "what this machine offers", make_doctor_command},
 };
 
-/// `text` without line breaks and other control characters, which would break the line or the terminal.
+/// Replaces line breaks and other control characters, which could disturb the terminal.
 std::string on_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
@@ -47,7 +46,7 @@ int fail(int status, const std::exception& error) {
   return status;
 }
 
-/// A summary that was lost, on a full disk or a closed pipe, is a failure like any other.
+/// Throws RunError if a summary could not be written, to a full disk or a closed pipe.
 void flush_output() {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return;
@@ -57,12 +56,12 @@ void flush_output() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string command = argc < 2 ? "" : argv[1];  // what a failure without a place of its own is named after
-  // Frames are megabytes, made and freed at a steady pace: kept by the program, they are not mapped and cleared by the
-  // system each time. Measured: one part in twenty of the time of a frame.
+  const std::string command = argc < 2 ? "" : argv[1];  // named by errors that name no other place
+  // Frames take megabytes and are allocated and freed all the time. With these limits the program keeps the memory, and the
+  // system need not map and clear it again. This saves a twentieth of the time of a frame.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that has left is told as a full disk is
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is reported as a full disk is
   try {
     run_command_line(argc, argv, kCommands);
     flush_output();

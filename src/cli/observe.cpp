@@ -2,10 +2,9 @@
 #include "cli/observe.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
-#include <sstream>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -18,13 +17,12 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Another method's contacts of the present state, in the same precision, so that rounding cannot tell the two apart. With
-/// cells or an axis of its own choice a method misses none; it is another one, so that no mistake is made twice.
+/// The contacts of the present state by another method, so that no mistake is made twice. It has the same precision, so that
+/// rounding makes no difference, and it chooses its own cells or axis, with which it misses no contact.
 std::vector<Pair> contacts_by_other_method(Session& session) {
   Settings settings;
-  settings.broadphase = session.world().report().broadphase == name_of(BroadPhase::sorted_grid)
-                            ? BroadPhase::sort_and_sweep
-                            : BroadPhase::sorted_grid;
+  const bool is_sorted_grid = session.world().report().broadphase == name_of(BroadPhase::sorted_grid);
+  settings.broadphase = is_sorted_grid ? BroadPhase::sort_and_sweep : BroadPhase::sorted_grid;
   settings.precision = precision_of(session.settings());
   settings.threads = session.settings().threads;
   Scene scene;
@@ -33,38 +31,7 @@ std::vector<Pair> contacts_by_other_method(Session& session) {
   return cpu_backend().make_world(scene, settings)->inspect().contacts;
 }
 
-Observation observation_of(Session& session) {
-  World& world = session.world();
-  return {session.scene().domain, world.bodies(), world.report(),
-          [&] { return deviation_of(world.inspect().contacts, contacts_by_other_method(session)).missed; }};
-}
-
-Json json_of(const ObservedValue& value) {
-  if (value.empty()) return nullptr;
-  return value.size() == 1 ? Json(value[0]) : Json(value);
-}
-
-std::string text_of(const Json& entry) {
-  const Json& value = entry["value"];
-  if (value.is_null()) return "-";
-  std::ostringstream text;
-  const char* separator = "";
-  for (const Json& number : value.is_array() ? value : Json::array({value})) {
-    text << separator << number.get<double>();
-    separator = ", ";
-  }
-  const std::string unit = entry["unit"];
-  if (unit != "1") text << " " << unit;
-  return text.str();
-}
-
 }  // namespace
-
-std::vector<std::string> observable_names() {
-  std::vector<std::string> names;
-  for (const Observable& observable : observables()) names.emplace_back(observable.name);
-  return names;
-}
 
 std::vector<Observable> parse_observables(const std::string& text) {
   if (text == "all") return {observables().begin(), observables().end()};
@@ -73,7 +40,8 @@ std::vector<Observable> parse_observables(const std::string& text) {
     const auto found =
         std::find_if(observables().begin(), observables().end(), [&](const Observable& o) { return o.name == name; });
     if (found == observables().end()) {
-      throw UserError("--observe", name, "all alone, or some of " + join(observable_names()) + ", with commas between");
+      throw UserError("--observe", name,
+                      "all alone, or some of " + join(names_in(observables())) + ", with commas between");
     }
     result.push_back(*found);
   }
@@ -84,22 +52,34 @@ bool need_tally(std::span<const Observable> wanted) {
   return std::any_of(wanted.begin(), wanted.end(), [](const Observable& o) { return o.needs_tally; });
 }
 
-Json observe(Session& session, std::span<const Observable> wanted) {
-  const Observation observation = observation_of(session);
-  Json observed = Json::object();
+std::vector<Observed> observe(Session& session, std::span<const Observable> wanted) {
+  if (wanted.empty()) return {};
+  World& world = session.world();
+  const Observation observation{
+      session.scene().domain, world.bodies(), world.report(),
+      [&] { return deviation_of(world.inspect().contacts, contacts_by_other_method(session)).missed; }};
+  std::vector<Observed> observed;
   for (const Observable& observable : wanted) {
-    observed[std::string(observable.name)] = {{"value", json_of(measure(observable, observation))},
-                                              {"unit", unit_of(observable, observation.domain)}};
+    observed.push_back({observable.name, unit_of(observable, observation.domain), measure(observable, observation)});
   }
   return observed;
 }
 
-std::string describe_observed(const Json& observed) {
+Json json_of(std::span<const Observed> observed) {
+  Json json = Json::object();
+  for (const auto& [name, unit, value] : observed) {
+    const Json number = value.empty() ? Json() : value.size() == 1 ? Json(value[0]) : Json(value);
+    json[std::string(name)] = {{"value", number}, {"unit", unit}};
+  }
+  return json;
+}
+
+std::string text_of(std::span<const Observed> observed) {
   std::string text;
-  for (const auto& [name, entry] : observed.items()) {
-    char padded[40];
-    std::snprintf(padded, sizeof(padded), "%-24s", name.c_str());
-    text += padded + text_of(entry) + "\n";
+  for (const auto& [name, unit, value] : observed) {
+    const std::string of_unit = unit == "1" ? "" : fmt::format(" {}", unit);
+    text +=
+        fmt::format("{:<24}{}\n", name, value.empty() ? "-" : fmt::format("{:g}{}", fmt::join(value, ", "), of_unit));
   }
   return text;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// --observe: which observables were asked for, and what they are in a session.
+// --observe: the observables of a session.
 #pragma once
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,18 +14,23 @@
 
 namespace ballpit {
 
-std::vector<std::string> observable_names();
-
-/// Those of a list "a,b,c", or "all". Throws UserError with those that there are.
+/// Those of a list "a,b,c", or "all". Throws UserError with the names that exist.
 std::vector<Observable> parse_observables(const std::string& text);
 
 /// Whether any of them needs Settings::keeps_tally.
 bool need_tally(std::span<const Observable> wanted);
 
-/// Value and unit of each by its name; null where there is no value.
-nlohmann::ordered_json observe(Session& session, std::span<const Observable> wanted);
+struct Observed {
+  std::string_view name, unit;
+  ObservedValue value;
+};
 
-/// The same for people: aligned lines, "-" where there is no value.
-std::string describe_observed(const nlohmann::ordered_json& observed);
+std::vector<Observed> observe(Session& session, std::span<const Observable> wanted);
+
+/// Value and unit of each by its name; null where there is no value.
+nlohmann::ordered_json json_of(std::span<const Observed> observed);
+
+/// Aligned lines, "-" where there is no value.
+std::string text_of(std::span<const Observed> observed);
 
 }  // namespace ballpit

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
@@ -14,51 +17,50 @@ void SettingOptions::add_to(CommandOptions& command, const std::string& heading,
                             std::span<const std::string_view> names) {
   for (const SettingInfo& setting : setting_table()) {
     if (!names.empty() && std::find(names.begin(), names.end(), setting.name) == names.end()) continue;
-    const std::string name(setting.name);
-    CommandOption* option =
-        command.add_option("--" + name, values_[name], std::string(setting.help) + ": " + setting.allowed());
-    option->type_name(std::string(setting.value_name))->group(heading);
-    options_.emplace_back(name, option);
+    command.add({.name = "--" + std::string(setting.name),
+                 .type = std::string(setting.value_name),
+                 .help = fmt::format("{}: {}{}", setting.help, setting.allowed,
+                                     names.empty() ? "; default: " + setting.preset : ""),
+                 .group = heading},
+                [this, &setting](const std::string& text) {
+                  given_.push_back({std::string(setting.name), text});
+                });
   }
-}
-
-std::vector<GivenOption> SettingOptions::given() const {
-  std::vector<GivenOption> result;
-  for (const auto& [name, option] : options_) {
-    if (option->is_given()) result.push_back({name, values_.find(name)->second});
-  }
-  return result;
 }
 
 void SceneArguments::add_to(CommandOptions& command) {
   scene_ = kDefaultScene;
-  option_ = command.add_option("SCENE", scene_, "a built-in scene (see `ballpit list`) or a .toml file");
-  option_->shows_default();
-  settings_.add_to(command, "Simulation (default: what the scene asks for)");
+  command.add({"SCENE", "", "a built-in scene (see `ballpit list`) or a .toml file", scene_},
+              [this](const std::string& text) {
+                scene_ = text;
+                names_scene_ = true;
+              });
+  settings_.add_to(command, "Simulation (the scene may have other defaults)");
 }
 
 void LookArguments::add_to(CommandOptions& command) {
-  const auto add = [&](const char* name, std::string& text, const std::string& help, const char* type) {
-    options_[name] = command.add_option(name, text, help)->type_name(type)->shows_default();
+  const View preset;
+  const auto add_name = [&](const char* name, const std::string& help, const std::vector<std::string>& names,
+                            const std::string& shown, std::optional<std::string>& chosen) {
+    command.add({name, "NAME", help + join(names), shown},
+                [&chosen, name, names](const std::string& text) { chosen = parse_choice(name, text, names); });
   };
-  add("--overlay", overlays_, "what to draw over the spheres: none, or some of " + join(names_in(overlay_table())),
-      "A,B,…");
-  add("--color", coloring_, "what a sphere's colour says: " + join(names_in(coloring_table())), "NAME");
-  add("--theme", theme_, join(names_in(themes())), "NAME");
-  add("--ui-scale", ui_scale_, "size of the panel's text and widgets: 0.5 to 3", "FACTOR");
+  command.add(
+      {"--overlay", "A,B,…", "what to draw over the spheres: none, or some of " + join(names_in(overlay_table())),
+       join(preset.overlays, ",")},
+      [this](const std::string& text) { overlays_ = parse_overlays("--overlay", text); });
+  add_name("--color", "what a sphere's colour shows: ", names_in(coloring_table()), preset.coloring, coloring_);
+  add_name("--theme", "", names_in(themes()), preset.theme, theme_);
+  command.add_number({"--ui-scale", "FACTOR", "size of the panel's text and widgets", typed(preset.ui_scale)},
+                     ui_scale_, Range{kMinUiScale, kMaxUiScale});
 }
 
-View LookArguments::view(const View& base) const {
-  View result = base;
-  const auto is_given = [&](const char* name) { return options_.at(name)->is_given(); };
-  if (is_given("--overlay")) result.overlays = parse_overlays("--overlay", overlays_);
-  if (is_given("--color")) result.coloring = parse_choice("--color", coloring_, names_in(coloring_table()));
-  if (is_given("--theme")) result.theme = parse_choice("--theme", theme_, names_in(themes()));
-  if (is_given("--ui-scale")) {
-    result.ui_scale = static_cast<float>(
-        parse_number("--ui-scale", ui_scale_, static_cast<double>(kSmallestUi), static_cast<double>(kLargestUi)));
-  }
-  return result;
+View LookArguments::view(View base) const {
+  base.overlays = overlays_.value_or(base.overlays);
+  base.coloring = coloring_.value_or(base.coloring);
+  base.theme = theme_.value_or(base.theme);
+  base.ui_scale = ui_scale_.value_or(base.ui_scale);
+  return base;
 }
 
 }  // namespace ballpit

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "scene/catalog.h"
 #include "scene/input_error.h"
@@ -18,8 +20,6 @@ namespace ballpit {
 
 namespace {
 
-constexpr const char* kAxes[] = {"x", "y", "z"};
-
 bool is_scene(const std::string& file) {
   if (file.ends_with(".toml")) return true;
   const auto scenes = built_in_scenes();
@@ -29,7 +29,7 @@ bool is_scene(const std::string& file) {
   return is_built_in && !std::filesystem::exists(file, ignored);
 }
 
-/// Spheres and domain rounded as a world in single precision does.
+/// Spheres and domain, rounded as a world in single precision rounds them.
 PairInput from_scene(const std::string& file) {
   const Scene scene = load_scene(file);
   tell_notes(scene.notes);
@@ -55,7 +55,7 @@ Extent extent_along(int axis, const std::vector<Vec3>& position) {
   return {(*low)[axis], (*high)[axis]};
 }
 
-/// A period so long that no sphere reaches another across it: as good as none.
+/// Makes the period so long that no sphere reaches another across it.
 void leave_open(int axis, const Extent& extent, float radius, Box<Vec3>& box) {
   const double low = double(extent.low), high = double(extent.high);
   const double rounding = 8.0 * double(std::numeric_limits<float>::epsilon()) * std::max(std::abs(low), std::abs(high));
@@ -64,7 +64,7 @@ void leave_open(int axis, const Extent& extent, float radius, Box<Vec3>& box) {
   box.max[axis] = static_cast<float>(high + gap);
 }
 
-/// A domain of this period that holds all spheres as they are, if there is one; else they will be wrapped into it.
+/// A domain of this period. It holds all spheres as they are if there is such a domain; else they are wrapped into it.
 void lay_period(int axis, const Extent& extent, double period, Box<Vec3>& box) {
   for (const double low : {0.0, -0.5 * period, double(extent.low), 0.0}) {
     box.min[axis] = static_cast<float>(low);
@@ -75,9 +75,10 @@ void lay_period(int axis, const Extent& extent, double period, Box<Vec3>& box) {
 
 void check_period(int axis, double period, float radius) {
   if (period >= 4.0 * double(radius) * (1.0 - 1e-6)) return;
-  throw UserError("--period",
-                  number_text(period) + " along " + kAxes[axis] + " with radius " + number_text(double(radius)),
-                  "0 for none, or at least four radii, " + number_text(4.0 * double(radius)));
+  throw UserError(
+      "--period",
+      fmt::format("{} along {} with radius {}", number_text(period), "xyz"[axis], number_text(double(radius))),
+      "0 for none, or at least four radii, " + number_text(4.0 * double(radius)));
 }
 
 void wrap(const std::string& file, PairInput& input) {
@@ -88,8 +89,8 @@ void wrap(const std::string& file, PairInput& input) {
     p = inside;
   }
   if (wrapped == 0) return;
-  tell_notes({file + ": " + std::to_string(wrapped) + " of " + std::to_string(input.spheres.size()) +
-              " spheres were outside of the period, and are at their images inside"});
+  warn(file, fmt::format("{} of {} spheres were outside of the period, and are at their images inside", wrapped,
+                         input.spheres.size()));
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ Vec3d parse_period(const std::string& text) {
   }
   Vec3d period(0.0);
   for (int axis = 0; axis < 3; ++axis) {
-    period[axis] = parse_number("--period", items[static_cast<size_t>(axis)], 0, kAnyNumber.high);
+    period[axis] = parse_number("--period", items[static_cast<size_t>(axis)], Range{0.0, kAnyNumber.high});
   }
   return period;
 }
@@ -110,8 +111,7 @@ PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& p
   PairInput input;
   if (is_scene(file)) {
     if (period) {
-      throw UserError("--period", "with the scene " + file + ", which says itself whether it is periodic",
-                      "with a CSV file");
+      throw UserError("--period", "with the scene " + file + ", which has its own period or none", "with a CSV file");
     }
     input = from_scene(file);
   } else {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/pairs_summary.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <sstream>
+#include <iterator>
 
+#include <fmt/compile.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/summary.h"
@@ -18,23 +16,14 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json list_work(const WorkProfile& work) {
+Json json_of(const WorkProfile& work) {
   Json histogram = Json::array();
   for (const WorkBin& bin : work.bins) {
     histogram.push_back({{"from", bin.low}, {"to", bin.high}, {"threads", bin.threads}});
   }
-  Json list{{"threads", work.threads}, {"max", work.most}, {"mean", work.mean}, {"histogram", histogram}};
-  list["warp_size"] = kWarpSize;
-  list["simd_efficiency"] = work.simd_efficiency ? Json(*work.simd_efficiency) : Json();
-  return list;
-}
-
-void add_seconds(Json& summary, const std::vector<double>& seconds) {
-  const Spread spread = spread_of(seconds);
-  summary["seconds"] = spread.median;
-  if (seconds.size() < 2) return;
-  summary["seconds_min"] = spread.least;
-  summary["seconds_quartiles"] = {spread.lower, spread.upper};
+  return {{"threads", work.threads}, {"max", work.most},
+          {"mean", work.mean},       {"histogram", histogram},
+          {"warp_size", kWarpSize},  {"simd_efficiency", work.simd_efficiency ? Json(*work.simd_efficiency) : Json()}};
 }
 
 /// Stages of one search out of many, on average.
@@ -46,91 +35,77 @@ std::vector<Stage> mean_of(std::vector<Stage> stages, int64_t searches) {
   return stages;
 }
 
-std::string percent(double fraction) { return std::to_string(std::lround(100 * fraction)) + " %"; }
-
-std::string describe_method(const Json& summary) {
-  std::string text = summary["method"].get<std::string>() + ", " + summary["backend"].get<std::string>();
-  if (summary["threads"].is_number()) text += ", " + summary["threads"].dump() + " threads";
-  if (summary.contains("reason")) text += "; chosen by auto: " + summary["reason"].get<std::string>();
-  return text;
-}
-
-std::string describe_work(const Json& work) {
-  std::ostringstream text;
-  text << work["mean"].get<double>() << " a thread on average, at most " << work["max"];
-  const Json& efficiency = work["simd_efficiency"];
-  if (efficiency.is_number()) text << "; warps of " << work["warp_size"] << " busy to " << percent(efficiency);
-  return text.str();
+std::string text_of(const WorkProfile& work) {
+  std::string text = fmt::format("{:g} a thread on average, at most {}", work.mean, work.most);
+  if (!work.simd_efficiency) return text;
+  return text + fmt::format("; warps of {} busy to {} %", kWarpSize, std::lround(100 * *work.simd_efficiency));
 }
 
 }  // namespace
 
-Json summarize(const PairsOutcome& outcome) {
+Json json_of(const PairsOutcome& outcome) {
   const SearchReport& report = outcome.report;
-  Json summary{{"file", outcome.file}, {"count", outcome.count}};
-  if (outcome.period) summary["period"] = {outcome.period->x, outcome.period->y, outcome.period->z};
-  summary["method"] = report.method;
-  if (!report.reason.empty()) summary["reason"] = report.reason;
-  summary["backend"] = outcome.backend;
-  summary["threads"] = outcome.threads > 0 ? Json(outcome.threads) : Json();
-  summary["contacts"] = report.contacts;
-  summary["candidates"] = report.candidates;
+  Json json{{"file", outcome.file}, {"count", outcome.count}};
+  if (outcome.period) json["period"] = {outcome.period->x, outcome.period->y, outcome.period->z};
+  json["method"] = report.method;
+  if (!report.reason.empty()) json["reason"] = report.reason;
+  json["backend"] = outcome.backend;
+  json["threads"] = outcome.threads > 0 ? Json(outcome.threads) : Json();
+  json["contacts"] = report.contacts;
+  json["candidates"] = report.candidates;
   if (outcome.deviation) {
-    summary["missed"] = outcome.deviation->missed;
-    summary["wrong"] = outcome.deviation->wrong;
-    summary["duplicate"] = outcome.deviation->duplicate;
+    json["missed"] = outcome.deviation->missed;
+    json["wrong"] = outcome.deviation->wrong;
+    json["duplicate"] = outcome.deviation->duplicate;
   }
-  summary["repeat"] = outcome.seconds.size();
-  add_seconds(summary, outcome.seconds);
-  summary["bytes"] = report.bytes;
-  summary["work"] = list_work(outcome.work);
-  summary["stages"] = list_stages(mean_of(report.stages, static_cast<int64_t>(outcome.seconds.size())));
-  return summary;
+  const Spread spread = spread_of(outcome.seconds);
+  json["repeat"] = outcome.seconds.size();
+  json["seconds"] = spread.median;
+  if (outcome.seconds.size() > 1) {
+    json["seconds_min"] = spread.least;
+    json["seconds_quartiles"] = {spread.lower, spread.upper};
+  }
+  json["bytes"] = report.bytes;
+  json["work"] = json_of(outcome.work);
+  json["stages"] = json_of(mean_of(report.stages, static_cast<int64_t>(outcome.seconds.size())));
+  return json;
 }
 
-std::string describe_pairs(const Json& summary) {
-  std::ostringstream text;
-  const auto line = [&](const char* label) -> std::ostream& {
-    char padded[24];
-    std::snprintf(padded, sizeof(padded), "%-18s", label);
-    return text << padded;
+std::string text_of(const PairsOutcome& outcome) {
+  const SearchReport& report = outcome.report;
+  std::string text;
+  const auto line = [&](const char* label, const std::string& value) {
+    text += fmt::format("{:<18}{}\n", label, value);
   };
-  line("spheres") << summary["count"] << " in " << summary["file"].get<std::string>() << "\n";
-  if (summary.contains("period")) {
-    const Json& period = summary["period"];
-    line("period") << period[0] << ", " << period[1] << ", " << period[2] << " m\n";
+  line("spheres", fmt::format("{} in {}", outcome.count, outcome.file));
+  if (const auto& period = outcome.period) {
+    line("period", fmt::format("{}, {}, {} m", Json(period->x).dump(), Json(period->y).dump(), Json(period->z).dump()));
   } else {
-    line("period") << "none\n";
+    line("period", "none");
   }
-  line("method") << describe_method(summary) << "\n";
-  line("took") << summary["seconds"].get<double>() << " s";
-  if (summary.contains("seconds_min")) {
-    const Json& quartiles = summary["seconds_quartiles"];
-    text << ", the median of " << summary["repeat"] << " searches; quartiles " << quartiles[0].get<double>()
-         << " s and " << quartiles[1].get<double>() << " s";
+  const std::string threads = outcome.threads > 0 ? fmt::format(", {} threads", outcome.threads) : "";
+  const std::string reason = report.reason.empty() ? "" : "; chosen by auto: " + report.reason;
+  line("method", fmt::format("{}, {}{}{}", report.method, outcome.backend, threads, reason));
+  const Spread spread = spread_of(outcome.seconds);
+  std::string took = fmt::format("{:g} s", spread.median);
+  if (const size_t repeat = outcome.seconds.size(); repeat > 1) {
+    took += fmt::format(", the median of {} searches; quartiles {:g} s and {:g} s", repeat, spread.lower, spread.upper);
   }
-  text << "\n";
-  line("memory") << summary["bytes"].get<double>() / 1e6 << " MB\n";
-  line("contacts") << summary["contacts"] << " among " << summary["candidates"] << " candidates\n";
-  line("work") << describe_work(summary["work"]) << "\n";
-  if (summary.contains("missed")) {
-    line("against exact") << summary["missed"] << " missed, " << summary["wrong"] << " wrong, " << summary["duplicate"]
-                          << " duplicate\n";
+  line("took", took);
+  line("memory", fmt::format("{:g} MB", static_cast<double>(report.bytes) / 1e6));
+  line("contacts", fmt::format("{} among {} candidates", report.contacts, report.candidates));
+  line("work", text_of(outcome.work));
+  if (const auto& found = outcome.deviation) {
+    line("against exact",
+         fmt::format("{} missed, {} wrong, {} duplicate", found->missed, found->wrong, found->duplicate));
   }
-  return text.str();
+  return text;
 }
 
 std::string pairs_csv(const std::vector<Pair>& pairs) {
   std::string text = "i,j\n";
   text.reserve(text.size() + 16 * pairs.size());
-  std::array<char, 24> row;  // two numbers of at most ten digits
-  for (const Pair& pair : pairs) {
-    char* end = std::to_chars(row.data(), row.data() + 11, pair.i).ptr;
-    *end++ = ',';
-    end = std::to_chars(end, row.data() + row.size() - 1, pair.j).ptr;
-    *end++ = '\n';
-    text.append(row.data(), end);
-  }
+  for (const Pair& pair : pairs) fmt::format_to(std::back_inserter(text), FMT_COMPILE("{},{}\n"), pair.i, pair.j);
   return text;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Progress bars on standard error, where that is a terminal; silent otherwise.
+// Progress bars on standard error, if that is a terminal.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace ballpit {
 
-/// One line that is drawn over, and gone at the end.
+/// A line that is redrawn in place and cleared at the end.
 class ProgressBar {
  public:
   ProgressBar();
@@ -17,7 +17,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Redraws the bar, a share from 0 to 1 of it filled, with a text behind it: at most ten times a second.
+  /// Draws the bar, filled to a share from 0 to 1, and a text; at most ten times a second.
   void show(double share, const std::string& text);
 
  private:
@@ -25,10 +25,10 @@ class ProgressBar {
   std::chrono::steady_clock::time_point last_{};
 };
 
-/// Counts what is done of a known number, at a steady pace.
+/// Counts items of a known number and predicts the time left.
 class Progress {
  public:
-  /// `unit` names what is counted: "frames".
+  /// `unit` names the items: "frames".
   Progress(std::string unit, int64_t total) : unit_(std::move(unit)), total_(total) {}
 
   void show(int64_t done);

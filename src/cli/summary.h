@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A world's report as JSON and as text.
+// The outcome of a run, as JSON and as text.
 #pragma once
 
 #include <string>
@@ -11,16 +11,22 @@
 
 namespace ballpit {
 
-/// Writes JSON to standard output, as what `--json` promises. Bytes that are no UTF-8, as names of files may hold, are replaced.
+/// Writes JSON to standard output. Bytes that are not UTF-8, which names of files may hold, are replaced.
 void print_json(const nlohmann::ordered_json& json);
 
 /// Name, seconds and launches of each stage.
-nlohmann::ordered_json list_stages(const std::vector<Stage>& stages);
+nlohmann::ordered_json json_of(const std::vector<Stage>& stages);
 
-/// Scene, methods, time, candidates, contacts, energies, momentum, overlap, hash, and the time of each stage.
-nlohmann::ordered_json summarize(Session& session);
+struct RunSummary {
+  std::string scene, backend;
+  Settings settings;
+  Report report;
+};
 
-/// The same for people: a few aligned lines.
-std::string describe(const nlohmann::ordered_json& summary);
+RunSummary summary_of(Session& session);
+nlohmann::ordered_json json_of(const RunSummary& summary);
+
+/// Aligned lines.
+std::string text_of(const RunSummary& summary);
 
 }  // namespace ballpit

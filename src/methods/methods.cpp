@@ -58,7 +58,7 @@ constexpr std::array kMethods{
     Method{BackendName::cuda, "CUDA", "cuda", "an NVIDIA GPU of compute capability 7.5 or later", ""},
 };
 
-/// Whether "a, b, c" has this name.
+/// Whether the list "a, b, c" has this name.
 bool lists(std::string_view names, std::string_view name) {
   for (size_t start = 0; start < names.size();) {
     const size_t end = std::min(names.find(", ", start), names.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One table of all methods; command line, panel, tests and documentation are fed from it.
+// One table of all methods, for the command line, the panel, tests and documentation.
 #pragma once
 
 #include <optional>
@@ -36,28 +36,28 @@ struct Method : MethodId {
   std::string_view backends;  ///< where it runs
   std::string_view cost;
   std::string_view source;
-  std::string_view integrators = "";  ///< of a response: those it goes with, its own choice first
-  std::string_view options = "";      ///< of a broad phase or a response: those options of its kind that it uses
-  std::string_view precisions = "float, double";  ///< of a response: those it computes in
+  std::string_view integrators = "";              ///< of a response: its own first, then the others that fit it
+  std::string_view options = "";                  ///< of a broad phase or a response: the options that it uses
+  std::string_view precisions = "float, double";  ///< of a response
 };
 
 std::span<const Method> methods();
 
-/// The entry of a value.
+/// The entry of a method.
 const Method& find_method(MethodId id);
 
-/// A value that does not go with a response: "rk4", and "symplectic-euler with --response impulse".
+/// A value that does not fit a response: "rk4", and what is allowed: "symplectic-euler with --response impulse".
 struct Misfit {
   std::string found, allowed;
 };
 
-/// What is wrong with `--option value` for a response, if anything.
+/// Empty if `--option value` fits the response.
 std::optional<Misfit> misfit(Response response, std::string_view option, std::string_view value);
 
-/// Whether a broad phase or a response uses an option of its kind.
+/// Whether a broad phase or a response uses an option.
 bool uses(const Method& method, std::string_view option);
 
-/// Whether `--option value` can be asked for with a response.
+/// Whether `--option value` fits the response.
 bool goes_with(Response response, std::string_view option, std::string_view value);
 
 }  // namespace ballpit

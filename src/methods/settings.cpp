@@ -3,142 +3,164 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <vector>
+#include <type_traits>
 
 #include "core/error.h"
 #include "methods/methods.h"
+#include "methods/number_range.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr double kSmallestStep = 1e-12;
-
-template <class T>
-bool parse(std::string_view text, T& value) {
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
-}
-
-/// As short as it can be typed: 0.004166666666666667, 1e6.
-template <class T>
-std::string typed(T value) {
-  std::array<char, 32> text;
-  std::string result(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
-  if (const size_t plus = result.find("e+"); plus != result.npos) {
-    result.erase(plus + 1, result.compare(plus + 2, 1, "0") == 0 ? 2 : 1);
-  }
-  return result;
-}
 template <class T>
 std::string typed(const std::optional<T>& value) {
-  return value ? typed(*value) : "";
+  return value ? ballpit::typed(*value) : "";
+}
+template <class T>
+std::string typed(T value) {
+  return ballpit::typed(value);
 }
 
-/// A number in [low, high], stored in `member`.
-template <auto member, auto low, auto high>
-constexpr SettingInfo number(std::string_view name, std::string_view value_name, std::string_view help,
-                             SettingGroup group) {
-  return {name,
-          value_name,
-          help,
-          group,
-          [] { return typed(low) + " to " + typed(high); },
-          {},
-          [](Settings& settings, std::string_view text) {
-            decltype(low) value{};
-            if (!parse(text, value) || !(value >= low && value <= high)) return false;
-            settings.*member = value;
-            return true;
-          },
-          [](const Settings& settings) { return typed(settings.*member); }};
-}
-
-template <class Enum>
-Enum type_of_member(Enum Settings::*);
-
-/// One of an enum's names, its value stored in `member`.
-template <auto member>
-constexpr SettingInfo choice(std::string_view name, std::string_view help, SettingGroup group) {
-  using Enum = decltype(type_of_member(member));
-  return {name,
-          "NAME",
-          help,
-          group,
-          [] { return join(kNames<Enum>); },
-          kNames<Enum>,
-          [](Settings& settings, std::string_view text) {
-            const std::optional<Enum> value = find_named<Enum>(text);
-            if (value) settings.*member = *value;
-            return value.has_value();
-          },
-          [](const Settings& settings) { return std::string(name_of(settings.*member)); }};
-}
-
-constexpr std::array<std::string_view, 2> kOnOff{"on", "off"};
-
-constexpr SettingInfo kSwept{"swept",
-                             "on|off",
-                             "contacts are found along the step, so that fast spheres meet what they would pass",
-                             SettingGroup::response,
-                             [] { return join(kOnOff); },
-                             kOnOff,
-                             [](Settings& settings, std::string_view text) {
-                               if (text != "on" && text != "off") return false;
-                               settings.is_swept = text == "on";
-                               return true;
-                             },
-                             [](const Settings& settings) { return std::string(settings.is_swept ? "on" : "off"); }};
-
-constexpr auto kDetection = SettingGroup::detection, kResponse = SettingGroup::response, kTime = SettingGroup::time,
-               kRun = SettingGroup::run;
-
-constexpr std::array kTable{
-    choice<&Settings::broadphase>("broadphase", "how candidate pairs are found", kDetection),
-    number<&Settings::cell_size, 0.05, 1000.0>(
-        "cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed", kDetection),
-    choice<&Settings::table>(
-        "table", "cells in an array with a place for each, or hashed into a bounded number of places", kDetection),
-    choice<&Settings::axis>("axis", "axis of sort-and-sweep; auto: the one along which positions vary most",
-                            kDetection),
-    number<&Settings::skin, 0.0, 10.0>("skin", "FRACTION",
-                                       "skin of the candidate list, of a radius; 0: search in every step", kDetection),
-    choice<&Settings::response>("response", "what spheres in contact do", kResponse),
-    number<&Settings::iterations, 1, 10000>(
-        "iterations", "N", "of impulse (4 unless told) and position-based (1) in a substep", kResponse),
-    choice<&Settings::solver>("solver", "how impulse iterates", kResponse),
-    choice<&Settings::correction>(
-        "correction", "of overlap by impulse: split into velocity and position, none, or back to the surface",
-        kResponse),
-    choice<&Settings::contact_end>("contact-end",
-                                   "of penalty: where overlap ends, or where the force would begin to pull", kResponse),
-    number<&Settings::compliance, 0.0, 1000.0>("compliance", "M/N", "of position-based contacts; 0: rigid", kResponse),
-    number<&Settings::contact_duration, 0.0, 1.0>("contact-duration", "SECONDS",
-                                                  "of event-driven collisions: those that follow sooner lose no energy",
-                                                  kResponse),
-    kSwept,
-    choice<&Settings::integrator>("integrator", "how velocities and positions advance", kTime),
-    choice<&Settings::precision>("precision", "floating-point type of the simulation", kTime),
-    number<&Settings::dt, kSmallestStep, 10.0>("dt", "SECONDS", "time step", kTime),
-    number<&Settings::substeps, 1, 1000>("substeps", "N", "parts of a time step, each detected and resolved by itself",
-                                         kTime),
-    number<&Settings::max_overlap, 0.0, 1e6>("max-overlap", "FRACTION",
-                                             "of the smaller radius; more overlap stops the run", kRun),
-    number<&Settings::max_energy, 1.0, 1e15>("max-energy", "FACTOR",
-                                             "of the energy at the start; more energy stops the run", kRun),
-    choice<&Settings::backend>("backend", "processor that simulates", kDetection),
-    number<&Settings::threads, 0, 256>("threads", "N", "CPU threads; 0 for all cores", kDetection),
-    number<&Settings::count, int64_t{1}, int64_t{100000000}>(
-        "count", "N", "spheres to generate, in place of the scene's own number", kRun),
-    number<&Settings::seed, uint64_t{0}, UINT64_MAX>("seed", "N", "start of the random numbers", kRun),
+/// What the table says of a setting in words. Without a preset, the default is the value in Settings{}.
+struct Words {
+  std::string_view name, value_name, help, preset = "";
 };
+
+SettingInfo info_of(SettingGroup group, const Words& words, std::function<std::string(const Settings&)> get) {
+  const std::string preset(words.preset);
+  return {.name = words.name,
+          .value_name = words.value_name,
+          .help = words.help,
+          .group = group,
+          .preset = preset.empty() ? get(Settings{}) : preset,
+          .get = std::move(get)};
+}
+
+/// A number in a range.
+template <class Member, class T>
+SettingInfo number(SettingGroup group, const Words& words, Member Settings::*member, const Range<T>& range,
+                   const std::optional<SettingSlider>& slider = {}) {
+  SettingInfo info = info_of(group, words, [=](const Settings& settings) { return typed(settings.*member); });
+  info.allowed = text_of(range);
+  info.slider = slider;
+  info.in_use = [=](const Settings& settings) {
+    if constexpr (std::is_arithmetic_v<Member>)
+      return static_cast<double>(settings.*member);
+    else
+      return settings.*member ? static_cast<double>(*(settings.*member)) : slider->fallback(settings);
+  };
+  info.set = [=](Settings& settings, std::string_view text) {
+    const std::optional<T> value = number_in(range, text);
+    if (value) settings.*member = *value;
+    return value.has_value();
+  };
+  return info;
+}
+
+/// One of the names of an enum.
+template <class Enum>
+SettingInfo choice(SettingGroup group, const Words& words, Enum Settings::*member) {
+  SettingInfo info =
+      info_of(group, words, [=](const Settings& settings) { return std::string(name_of(settings.*member)); });
+  info.allowed = join(kNames<Enum>);
+  info.choices = kNames<Enum>;
+  info.set = [=](Settings& settings, std::string_view text) {
+    const std::optional<Enum> value = find_named<Enum>(text);
+    if (value) settings.*member = *value;
+    return value.has_value();
+  };
+  return info;
+}
+
+/// "on" or "off".
+SettingInfo toggle(SettingGroup group, const Words& words, bool Settings::*member) {
+  static constexpr std::array<std::string_view, 2> kOnOff{"on", "off"};
+  SettingInfo info = info_of(group, words, [=](const Settings& settings) { return settings.*member ? "on" : "off"; });
+  info.allowed = join(kOnOff);
+  info.choices = kOnOff;
+  info.set = [=](Settings& settings, std::string_view text) {
+    if (text != "on" && text != "off") return false;
+    settings.*member = text == "on";
+    return true;
+  };
+  return info;
+}
+
+std::vector<SettingInfo> make_table() {
+  constexpr auto kDetection = SettingGroup::detection, kResponse = SettingGroup::response, kTime = SettingGroup::time,
+                 kRun = SettingGroup::run;
+  return {
+      choice(kDetection, {"broadphase", "NAME", "how candidate pairs are found"}, &Settings::broadphase),
+      number(kDetection,
+             {"cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed",
+              "at least 1, by the method"},
+             &Settings::cell_size, Range{0.05, 1000.0},
+             SettingSlider{0.25f, 8, true, false, [](const Settings&) { return 1.0; }}),
+      choice(kDetection,
+             {"table", "NAME", "one bucket for each cell, or a bounded number of buckets shared by hashing"},
+             &Settings::table),
+      choice(kDetection, {"axis", "NAME", "axis of sort-and-sweep; auto takes the one along which positions vary most"},
+             &Settings::axis),
+      number(kDetection,
+             {"skin", "FRACTION", "skin of the candidate list, as a fraction of a radius; 0 searches in every step",
+              "0.1 with auto, else 0"},
+             &Settings::skin, Range{0.0, 10.0}, SettingSlider{0, 1, false, false, skin_of}),
+      choice(kResponse, {"response", "NAME", "what happens to spheres in contact"}, &Settings::response),
+      number(
+          kResponse, {"iterations", "N", "iterations in a substep", "impulse 4, position-based 1"},
+          &Settings::iterations, Range{1, 10000},
+          SettingSlider{1, 64, true, true, [](const Settings& settings) { return double(iterations_of(settings)); }}),
+      choice(kResponse, {"solver", "NAME", "impulse: how it iterates"}, &Settings::solver),
+      choice(
+          kResponse,
+          {"correction", "NAME",
+           "impulse: how overlap is corrected: split into velocity and position, not at all, or back to the surface"},
+          &Settings::correction),
+      choice(kResponse,
+             {"contact-end", "NAME",
+              "penalty: a contact ends where the overlap ends, or where the force would begin to pull"},
+             &Settings::contact_end),
+      number(kResponse, {"compliance", "M/N", "position-based: compliance of contacts; 0 is rigid"},
+             &Settings::compliance, Range{0.0, 1000.0}, SettingSlider{0, 1e-3f}),
+      number(kResponse,
+             {"contact-duration", "SECONDS", "event-driven: collisions that follow sooner lose no energy", "1e-6"},
+             &Settings::contact_duration, Range{0.0, 1.0}),
+      toggle(kResponse,
+             {"swept", "on|off", "find contacts along the step, so that fast spheres do not pass through others"},
+             &Settings::is_swept),
+      choice(kTime,
+             {"integrator", "NAME", "how velocities and positions advance; only penalty offers a choice",
+              "the response's: penalty velocity-verlet, event-driven exact, others symplectic-euler"},
+             &Settings::integrator),
+      choice(kTime, {"precision", "NAME", "floating-point type of the simulation", "float; event-driven double"},
+             &Settings::precision),
+      number(kTime, {"dt", "SECONDS", "time step", "1/240"}, &Settings::dt, Range{1e-12, 10.0},
+             SettingSlider{1e-4f, 1.0f / 30, true}),
+      number(kTime, {"substeps", "N", "equal parts of a time step, each with its own detection and response"},
+             &Settings::substeps, Range{1, 1000}, SettingSlider{1, 32, true, true}),
+      number(kRun, {"max-overlap", "FRACTION", "fraction of the smaller radius; more overlap stops the run"},
+             &Settings::max_overlap, Range{0.0, 1e6}),
+      number(kRun, {"max-energy", "FACTOR", "factor of the energy at the start; more energy stops the run"},
+             &Settings::max_energy, Range{1.0, 1e15}),
+      choice(kDetection, {"backend", "NAME", "processor that simulates; auto takes CUDA if there is a device"},
+             &Settings::backend),
+      number(kDetection, {"threads", "N", "CPU threads; 0 for all cores"}, &Settings::threads, Range{0, 256},
+             SettingSlider{0, 16, false, true}),
+      number(kRun, {"count", "N", "number of spheres to generate", "the scene's"}, &Settings::count,
+             Range{int64_t{1}, int64_t{100'000'000}}),
+      number(kRun, {"seed", "N", "start of the random numbers", "1"}, &Settings::seed, Range{uint64_t{0}, UINT64_MAX}),
+  };
+}
 
 }  // namespace
 
 double skin_of(const Settings& settings) {
   return settings.skin.value_or(settings.broadphase == BroadPhase::automatic ? 0.1 : 0.0);
+}
+
+int iterations_of(const Settings& settings) {
+  return settings.iterations.value_or(settings.response == Response::impulse ? 4 : 1);
 }
 
 Integrator integrator_of(const Settings& settings) {
@@ -148,24 +170,25 @@ Integrator integrator_of(const Settings& settings) {
 }
 
 Precision precision_of(const Settings& settings) {
-  const std::string_view precisions = find_method(settings.response).precisions;
-  return precisions.find(name_of(settings.precision)) == precisions.npos ? named<Precision>(precisions)
-                                                                         : settings.precision;
+  const bool is_double_only = find_method(settings.response).precisions == name_of(Precision::float64);
+  return is_double_only ? Precision::float64 : settings.precision;
 }
 
-std::span<const SettingInfo> setting_table() { return kTable; }
+const std::vector<SettingInfo>& setting_table() {
+  static const std::vector<SettingInfo> table = make_table();
+  return table;
+}
 
 void apply_setting(Settings& settings, std::string_view name, std::string_view value, std::string_view where) {
+  const std::vector<SettingInfo>& table = setting_table();
   const auto info =
-      std::find_if(kTable.begin(), kTable.end(), [&](const SettingInfo& entry) { return entry.name == name; });
-  if (info == kTable.end()) {
+      std::find_if(table.begin(), table.end(), [&](const SettingInfo& entry) { return entry.name == name; });
+  if (info == table.end()) {
     std::vector<std::string_view> names;
-    for (const SettingInfo& entry : kTable) names.push_back(entry.name);
+    for (const SettingInfo& entry : table) names.push_back(entry.name);
     throw UserError(where, "no option of this name", join(names));
   }
-  if (!info->set(settings, value)) {
-    throw UserError(where, value, info->allowed());
-  }
+  if (!info->set(settings, value)) throw UserError(where, value, info->allowed);
 }
 
 }  // namespace ballpit

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The shared options: how a scene is simulated. One table feeds command line, [defaults] of scene files, help and panel.
+// The settings: how a scene is simulated. One table of them feeds the command line, its help, the [defaults] of scene files
+// and the panel. A test compares the README with it.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "methods/choices.h"
 
@@ -39,38 +42,51 @@ struct Settings {
   bool keeps_tally = false;  ///< whether Report::tally is wanted; no option, follows from what is to be observed
 };
 
-/// The candidate list's skin: what was asked for; else a tenth where the program chooses the broad phase, and none where
-/// one was named, which is then to be seen at work in every step.
+/// The skin of the candidate list. If none is set: a tenth if the program chooses the broad phase, else 0, so that the
+/// broad phase that was named works in every step.
 double skin_of(const Settings& settings);
 
-/// Whether the broad phase may miss contacts, and motion depend on it.
+/// Iterations of impulse or position-based in a substep.
+int iterations_of(const Settings& settings);
+
+/// Whether the broad phase may miss contacts, so that the motion depends on it.
 inline bool can_miss_contacts(const Settings& settings) { return settings.cell_size && *settings.cell_size < 1; }
 
-/// The integrator, also where settings leave it to the response.
+/// The integrator that is used: the response's own if none is set.
 Integrator integrator_of(const Settings& settings);
 
-/// float64 where the response computes in nothing else, whatever the settings say.
+/// The precision that is used: float64 if the response has no other.
 Precision precision_of(const Settings& settings);
 
-/// Where the panel shows an option; `run` options are the command line's alone.
+/// Where the panel shows a setting; `run` settings are on the command line only.
 enum class SettingGroup { detection, response, time, run };
 
-/// One shared option: "--name VALUE" on the command line, "name = value" in [defaults].
+/// The part of a number's range that the panel's slider covers; other values can be typed.
+struct SettingSlider {
+  float low, high;
+  bool is_log = false, is_integer = false;
+  double (*fallback)(const Settings&) = nullptr;  ///< the value that the program takes if none is set
+};
+
+/// One setting: "--name VALUE" on the command line, "name = value" in [defaults].
 struct SettingInfo {
   std::string_view name;
   std::string_view value_name;  ///< for help: NAME, SECONDS, …
   std::string_view help;
   SettingGroup group;
-  std::string (*allowed)();                   ///< for help and errors: "brute-force, linked-cell", "0 to 10"
-  std::span<const std::string_view> choices;  ///< of an option with names; empty for numbers
-  bool (*set)(Settings&, std::string_view);   ///< stores a value; false where it is not allowed
-  std::string (*get)(const Settings&);        ///< as it would be typed; empty where it is left to the program
+  std::string allowed{};                        ///< "brute-force, linked-cell", "0 to 10"
+  std::string preset{};                         ///< the program's default: "linked-cell", "1/240", "the scene's"
+  std::span<const std::string_view> choices{};  ///< of a setting with names; empty for numbers
+  std::optional<SettingSlider> slider{};
+  std::function<bool(Settings&, std::string_view)> set{};  ///< stores a value; false if it is not allowed
+  std::function<double(const Settings&)> in_use{};         ///< of a setting with a slider: the value that counts
+  std::function<std::string(const Settings&)> get{};       ///< as it would be typed; empty if it is left to the program
 };
 
-std::span<const SettingInfo> setting_table();
+const std::vector<SettingInfo>& setting_table();
 
-/// Applies one option. `where` names its place: "--dt", or "file.toml:12: [defaults] dt". Throws UserError for an unknown
-/// name or a value that is not allowed.
+/// Sets the setting `name`. `where` is the place of the value: "--dt", or "file.toml:12: [defaults] dt". Throws UserError if
+/// there is no such setting, or if the value is not allowed.
 void apply_setting(Settings& settings, std::string_view name, std::string_view value, std::string_view where);
 
 }  // namespace ballpit

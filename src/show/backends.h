@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The processors that a world can run on, and the choice among them.
+// The choice of the processor that a world runs on.
 #pragma once
 
 #include "world/world.h"

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "render/overlays/overlay.h"
 
@@ -11,11 +13,11 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::chrono::milliseconds kLongestReplay{500};
-constexpr int64_t kMostCandidates = 2'000'000;  // to be listed for an overlay
-constexpr int64_t kMostForPicked = 100'000;     // candidates, and spheres, to be looked through for the picked sphere
-constexpr size_t kMostMoments = 240;
-constexpr int64_t kMostForOracle = 20'000;  // spheres among which brute force looks for missed contacts
+constexpr std::chrono::milliseconds kMaxReplay{500};
+constexpr int64_t kMaxCandidates = 2'000'000;  // listed for an overlay
+constexpr int64_t kMaxForPicked = 100'000;     // candidates, and spheres, to search for the picked sphere
+constexpr size_t kMaxMoments = 240;
+constexpr int64_t kMaxForOracle = 20'000;  // spheres among which brute force searches for missed contacts
 
 double energy_of(const Report& report) {
   return report.kinetic_energy + report.potential_energy + report.elastic_energy;
@@ -23,9 +25,9 @@ double energy_of(const Report& report) {
 
 }  // namespace
 
-Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : session(scene, given) { begin_anew(); }
+Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : session(scene, given) { begin_world(); }
 
-void Demo::begin_anew() {
+void Demo::begin_world() {
   touch();
   ++worlds_;
   player.forgive();
@@ -61,7 +63,7 @@ void Demo::set(const std::string& option, const std::string& value) {
     const bool is_same_motion = !could_miss && !can_miss_contacts(session.settings());
     if (option == "count" || option == "seed") trade_off.clear();
     if (&session.world() != before || !is_same_motion) {
-      begin_anew();
+      begin_world();
     } else {
       trade_off.begin(session.given(), session.scene().physics);
     }
@@ -69,26 +71,26 @@ void Demo::set(const std::string& option, const std::string& value) {
 }
 
 void Demo::return_to(const Played& trial) {
-  const std::vector<GivenOption> given = trial.given;  // the trial may not last
+  const std::vector<GivenOption> given = trial.given;  // the trial may be deleted
   const Physics physics = trial.physics;
   attempt([&] {
     session.take(given, physics);
     player.forget_times();
-    begin_anew();
+    begin_world();
   });
 }
 
 void Demo::set_physics(const Physics& physics) {
   attempt([&] {
     session.set_physics(physics);
-    begin_anew();
+    begin_world();
   });
 }
 
 void Demo::restart() {
   attempt([&] {
     session.restart();
-    begin_anew();
+    begin_world();
   });
 }
 
@@ -97,7 +99,7 @@ void Demo::load(const std::string& scene) {
     session.load(scene);
     view.selected = -1;
     trade_off.clear();
-    begin_anew();
+    begin_world();
   });
 }
 
@@ -111,9 +113,9 @@ void Demo::go_to(int64_t step) {
     player.forgive();
     trade_off.interrupt();
     const auto start = std::chrono::steady_clock::now();
-    const auto takes_too_long = [&] { return std::chrono::steady_clock::now() - start > kLongestReplay; };
+    const auto takes_too_long = [&] { return std::chrono::steady_clock::now() - start > kMaxReplay; };
     if (!timeline->go_to(step, takes_too_long))
-      message_ = "step " + std::to_string(timeline->step_now()) + " so far; go there again to go on";
+      message_ = fmt::format("step {} so far; go there again to go on", timeline->step_now());
   });
 }
 
@@ -154,54 +156,54 @@ void Demo::perform(const Key& key) {
   }
 }
 
-/// What the view shows of the inspection.
+/// The parts of an inspection that the view shows.
 Wanted Demo::wanted() {
   Wanted result = coloring_named(view.coloring).wanted;
   result.state |= view.selected >= 0;
   for (const OverlayEntry& overlay : overlay_table()) {
     if (view.shows(overlay.name)) result = result | overlay.wanted;
   }
-  if (view.selected >= 0 && report().count <= kMostForPicked) {
-    result.candidates |= candidates_to_list() <= kMostForPicked;
+  if (view.selected >= 0 && report().count <= kMaxForPicked) {
+    result.candidates |= candidates_to_list() <= kMaxForPicked;
     result.endpoints = true;
   }
   return result;
 }
 
-/// About; 0 for event-driven motion, which reports all its forecasts so far, and lists the few pairs in reach.
+/// An estimate. 0 for event-driven motion, whose report counts all forecasts so far; it lists few pairs.
 int64_t Demo::candidates_to_list() {
   return session.settings().response == Response::event_driven ? 0 : report().candidates;
 }
 
-/// What of it would take longer than a picture may.
+/// The wanted parts that would take too long for a picture.
 Wanted Demo::too_much(const Wanted& wanted) {
   Wanted result;
-  result.candidates = wanted.candidates && candidates_to_list() > kMostCandidates;
-  result.missed = wanted.missed && report().count > kMostForOracle;
+  result.candidates = wanted.candidates && candidates_to_list() > kMaxCandidates;
+  result.missed = wanted.missed && report().count > kMaxForOracle;
   return result;
 }
 
 FrameView Demo::frame_view(float aspect, bool is_written) {
   Wanted wanted = this->wanted();
   wanted.state |= !is_written;
-  const Inspection& seen = look(wanted);
+  const Inspection& seen = inspect(wanted);
   FrameView result = session.view_of(seen, view, aspect);
   result.is_written = is_written;
   result.left_out = left_out_;
   return result;
 }
 
-const Inspection& Demo::look(Wanted wanted) {
-  if (looked_at_ == version()) {
-    wanted = wanted | looked_for_;
-    if (wanted == looked_for_) return inspection_;
+const Inspection& Demo::inspect(Wanted wanted) {
+  if (inspected_ == version()) {
+    wanted = wanted | requested_;
+    if (wanted == requested_) return inspection_;
   }
-  looked_for_ = wanted;
+  requested_ = wanted;
   left_out_ = too_much(wanted);
   wanted.candidates &= !left_out_.candidates;
   wanted.missed &= !left_out_.missed;
   inspection_ = session.world().inspect(wanted);
-  looked_at_ = version();
+  inspected_ = version();
   return inspection_;
 }
 
@@ -220,7 +222,7 @@ void Demo::remember_moment() {
   const double drift =
       energy_at_start_ != 0 ? (energy_of(report_) - energy_at_start_) / std::fabs(energy_at_start_) : 0;
   history_.push_back({report_.steps, static_cast<float>(drift), static_cast<float>(report_.max_overlap)});
-  if (history_.size() > kMostMoments) history_.erase(history_.begin());
+  if (history_.size() > kMaxMoments) history_.erase(history_.begin());
 }
 
 }  // namespace ballpit

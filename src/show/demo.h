@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A demonstration as it is operated: a session, how it is played and looked at, and what panel, keys and mouse do to them.
-// A user's mistake becomes a message; the demonstration goes on as it was.
+// A demonstration: a session, a player, a view, and the actions of panel, keys and mouse. A mistake of the user becomes a
+// message, and the demonstration goes on as before.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace ballpit {
 
-/// How exact the run was at a step.
+/// The accuracy of the run at a step.
 struct Moment {
   int64_t step = 0;
   float energy_drift = 0;  ///< of the energy at the start of this world; 0 where that is 0
@@ -35,55 +35,59 @@ class Demo {
   TradeOff trade_off;                  ///< of the settings that were played in this scene
   View view;
 
-  /// What a key does, but for saving a picture, which whoever draws it does.
+  /// The action of a key. The caller saves pictures.
   void perform(const Key& key);
 
   void set(const std::string& option, const std::string& value);
   void set_physics(const Physics& physics);
-  void return_to(const Played& trial);  ///< its settings
+  void return_to(const Played& trial);  ///< to its settings
   void load(const std::string& scene);
   void restart();
   void step();
   void step_back() { go_to(timeline->step_now() - 1); }
 
-  /// To an earlier moment of this world, or forward again, by the same bits; pauses.
+  /// Pauses and goes to an earlier step of this world, or forward again, with bit-identical states.
   void go_to(int64_t step);
 
-  /// As the clock goes on by `elapsed` [s]; see Player::advance().
+  /// Plays for `elapsed` [s]; see Player::advance().
   void advance(double elapsed, double share) { player.advance(*timeline, elapsed, share); }
 
-  /// A line for the audience; the latest.
+  /// The latest line for the audience.
   const std::string& message() const { return message_; }
   void say(const std::string& message) { message_ = message; }
 
   bool shows_keys = false;
 
-  /// The present state, and what the view shows beside; looked at once.
-  const Inspection& inspection() { return look(wanted() | Wanted{}); }
+  /// The present state with what the view shows. Inspects the world once for each version().
+  const Inspection& inspection() { return inspect(wanted() | Wanted{}); }
   const Report& report();
 
-  /// The present state and view for the renderer, until either changes. Where the bodies are written already, they are looked
-  /// at only for who needs them.
+  /// The present state and view for the renderer, valid until either changes. If the bodies are already written to the
+  /// renderer's buffer, they are copied only for overlays that need them.
   FrameView frame_view(float aspect, bool is_written = false);
 
-  /// Whether the inspection was to hold candidates, and they were not too many.
-  bool has_candidates() const { return looked_for_.candidates && !left_out_.candidates; }
+  /// Whether the inspection holds candidates: they were wanted, and there were not too many.
+  bool has_candidates() const { return requested_.candidates && !left_out_.candidates; }
 
-  /// The latest reported steps up to the present one, oldest first.
+  /// The latest reported steps, oldest first, up to the present one.
   const std::vector<Moment>& history() const { return history_; }
 
-  /// How many timelines there were; a change of anything but the detection makes another world, whose time begins at 0.
+  /// The number of worlds so far. Every change except of the detection makes a new world, whose time begins at 0.
   int64_t worlds() const { return worlds_; }
 
-  /// Changes whenever anything that is shown may have: a window that has drawn this need not draw again.
-  int64_t version() const { return (version_ << 36) + session.world().steps(); }
-  void touch() { ++version_; }
+  /// Two equal versions look the same, so that a window need not draw the second one.
+  struct Version {
+    int64_t changes = -1, steps = -1;
+    bool operator==(const Version&) const = default;
+  };
+  Version version() const { return {changes_, session.world().steps()}; }
+  void touch() { ++changes_; }
 
  private:
-  /// Does what may be a user's mistake.
+  /// Runs an action and turns its error into a message.
   void attempt(const std::function<void()>& action);
-  void begin_anew();
-  const Inspection& look(Wanted wanted);
+  void begin_world();
+  const Inspection& inspect(Wanted wanted);
   void remember_moment();
   Wanted wanted();
   Wanted too_much(const Wanted& wanted);
@@ -91,10 +95,10 @@ class Demo {
 
   std::string message_;
   double energy_at_start_ = 0;  // [J] kinetic, potential and elastic
-  int64_t version_ = 0, worlds_ = 0;
-  int64_t looked_at_ = -1, reported_ = -1;
+  int64_t changes_ = 0, worlds_ = 0;
+  Version inspected_, reported_;
   Inspection inspection_;
-  Wanted looked_for_, left_out_;
+  Wanted requested_, left_out_;
   Report report_;
   std::vector<Moment> history_;
 };

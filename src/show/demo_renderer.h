@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws a demonstration, in a window or without: the world writes its bodies into the renderer's buffer, the rest comes from
-// what the view wants of an inspection.
+// Draws a demonstration, in a window or headless. The world writes its bodies into the renderer's buffer; overlays read an
+// inspection.
 #pragma once
 
 #include <memory>
@@ -14,19 +14,19 @@ namespace ballpit {
 
 class DemoRenderer {
  public:
-  /// As Renderer.
+  /// See Renderer.
   DemoRenderer(int width, int height, const RenderOptions& options);
 
-  /// The present state and view, in the view's theme. Where a GPU cannot share its memory with OpenGL, the demonstration's
-  /// message says so once, and copies are drawn.
+  /// Draws the present state and view, in the view's theme. If a GPU cannot share its memory with OpenGL, copies are drawn, and
+  /// the demonstration's message reports this once.
   void draw(Demo& demo, RenderOptions options);
 
-  /// From now on the bodies are copied to the host and uploaded, as where a GPU cannot share its memory with OpenGL.
+  /// From now on the bodies are copied to the host and uploaded, as if the GPU could not share its memory with OpenGL.
   void copy_bodies() { copies_ = true; }
 
   Renderer& renderer() { return renderer_; }
 
-  /// How bodies got into the picture: "written by cuda", "written by cpu", "copied: " and why, "copied" where this was asked for.
+  /// How bodies got into the picture: "written by cuda", "written by cpu", "copied: REASON", or "copied" after copy_bodies().
   const std::string& path() const { return path_; }
 
  private:

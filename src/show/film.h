@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film in the making: states at even moments, as numbered frames in a folder. Of `ballpit render`, and of the window's export.
+// Makes a film: numbered frames at equal intervals of time, in a folder. For `ballpit render` and the window's export.
 //
 //     while (!film.is_done()) { film.advance(…); draw; film.push(…); }    then finish()
 #pragma once
@@ -14,17 +14,17 @@ namespace ballpit {
 
 struct FilmPlan {
   std::string folder;
-  std::string key = {};         ///< of what the frames show; see film_key.h
-  int first = 0;                ///< where an earlier run left off
-  int frames = 0;               ///< with those
+  std::string key = {};         ///< see film_key.h
+  int first = 0;                ///< frame that this run makes first
+  int frames = 0;               ///< in all
   double from = 0;              ///< [s] of the world's time: frame 0
   double interval = 1.0 / 60;   ///< [s] from one frame to the next
-  bool keeps_timeline = false;  ///< whether the way can be gone back afterwards
+  bool keeps_timeline = false;  ///< so that one can go back in time afterwards
 };
 
 class Film {
  public:
-  /// Makes the folder. Throws RunError naming it if that fails. `demo` must outlive the film.
+  /// Makes the folder. Throws RunError if that fails. `demo` must outlive the film.
   Film(Demo& demo, const FilmPlan& plan) : demo_(demo), plan_(plan), frames_(plan.folder, plan.first, plan.key) {}
 
   bool is_done() const { return next() >= plan_.frames; }
@@ -35,10 +35,10 @@ class Film {
   /// does.
   bool advance(const std::function<bool()>& stop);
 
-  /// Whether the world was stepped beyond the next frame by others: it will not be reached.
+  /// Whether the world is already beyond the next frame.
   bool is_overtaken() const;
 
-  /// As FrameSequence has them.
+  /// See FrameSequence.
   void push(Image frame) { frames_.push(std::move(frame)); }
   void finish() { frames_.finish(); }
 

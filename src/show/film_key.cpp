@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <sstream>
 #include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/numbers.h"
@@ -16,18 +17,9 @@ namespace ballpit {
 
 namespace {
 
-std::string text_of(PictureSize size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+std::string joined(const std::vector<double>& numbers) { return fmt::format("{}", fmt::join(numbers, " ")); }
 
-std::string text_of(std::initializer_list<double> numbers) {
-  std::string text;
-  for (const double number : numbers) {
-    if (!text.empty()) text += ' ';
-    append_number(text, number);
-  }
-  return text;
-}
-
-/// One line a thing. A chunk of text holds no other characters than these (others: ?).
+/// Adds a line. A text chunk of a PNG file holds printable ASCII only, so other characters become "?".
 void append_line(std::string& key, std::string_view name, std::string_view value) {
   key.append(name) += ' ';
   for (const char c : value) key += c >= ' ' && c <= '~' ? c : '?';
@@ -39,26 +31,23 @@ void append_numbers(std::string& text, const std::vector<double>& values) {
 }
 
 void append_vectors(std::string& text, const std::vector<Vec3d>& values) {
-  for (const Vec3d& v : values) text += ' ' + text_of({v.x, v.y, v.z});
+  for (const Vec3d& v : values) append_numbers(text, {v.x, v.y, v.z});
 }
 
-/// FNV-1a: of what is too long to be written down. Source: Fowler, Noll, Vo, draft-eastlake-fnv.
+/// FNV-1a, for what is too long to be written out. Source: Fowler, Noll, Vo, draft-eastlake-fnv.
 std::string hash_of(std::string_view text) {
   uint64_t hash = 0xCBF29CE484222325u;
   for (const char c : text) hash = (hash ^ static_cast<uint8_t>(c)) * 0x100000001B3u;
-  std::array<char, 17> digits;
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return digits.data();
+  return fmt::format("{:016x}", hash);
 }
 
-/// Domain, physics and spheres, as the world has them now.
+/// The hash of domain, physics and spheres.
 std::string hash_of_state(Session& session) {
   const Domain& domain = session.scene().domain;
   const Physics& physics = session.scene().physics;
   const Bodies bodies = session.world().bodies();
-  std::string text = std::to_string(domain.dimensions) + ' ' + std::to_string(static_cast<int>(domain.boundary)) + ' ' +
-                     physics.law + ' ';
-  text += text_of({physics.restitution, physics.wall_restitution, physics.stiffness, physics.shear});
+  std::string text = fmt::format("{} {} {}", domain.dimensions, static_cast<int>(domain.boundary), physics.law);
+  append_numbers(text, {physics.restitution, physics.wall_restitution, physics.stiffness, physics.shear});
   append_vectors(text, {domain.min, domain.max, physics.gravity});
   append_vectors(text, bodies.position);
   append_vectors(text, bodies.velocity);
@@ -69,7 +58,7 @@ std::string hash_of_state(Session& session) {
 
 bool changes_pictures(std::string_view setting) {
   constexpr std::array<std::string_view, 6> kOthers{"backend", "threads", "max-overlap", "max-energy",
-                                                    "count",   "seed"};  // the last two: in the state's hash
+                                                    "count",   "seed"};  // the last two are part of the state
   return std::find(kOthers.begin(), kOthers.end(), setting) == kOthers.end();
 }
 
@@ -82,7 +71,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::string name_in(const std::string& line) { return line.substr(0, line.find(' ')); }
 
-/// The line of this name; "NAME of an unknown value" where there is none.
+/// The line of this name, or "NAME of an unknown value".
 std::string line_named(const std::string& name, const std::vector<std::string>& lines) {
   const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return name_in(line) == name; });
   return found == lines.end() ? name + " of an unknown value" : *found;
@@ -97,14 +86,14 @@ std::string film_key(Demo& demo, const FilmPlan& plan, const FilmLook& look) {
   append_line(key, "size", text_of(look.size));
   append_line(key, "scene", session.scene().name);
   append_line(key, "state", hash_of_state(session));
-  append_line(key, "from", text_of({plan.from}));
-  append_line(key, "interval", text_of({plan.interval}));
+  append_line(key, "from", joined({plan.from}));
+  append_line(key, "interval", joined({plan.interval}));
   append_line(key, "theme", view.theme);
   append_line(key, "color", view.coloring);
   append_line(key, "overlay", view.overlays.empty() ? "none" : join(view.overlays, ","));
-  append_line(key, "view", text_of({view.azimuth, view.elevation, view.zoom, static_cast<double>(view.selected)}));
+  append_line(key, "view", joined({view.azimuth, view.elevation, view.zoom, static_cast<double>(view.selected)}));
   append_line(key, "supersample", std::to_string(look.supersample));
-  append_line(key, "panel", look.has_panel ? text_of({view.ui_scale}) + " " + look.clicks : "none");
+  append_line(key, "panel", look.has_panel ? joined({view.ui_scale}) + " " + look.clicks : "none");
   for (const SettingInfo& setting : setting_table()) {
     if (changes_pictures(setting.name)) append_line(key, setting.name, setting.get(session.settings()));
   }

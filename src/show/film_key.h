@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What the frames of a film show, as text that each of them carries: so that --resume goes on with a film of its own only.
+// A text that describes the pictures of a film. Each frame holds it, so that --resume continues only the same film.
 //
 //     size 640x360
 //     scene lecture-grid
-//     …                      one line for each thing that changes pictures, its name first
+//     …                      one line for each thing that affects the pictures, its name first
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace ballpit {
 
-/// What of a film neither its plan nor the demonstration knows.
+/// The settings of a film that are neither in its plan nor in the demonstration.
 struct FilmLook {
   PictureSize size;
   int supersample = 1;
@@ -22,11 +22,11 @@ struct FilmLook {
   std::string clicks = {};  ///< on the panel
 };
 
-/// The key of a film that begins with the present state. Options that change no picture (threads, backend, limits that stop a
-/// run) are not in it.
+/// The key of a film that begins with the present state. It leaves out options that change no picture: threads, backend, limits
+/// that stop a run.
 std::string film_key(Demo& demo, const FilmPlan& plan, const FilmLook& look);
 
-/// Throws UserError where one of the first `count` frames in a folder has another key; of frames without one, another size.
+/// Throws UserError if one of the first `count` frames in a folder has another key, or, without a key, another size.
 void check_frames(const std::string& folder, int count, const std::string& key);
 
 }  // namespace ballpit

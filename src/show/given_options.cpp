@@ -2,7 +2,8 @@
 #include "show/given_options.h"
 
 #include <optional>
-#include <sstream>
+
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "methods/methods.h"
@@ -43,9 +44,7 @@ Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<G
 
 void warn_of_small_cells(const Settings& settings) {
   if (!can_miss_contacts(settings)) return;
-  std::ostringstream option;
-  option << "--cell-size " << *settings.cell_size;
-  warn(option.str(),
+  warn(fmt::format("--cell-size {:g}", *settings.cell_size),
        "below 1, the block of cells around a sphere does not reach all that touch it, so contacts are missed");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the keys do: one table for the window, the list that F1 shows, and the README.
+// The keys: one table for the window, the list that F1 shows, and the README.
 #pragma once
 
 #include <span>

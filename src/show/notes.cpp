@@ -3,6 +3,8 @@
 
 #include <iostream>
 
+#include <fmt/format.h>
+
 #include "scene/input_error.h"
 
 namespace ballpit {
@@ -15,13 +17,9 @@ void print(const char* kind, std::string_view text) {
 
 }  // namespace
 
-void warn(std::string_view where, std::string_view what) {
-  print("warning", std::string(where).append(": ").append(what));
-}
+void warn(std::string_view where, std::string_view what) { print("warning", fmt::format("{}: {}", where, what)); }
 
-void note(std::string_view where, std::string_view what) {
-  print("note", std::string(where).append(": ").append(what));
-}
+void note(std::string_view where, std::string_view what) { print("note", fmt::format("{}: {}", where, what)); }
 
 void tell_notes(const std::vector<std::string>& notes) {
   for (const std::string& text : notes) print("warning", text);

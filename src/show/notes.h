@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the user is to know while the program goes on, on standard error: "ballpit: warning: WHERE: WHAT". Errors, which end
-// it, are in core/error.h.
+// Warnings and notes on standard error: "ballpit: warning: WHERE: WHAT". Errors, which end the program, are in core/error.h.
 #pragma once
 
 #include <string>
@@ -9,13 +8,13 @@
 
 namespace ballpit {
 
-/// The result may not be what was meant. `where` names an option, a file or a command.
+/// The result may not be the intended one. `where` names an option, a file or a command.
 void warn(std::string_view where, std::string_view what);
 
-/// The same for what is as it was meant: "ballpit: note: WHERE: WHAT".
+/// Information: "ballpit: note: WHERE: WHAT".
 void note(std::string_view where, std::string_view what);
 
-/// Warns of each: of what was read, as Scene::notes has it, "FILE: WHAT".
+/// Warns of each of Scene::notes: "FILE: WHAT".
 void tell_notes(const std::vector<std::string>& notes);
 
 }  // namespace ballpit

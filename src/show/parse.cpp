@@ -2,47 +2,12 @@
 #include "show/parse.h"
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
-#include <sstream>
 
 #include "core/error.h"
 #include "core/file.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
-
-namespace {
-
-template <class T>
-std::optional<T> number_in_range(std::string_view text, T low, T high) {
-  T value{};
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end || !(value >= low && value <= high)) return std::nullopt;
-  return value;
-}
-
-template <class T>
-T parse_in_range(std::string_view option, const std::string& text, T low, T high, const char* kind) {
-  const std::optional<T> value = number_in_range(text, low, high);
-  if (!value) {
-    std::ostringstream allowed;
-    allowed << kind << " from " << low << " to " << high;
-    throw UserError(option, text, allowed.str());
-  }
-  return *value;
-}
-
-}  // namespace
-
-int64_t parse_integer(std::string_view option, const std::string& text, int64_t low, int64_t high) {
-  return parse_in_range(option, text, low, high, "an integer");
-}
-
-double parse_number(std::string_view option, const std::string& text, double low, double high) {
-  return parse_in_range(option, text, low, high, "a number");
-}
 
 const std::string& parse_choice(std::string_view option, const std::string& text,
                                 const std::vector<std::string>& choices) {
@@ -65,11 +30,6 @@ const std::string& parse_path(std::string_view option, const std::string& text) 
   throw UserError(option, "nothing", "a path");
 }
 
-const std::string& parse_output(std::string_view option, const std::string& text) {
-  check_output(parse_path(option, text));
-  return text;
-}
-
 void reject_same_file(std::string_view option, const std::string& path, std::string_view name,
                       const std::string& other) {
   if (!is_same_file(path, other)) return;
@@ -86,11 +46,14 @@ std::vector<std::string> parse_overlays(std::string_view option, const std::stri
   return overlays;
 }
 
+std::string text_of(PictureSize size) { return fmt::format("{}x{}", size.width, size.height); }
+
 PictureSize parse_size(const std::string& text) {
+  constexpr Range kSides{16, 16384};
   const size_t cross = std::min(text.find('x'), text.size());
-  const auto width = number_in_range<int>(text.substr(0, cross), 16, 16384);
-  const auto height = number_in_range<int>(text.substr(std::min(cross + 1, text.size())), 16, 16384);
-  if (!width || !height) throw UserError("--size", text, "WIDTHxHEIGHT, each from 16 to 16384");
+  const auto width = number_in(kSides, text.substr(0, cross));
+  const auto height = number_in(kSides, text.substr(std::min(cross + 1, text.size())));
+  if (!width || !height) throw UserError("--size", text, "WIDTHxHEIGHT, each from " + text_of(kSides));
   return {*width, *height};
 }
 

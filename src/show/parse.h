@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Values of options as they are typed. All throw UserError with the option, what was found and what is allowed.
+// Reads the values of options. All functions throw UserError with the option, what was found and what is allowed.
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "methods/number_range.h"
 
 namespace ballpit {
 
@@ -17,17 +23,19 @@ std::vector<std::string> names_in(const Table& table) {
   return names;
 }
 
-/// An integer in [low, high]. Throws UserError naming the option.
-int64_t parse_integer(std::string_view option, const std::string& text, int64_t low, int64_t high);
-
-/// A number in [low, high]. Throws UserError naming the option.
-double parse_number(std::string_view option, const std::string& text, double low, double high);
+/// A number in a range. Throws UserError naming the option.
+template <class T>
+T parse_number(std::string_view option, const std::string& text, const Range<T>& range) {
+  if (const std::optional<T> value = number_in(range, text)) return *value;
+  constexpr const char* kKind = std::is_integral_v<T> ? "an integer" : "a number";
+  throw UserError(option, text, fmt::format("{} from {}", kKind, text_of(range)));
+}
 
 /// One of `choices`. Throws UserError naming the option.
 const std::string& parse_choice(std::string_view option, const std::string& text,
                                 const std::vector<std::string>& choices);
 
-/// The items of a list "a,b,c"; an empty one is an item, too.
+/// The items of a list "a,b,c"; empty ones count.
 std::vector<std::string> split_list(const std::string& text);
 
 /// Names of overlays, "a,b,c", or "none". Throws UserError naming the option.
@@ -36,18 +44,16 @@ std::vector<std::string> parse_overlays(std::string_view option, const std::stri
 /// A path that is not empty. Throws UserError naming the option.
 const std::string& parse_path(std::string_view option, const std::string& text);
 
-/// The path of an output, looked at before any work is done. Throws UserError where it is empty, RunError where it cannot be
-/// written.
-const std::string& parse_output(std::string_view option, const std::string& text);
-
-/// Throws UserError where an output leads to the same place as a file that `name` is given.
+/// Throws UserError if the paths of two options lead to the same file.
 void reject_same_file(std::string_view option, const std::string& path, std::string_view name,
                       const std::string& other);
 
 struct PictureSize {
-  int width;
-  int height;
+  int width, height;  ///< [pixel]
 };
+
+/// "1280x720".
+std::string text_of(PictureSize size);
 
 /// "1280x720". Throws UserError.
 PictureSize parse_size(const std::string& text);

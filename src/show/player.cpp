@@ -24,7 +24,7 @@ int Player::advance(Timeline& timeline, double elapsed, double share) {
   int steps = 0;
   while (owed_ >= dt) {
     if (steps > 0 && seconds_since(start) >= share) {
-      owed_ = 0;  // behind the clock: what is owed is given up
+      owed_ = 0;  // too slow for the clock: drop the rest
       break;
     }
     if (!try_step(timeline)) return steps;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Plays a world in time: fixed steps, as many as the clock asks for, whatever the rate of frames.
+// Plays a world in time, with steps of constant length at any frame rate.
 //
-//     elapsed × speed ──▶ owed ──▶ one step for each dt, until the frame's share of time is used up; the rest is dropped
+//     elapsed × speed ──▶ owed time ──▶ one step for each dt, until the frame's share of time is used up; the rest is dropped
 //
-// So a slow scene runs slower than the clock, and never falls behind itself further and further.
+// So a slow scene runs slower than the clock, and its delay does not grow.
 #pragma once
 
 #include <deque>
@@ -18,17 +18,17 @@ class Player {
   bool is_running = true;
   double speed = 1;  ///< simulated seconds a second
 
-  /// Steps as time goes on by `elapsed` [s], for `share` [s] at most; at least once where a step is owed. Returns the steps
-  /// made. A run that cannot go on is paused, and says why in failure().
+  /// Makes the steps that are due after `elapsed` [s], for at most `share` [s] but at least one. Returns the number of steps.
+  /// A run that fails is paused, and failure() gives the reason.
   int advance(Timeline& timeline, double elapsed, double share);
 
-  /// One step; pauses.
+  /// Pauses and makes one step.
   void step(Timeline& timeline);
 
-  const std::string& failure() const { return failure_; }  ///< why the world cannot go on; empty where it can
-  void forgive() { failure_.clear(); }                     ///< the world is another one now
+  const std::string& failure() const { return failure_; }  ///< why the world cannot go on; empty if it can
+  void forgive() { failure_.clear(); }                     ///< for a new world
 
-  void forget_times() { step_times_.clear(); }  ///< what steps cost is another now
+  void forget_times() { step_times_.clear(); }  ///< for new settings
 
   /// Milliseconds of the latest steps, oldest first.
   const std::deque<float>& step_times() const { return step_times_; }

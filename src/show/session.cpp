@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "methods/methods.h"
@@ -19,7 +20,7 @@ namespace ballpit {
 
 namespace {
 
-/// Options that say how contacts are found, and nothing of what then happens.
+/// Options that change how contacts are found but not the motion.
 bool is_of_detection(std::string_view option) {
   constexpr std::array<std::string_view, 5> kNames{"broadphase", "cell-size", "table", "axis", "skin"};
   return std::find(kNames.begin(), kNames.end(), option) != kNames.end();
@@ -40,7 +41,7 @@ void Session::start(std::string name, std::vector<GivenOption> given) {
   const Settings settings = combine(scene.defaults, given);
   const std::vector<std::string> notes = std::exchange(scene.notes, {});
   use(std::move(scene), settings);
-  if (name != scene_name_) tell_notes(notes);  // once, not again where it is filled anew
+  if (name != scene_name_) tell_notes(notes);  // not again when the scene is filled again
   scene_name_ = std::move(name);
   given_ = std::move(given);
   time_before_ = 0;
@@ -62,7 +63,7 @@ void Session::use(Scene scene, const Settings& settings) {
   Settings own = settings;
   own.keeps_tally = keeps_tally_;
   std::unique_ptr<World> world = backend.make_world(scene, own);
-  if (world_) (void)world->report();  // if it lacks memory to look for contacts, the world before it stays
+  if (world_) world->report();  // finds contacts; if memory is too small for them, the old world stays
   world_ = std::move(world);
   settings_ = own;
   backend_ = backend.name;
@@ -70,7 +71,7 @@ void Session::use(Scene scene, const Settings& settings) {
   scene_.bodies = {};  // the world has them now
 }
 
-/// The same world with another detection; false where it has to be made anew.
+/// Changes the detection of the present world. Returns false if a new world is needed.
 bool Session::detect_by(const std::vector<GivenOption>& given) {
   Settings settings = combine(scene_.defaults, given);
   settings.keeps_tally = keeps_tally_;
@@ -101,7 +102,7 @@ void Session::set_physics(const Physics& physics) { go_on(given_, physics); }
 void Session::load(const std::string& scene) {
   std::vector<GivenOption> given = given_;
   if (scene != scene_name_) {
-    // What was chosen for one scene is not asked of another: it would seldom go with it.
+    // Options chosen for one scene seldom fit another one.
     std::erase_if(given,
                   [](const GivenOption& option) { return option.name != "backend" && option.name != "threads"; });
   }
@@ -109,13 +110,11 @@ void Session::load(const std::string& scene) {
 }
 
 int64_t Session::steps_until(double time) const {
-  constexpr double kMostSteps = 1e15;  // more would not end, and their number leaves the integers
+  constexpr double kMaxSteps = 1e15;  // more would never end, and could not be counted exactly
   const double steps = time / settings_.dt;
-  if (!(steps <= kMostSteps)) {
-    std::ostringstream found, allowed;
-    found << settings_.dt << ", which makes " << steps << " steps of " << time << " s";
-    allowed << kMostSteps << " steps";
-    throw UserError("--dt", found.str(), allowed.str());
+  if (!(steps <= kMaxSteps)) {
+    throw UserError("--dt", fmt::format("{:g}, which makes {:g} steps of {:g} s", settings_.dt, steps, time),
+                    fmt::format("{:g} steps", kMaxSteps));
   }
   return static_cast<int64_t>(std::llround(steps)) - world_->steps();
 }
@@ -129,15 +128,14 @@ FrameView Session::view_of(const Inspection& inspection, const View& view, float
 }
 
 std::string rescue(Session& session, const std::string& path) {
-  std::ostringstream text;
+  std::string text;
   try {
-    text << "the last good state, of t = " << session.world().last_good_time() << " s, ";
+    text = fmt::format("the last good state, of t = {:g} s, ", session.world().last_good_time());
     write_spheres_csv(path, session.world().last_good());
-    text << "is in " << path;
+    return text + "is in " + path;
   } catch (const std::exception& error) {
-    text << "is lost: " << error.what();
+    return text + "is lost: " + error.what();
   }
-  return text.str();
 }
 
 }  // namespace ballpit

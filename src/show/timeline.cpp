@@ -11,9 +11,10 @@ namespace ballpit {
 
 namespace {
 
-constexpr int64_t kInterval = 16;  // steps between keyframes, at first: the guard's, after which snapshots are smallest
-constexpr int64_t kMostRecent = 64;  // snapshots
-constexpr int64_t kRecentPart = 4;   // of the budget: a quarter
+constexpr int64_t kInterval =
+    16;  // steps between keyframes at first: the guard's interval, after which snapshots are smallest
+constexpr int64_t kMaxRecent = 64;  // snapshots
+constexpr int64_t kRecentPart = 4;  // of the budget: a quarter
 
 }  // namespace
 
@@ -24,8 +25,8 @@ Timeline::Timeline(World& world, double dt, int64_t budget)
 }
 
 void Timeline::step() {
-  // Only where all recent snapshots have room: they are so small, then, that they cost little beside a step.
-  advance(has_room_for(kMostRecent));
+  // If all recent snapshots fit, they are so small that they cost little compared with a step.
+  advance(has_room_for(kMaxRecent));
 }
 
 bool Timeline::go_to(int64_t step, const std::function<bool()>& stop) {
@@ -34,7 +35,7 @@ bool Timeline::go_to(int64_t step, const std::function<bool()>& stop) {
   if (step_now() < latest->first || step_now() > goal) world_.restore(*latest->second);
   while (step_now() < goal) {
     if (stop && stop()) return false;
-    advance(goal - step_now() <= kMostRecent && has_room_for(1));  // a step before the goal may be asked for next
+    advance(goal - step_now() <= kMaxRecent && has_room_for(1));  // the user may step back next
   }
   return true;
 }
@@ -44,7 +45,7 @@ void Timeline::advance(bool keeps_recent) {
   try {
     world_.step();
   } catch (const Interrupted&) {
-    throw;  // nothing is wrong with the state, and who made steps again would be interrupted again
+    throw;  // the state is valid, and computing steps again would be interrupted again
   } catch (...) {
     world_.restore(*latest_before(before)->second);
     go_to(before);
@@ -63,7 +64,7 @@ Timeline::Place Timeline::latest_before(int64_t step) {
 
 bool Timeline::has_room_for(int64_t recent) const { return recent * largest_ <= budget_ / kRecentPart; }
 
-/// Keeps a snapshot of the present state if it is due for a keyframe, or if those that are recent are kept.
+/// Keeps a snapshot of the present state if a keyframe is due, or if recent ones are kept.
 void Timeline::remember(bool keeps_recent) {
   const int64_t now = step_now();
   const bool is_keyframe = now % interval_ == 0;
@@ -75,7 +76,7 @@ void Timeline::remember(bool keeps_recent) {
   thin_recent();
 }
 
-/// Drops every second keyframe until the others fit, but never the first.
+/// Drops every second keyframe, but never the first, until the rest fits.
 void Timeline::thin_keyframes() {
   while (keyframes_.bytes > budget_ - budget_ / kRecentPart && keyframes_.at.size() > 1) {
     interval_ *= 2;
@@ -85,9 +86,9 @@ void Timeline::thin_keyframes() {
   }
 }
 
-/// Drops what is farthest from the present step until the rest fits.
+/// Drops the recent snapshots farthest from the present step until the rest fits.
 void Timeline::thin_recent() {
-  while (recent_.bytes > budget_ / kRecentPart || static_cast<int64_t>(recent_.at.size()) > kMostRecent) {
+  while (recent_.bytes > budget_ / kRecentPart || static_cast<int64_t>(recent_.at.size()) > kMaxRecent) {
     const auto first = recent_.at.begin(), last = std::prev(recent_.at.end());
     recent_.drop(step_now() - first->first >= last->first - step_now() ? first : last);
   }

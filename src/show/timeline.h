@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A world's way so far, for the window: one step forward or back, or any moment again, with the bits that it had then.
+// The past states of a world, for the window: goes one step forward or back, or to any step, with bit-identical states.
 //
-//     keyframes   0 ······ 16 ······ 32 ······ 48 ······ 64       every 16th step; where they take too much memory, every
-//     recent                                    59 60 61 62 63    second one goes: every 32nd, 64th, …
+//     keyframes   0 ······ 16 ······ 32 ······ 48 ······ 64       every 16th step; if they take too much memory, every second
+//     recent                                    59 60 61 62 63    one is dropped: every 32nd, 64th, … is left
 //                                      ◂── go_to(61): restored
 //                             ◂── go_to(35): 32 restored, then three steps
 //
-// What lies between two snapshots is stepped again, which gives the same bits; so the way is kept in bounded memory, however
-// long it is. Going back costs at most as many steps as keyframes are apart. Of the last steps each has a snapshot where they
-// are small, and so has each that was passed on a way back: one step back, and another, are instant then. Measured, a step, its
-// snapshot and one step back: 3 000 spheres 1 ms, 0.02 ms, 0.02 ms; 100 000 spheres 17 ms, 0.8 ms, and 300 ms, then 0.5 ms.
+// States between two snapshots are computed again, bit-identical, so the memory is bounded however long the run is. Going back
+// takes at most as many steps as keyframes are apart. If snapshots are small, the latest steps and those passed on the way back
+// have one each, so that single steps back are instant. Measured times of a step, its snapshot and one step back: 3 000 spheres
+// 1 ms, 0.02 ms, 0.02 ms; 100 000 spheres 17 ms, 0.8 ms, and 300 ms, then 0.5 ms.
 #pragma once
 
 #include <cstdint>
@@ -25,17 +25,16 @@ class Timeline {
  public:
   static constexpr int64_t kBudget = int64_t(256) << 20;  // [bytes]
 
-  /// Begins where the world is, which must outlive it and be stepped by nobody else. `dt` [s] is its step, `budget` [bytes]
-  /// what snapshots may take; a first one that is larger is kept all the same.
+  /// Begins at the world's present state. The world must outlive the timeline, and only the timeline may step it. `dt` [s] is
+  /// its step, `budget` [bytes] the limit of all snapshots; the first one is kept even if it is larger.
   Timeline(World& world, double dt, int64_t budget = kBudget);
 
-  /// One step forward. Throws RunError as World::step() does; the world then is as it was before the step.
-  /// Interrupted passes as it is.
+  /// One step forward. Throws RunError as World::step() does, and restores the world to the state before the step. Interrupted
+  /// is thrown without restoring.
   void step();
 
-  /// To a step from first() to furthest(), or to the nearest of them, by the same bits as when the world was first there.
-  /// Returns whether it got there: it stops earlier where stop() is true, which is asked before each step that is made
-  /// again. The next call goes on from there.
+  /// Goes to a step, or to the nearest one from first() to furthest(), with a bit-identical state. Calls stop() before each
+  /// step that is computed again; if it returns true, go_to() returns false, and the next call goes on from there.
   bool go_to(int64_t step, const std::function<bool()>& stop = {});
 
   int64_t step_now() const { return world_.steps(); }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace ballpit {
 
 namespace {
@@ -25,11 +27,7 @@ bool is_same(const std::vector<GivenOption>& a, const std::vector<GivenOption>& 
 std::string Played::label() const {
   std::string text;
   for (const GivenOption& option : given) {
-    if (!text.empty()) text += ' ';
-    text += "--";
-    text += option.name;
-    text += ' ';
-    text += option.value;
+    text += fmt::format("{}--{} {}", text.empty() ? "" : " ", option.name, option.value);
   }
   return text.empty() ? "as the scene says" : text;
 }
@@ -43,7 +41,7 @@ std::span<const PlayedError> played_errors() {
 }
 
 void TradeOff::begin(const std::vector<GivenOption>& given, const Physics& physics) {
-  if (current_ >= 0 && trials_[static_cast<size_t>(current_)].steps < kFewest)
+  if (current_ >= 0 && trials_[static_cast<size_t>(current_)].steps < kMinSteps)
     trials_.erase(trials_.begin() + current_);
   const auto found = std::find_if(trials_.begin(), trials_.end(), [&](const Played& trial) {
     return is_same(trial.given, given) && is_same(trial.physics, physics);
@@ -82,7 +80,7 @@ std::vector<int> TradeOff::front(const PlayedError& error) const {
   };
   std::vector<int> order;
   for (int k = 0; k < static_cast<int>(trials_.size()); ++k) {
-    if (trials_[static_cast<size_t>(k)].steps >= kFewest) order.push_back(k);
+    if (trials_[static_cast<size_t>(k)].steps >= kMinSteps) order.push_back(k);
   }
   std::sort(order.begin(), order.end(), [&](int a, int b) { return at(a) < at(b); });
   std::vector<int> front;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Speed against accuracy, live: each choice of settings that was played is a trial with its cost and its errors, so that the panel can
-// chart what a change of sliders bought. The figures are those of `ballpit simulate --json`.
+// Speed against accuracy, live: all settings that were played are trials with a cost and errors, so that the panel can chart the
+// effect of a change. The numbers are those of `ballpit simulate --json`.
 //
-//     error │ ×            × trials so far, ● the present one, which moves while it is played
-//           │    ●         front: trials that no other beats in both
+//     error │ ×            × trials so far, ● the present one, which moves during play
+//           │    ●         front: trials that no other trial beats in both
 //           └────────── cost
 #pragma once
 
@@ -20,20 +20,21 @@
 
 namespace ballpit {
 
-/// Settings, and what they came to so far.
+/// Settings, and their cost and errors so far.
 struct Played {
   std::vector<GivenOption> given;
   Physics physics;
   int64_t steps = 0;
   double time = 0;     ///< [s] simulated
-  double seconds = 0;  ///< [s] that it took
+  double seconds = 0;  ///< [s] of computing time
   double overlap = 0;  ///< the largest seen, of the smaller radius
-  double drift = 0;    ///< the largest change of energy seen, of what it was when the trial began or went on
+  double drift =
+      0;  ///< the largest change of energy seen, as a fraction of the energy when the trial began or was resumed
 
-  /// [s] computed for a simulated second.
+  /// [s] of computing time for a simulated second.
   double cost() const { return time > 0 ? seconds / time : 0; }
 
-  /// As it would be typed: "--dt 0.01 --response penalty"; "as the scene says" where nothing is given.
+  /// The options as typed: "--dt 0.01 --response penalty"; "as the scene says" without any.
   std::string label() const;
 };
 
@@ -46,28 +47,27 @@ std::span<const PlayedError> played_errors();
 
 class TradeOff {
  public:
-  static constexpr int64_t kFewest = 10;  ///< steps that make a trial worth keeping
+  static constexpr int64_t kMinSteps = 10;  ///< steps of a trial that is kept
 
-  /// These settings from now on. A trial of the same settings goes on; one of fewer steps than kFewest is dropped.
+  /// Starts a trial, or resumes the one of the same settings. Drops the one before if it has fewer than kMinSteps steps.
   void begin(const std::vector<GivenOption>& given, const Physics& physics);
 
-  /// The present state, later than the one observed before; what lies between counts for the present trial.
+  /// Adds the time from the last observed state to this later one to the present trial.
   void observe(const Report& report);
 
   /// The next state does not follow from the one observed before.
   void interrupt() { last_.reset(); }
 
-  /// Nothing that is here can be compared to what follows.
+  /// Drops all trials, because they cannot be compared with the next ones.
   void clear();
 
   const std::vector<Played>& trials() const { return trials_; }
   int current() const { return current_; }  ///< −1 before the first
 
-  /// Trials that no other beats in cost and in this error, by cost.
+  /// Trials that no other trial beats in both cost and this error, ordered by cost.
   std::vector<int> front(const PlayedError& error) const;
 
  private:
-  /// Of a state.
   struct Seen {
     int64_t steps;
     double time, seconds;  // [s]

@@ -9,10 +9,10 @@ namespace ballpit {
 namespace {
 
 constexpr float kHalfTurn = 3.14159265f;
-constexpr float kSteepest = 0.49f * kHalfTurn;  // straight from above, up has no direction
+constexpr float kSteepest = 0.49f * kHalfTurn;  // a view from straight above has no up direction
 constexpr float kZoomPerClick = 1.15f;
 
-/// The eye's ray through a place: where it starts, and its direction (unit).
+/// The ray from the eye through a place in the picture; `along` has length 1.
 struct Ray {
   Vec3 from, along;
 };
@@ -48,7 +48,7 @@ void View::orbit(float right, float down) {
   elevation = std::clamp(elevation + down * kHalfTurn, -kSteepest, kSteepest);
 }
 
-void View::zoom_by(float clicks) { zoom = std::clamp(zoom * std::pow(kZoomPerClick, clicks), kFarthest, kClosest); }
+void View::zoom_by(float clicks) { zoom = std::clamp(zoom * std::pow(kZoomPerClick, clicks), kMinZoom, kMaxZoom); }
 
 Camera camera_of(const View& view, const DomainBox& domain, float aspect) {
   Camera camera = domain.is_planar() ? frame_box(domain.min, domain.max, 2, aspect)
@@ -61,16 +61,16 @@ Camera camera_of(const View& view, const DomainBox& domain, float aspect) {
 int64_t body_at(const Camera& camera, const BodySnapshot& bodies, Vec2 place) {
   const Ray ray = ray_through(camera, place);
   int64_t nearest = -1;
-  float nearest_way = INFINITY;
+  float nearest_distance = INFINITY;
   for (int64_t i = 0; i < bodies.count; ++i) {
     const Vec3 to = bodies.position_of(i) - ray.from;
     const float ahead = dot(to, ray.along), radius = bodies.radius_of(i);
     const float aside_squared = dot(to, to) - ahead * ahead;
     if (ahead <= 0 || aside_squared > radius * radius) continue;
-    const float way = ahead - std::sqrt(radius * radius - aside_squared);
-    if (way >= nearest_way) continue;
+    const float distance = ahead - std::sqrt(radius * radius - aside_squared);
+    if (distance >= nearest_distance) continue;
     nearest = i;
-    nearest_way = way;
+    nearest_distance = distance;
   }
   return nearest;
 }

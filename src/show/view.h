@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a scene is looked at: from where, with which overlays, in which colours. A value that panel, keys and mouse change.
+// The view of a scene: camera, overlays, colours. Panel, keys and mouse change it.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 
 namespace ballpit {
 
-inline constexpr float kFarthest = 0.25f, kClosest = 50;  ///< zoom
-inline constexpr float kSmallestUi = 0.5f, kLargestUi = 3;
+inline constexpr float kMinZoom = 0.25f, kMaxZoom = 50;  ///< zoom
+inline constexpr float kMinUiScale = 0.5f, kMaxUiScale = 3;
 
 struct View {
   float azimuth = kThreeQuarterAzimuth;      ///< [rad]
@@ -23,21 +23,19 @@ struct View {
   std::string theme{themes().front().name};
   std::string coloring{coloring_table().front().name};
   int64_t selected = -1;  ///< a body, or −1
-  float ui_scale = 1;     ///< of the panel's text and widgets, from kSmallestUi to kLargestUi
+  float ui_scale = 1;     ///< of the panel's text and widgets
 
   bool shows(std::string_view overlay) const;
   void toggle(std::string_view overlay);
 
-  /// The mouse was dragged so far [fractions of the picture's height], or its wheel turned.
-  void orbit(float right, float down);
-  void zoom_by(float clicks);
+  void orbit(float right, float down);  ///< distances dragged [fractions of the picture's height]
+  void zoom_by(float clicks);           ///< of the mouse wheel
 };
 
 /// The camera of a view on a domain, in a picture of this width by height.
 Camera camera_of(const View& view, const DomainBox& domain, float aspect);
 
-/// The body that is seen at a place in the picture, x to the right and y up from its middle, each from −1 to 1; −1 where there
-/// is none.
+/// The body at a place in the picture, or −1. The place is measured from the middle, x to the right and y up, from −1 to 1.
 int64_t body_at(const Camera& camera, const BodySnapshot& bodies, Vec2 place);
 
 }  // namespace ballpit

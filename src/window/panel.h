@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The panel beside the picture, by Dear ImGui: scene and time, detection, overlays, the picked sphere, cost, accuracy, response,
-// export. What there is to choose from comes from the tables that the command line has; what a method does not use is not shown.
-// It draws over whatever framebuffer is bound, in a window or headless. Each item's rectangle is noted by its name, so that tests
-// click as people do.
+// export. Its choices come from the same tables as those of the command line; settings that a method does not use are not
+// shown. The panel is drawn into the framebuffer that is bound, in a window or headless. It records the rectangle of each item
+// by name, so that tests can click on items.
 #pragma once
 
 #include <functional>
@@ -20,17 +20,17 @@ struct ItemRect {
   Vec2 middle() const { return (low + high) / 2.0f; }
 };
 
-/// What hands do, as ImGui is told; between two frames of the panel.
+/// Input between two frames of the panel.
 struct PanelInput {
   Vec2 mouse{-1e6f};  ///< [pixel] from the upper left corner
   bool is_down = false;
   float wheel = 0;
   std::u32string typed{};      ///< characters
   float elapsed = 1 / 60.0f;   ///< [s] since the frame before
-  std::map<int, bool> keys{};  ///< by GLFW's code: those that changed, and whether they are down now
+  std::map<int, bool> keys{};  ///< by GLFW's code: those that changed, and whether they are down
 };
 
-/// A value that means something, on a slider.
+/// A value on a slider with a name.
 struct SliderMark {
   float at;
   std::string name;
@@ -43,8 +43,8 @@ struct SliderLook {
   std::vector<SliderMark> marks{};
 };
 
-/// What was pressed that whoever draws the panel must do.
-struct PanelWishes {
+/// Requests of the user that the caller of the panel must handle.
+struct PanelRequests {
   bool picture = false, state = false, film = false;
   std::string film_size = "1280x720";
   int film_frames = 300;
@@ -52,24 +52,24 @@ struct PanelWishes {
 
 class Panel {
  public:
-  /// `sheet` must live as long as the panel, and be begun for the picture that the panel is drawn over.
+  /// `sheet` must outlive the panel and be prepared for the picture that the panel is drawn on.
   explicit Panel(Sheet& sheet);
 
-  /// The width that it takes of a picture [pixel]: at most a third, and half where it was made larger.
+  /// The panel's width in a picture [pixel]: at most a third of it, or half for a scale above 1.
   static int width_in(int picture_width, int picture_height, float scale = 1);
 
   void draw(Demo& demo, const PanelInput& input);
 
-  /// Whether the mouse or the keyboard are the panel's.
+  /// Whether the panel uses the mouse or the keyboard.
   bool has_mouse() const;
   bool has_keyboard() const;
 
   /// Scrolls to an item in the next frame.
   void reveal(const std::string& name) { revealed_ = name; }
 
-  float density = 1;        ///< pixels for each of an ordinary display's, for the caller to tell
-  PanelWishes wishes;       ///< for the caller to fulfil, and to clear
-  bool is_filming = false;  ///< for the caller to tell
+  float density = 1;        ///< set by the caller: pixels for one of an ordinary display
+  bool is_filming = false;  ///< set by the caller
+  PanelRequests requests;   ///< for the caller to handle and to clear
 
   /// All items of the last frame by name: "pause", "broadphase linked-cell", "overlay grid", …
   const std::map<std::string, ItemRect>& items() const { return items_; }

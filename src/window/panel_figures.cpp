@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The panel's sections that tell: the picked sphere, cost, accuracy.
+// The sections with figures: the picked sphere, cost, accuracy. Sections with controls: panel_sections.cpp.
 #include <algorithm>
-#include <array>
 #include <cfloat>
 #include <cmath>
-#include <cstdio>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "core/numbers.h"
@@ -17,52 +16,43 @@ namespace ballpit {
 
 namespace {
 
-std::string scientific(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.2g", value);
-  return text.data();
-}
+std::string scientific(double value) { return fmt::format("{:.2g}", value); }
 
-/// "3: 4, 7, 9"; of many the first ones.
+/// "4, 7, 9"; only the first of many.
 std::string numbers(const std::vector<int32_t>& bodies, const char* separator = ", ") {
-  constexpr size_t kMost = 12;
-  std::string text;
-  for (size_t k = 0; k < std::min(bodies.size(), kMost); ++k) {
-    if (k > 0) text.append(separator);
-    text.append(std::to_string(bodies[k]));
-  }
-  if (bodies.size() > kMost) text.append(separator).append("…");
-  return text;
+  constexpr size_t kMax = 12;
+  const auto end = bodies.begin() + static_cast<std::ptrdiff_t>(std::min(bodies.size(), kMax));
+  const std::string text = fmt::format("{}", fmt::join(bodies.begin(), end, separator));
+  return bodies.size() > kMax ? fmt::format("{}{}…", text, separator) : text;
 }
 
+/// "3: 4, 7, 9".
 std::string counted_numbers(const std::vector<int32_t>& bodies) {
   if (bodies.empty()) return "none";
-  return grouped(static_cast<int64_t>(bodies.size())).append(": ").append(numbers(bodies));
+  return fmt::format("{}: {}", grouped(static_cast<int64_t>(bodies.size())), numbers(bodies));
 }
 
-/// "0.250 m": to a millimetre in a domain of about a metre, to four digits where lengths are far from that.
+/// "0.250": with millimetres in a domain of about a metre, with four digits in much smaller or larger ones.
 class Lengths {
  public:
   explicit Lengths(const Domain& domain) {
     double longest = 0;
     for (int axis = 0; axis < domain.dimensions; ++axis)
       longest = std::max(longest, domain.max[axis] - domain.min[axis]);
-    format_ = longest >= 0.1 && longest < 1e4 ? "%.3f" : "%.4g";
+    has_millimetres_ = longest >= 0.1 && longest < 1e4;
   }
 
   std::string text(float length) const {
-    std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), format_, double(length));
-    return text.data();
+    return has_millimetres_ ? fmt::format("{:.3f}", length) : fmt::format("{:.4g}", length);
   }
 
  private:
-  const char* format_;
+  bool has_millimetres_;
 };
 
 }  // namespace
 
-/// A history below the present figure, which says what it is of; as wide as the panel.
+/// A curve below the present figure, as wide as the panel.
 void Panel::plot(const char* name, const float* values, size_t count, int stride, float from) {
   const ImVec2 size{ImGui::GetContentRegionAvail().x, 2.6f * ImGui::GetTextLineHeight()};
   const std::string label = std::string("##").append(name);
@@ -85,11 +75,12 @@ void Panel::draw_picked(Demo& demo) {
   row("touches", counted_numbers(partners_of(inspection.contacts, i)));
   draw_places(inspection, i);
   if (const auto interval = interval_of(inspection, i)) {
-    const std::string axis(1, "xyz"[std::clamp(inspection.axis, 0, 2)]);
-    row("interval", axis + ": " + lengths.text(interval->begin) + " to " + lengths.text(interval->end) + " m");
-    row("in the sorted list", "entries " + grouped(static_cast<int64_t>(interval->begin_place)) + " and " +
-                                  grouped(static_cast<int64_t>(interval->end_place)) + " of " +
-                                  grouped(static_cast<int64_t>(inspection.endpoints.size())));
+    const char axis = "xyz"[std::clamp(inspection.axis, 0, 2)];
+    row("interval", fmt::format("{}: {} to {} m", axis, lengths.text(interval->begin), lengths.text(interval->end)));
+    row("in the sorted list",
+        fmt::format("entries {} and {} of {}", grouped(static_cast<int64_t>(interval->begin_place)),
+                    grouped(static_cast<int64_t>(interval->end_place)),
+                    grouped(static_cast<int64_t>(inspection.endpoints.size()))));
   }
   if (!demo.has_candidates()) {
     row("candidates", "too many pairs to look through");
@@ -98,15 +89,14 @@ void Panel::draw_picked(Demo& demo) {
   }
 }
 
-/// The cell whose list or range holds it.
+/// The cell whose list or range holds the sphere.
 void Panel::draw_places(const Inspection& inspection, int32_t body) {
   if (const auto listed = listed_in(inspection, body)) {
     const IVec3& c = listed->cell;
-    std::string cell = std::to_string(listed->index) + " at (" + std::to_string(c.x) + ", " + std::to_string(c.y);
-    if (inspection.bodies.dimensions == 3) cell.append(", ").append(std::to_string(c.z));
-    row("cell", cell.append(")"));
+    const std::string z = inspection.bodies.dimensions == 3 ? fmt::format(", {}", c.z) : "";
+    row("cell", fmt::format("{} at ({}, {}{})", listed->index, c.x, c.y, z));
     row(listed->is_sorted ? "its range" : "its list", numbers(listed->bodies, listed->is_sorted ? ", " : " > "));
-    row("place in it", std::to_string(listed->place + 1) + " of " + std::to_string(listed->bodies.size()));
+    row("place in it", fmt::format("{} of {}", listed->place + 1, listed->bodies.size()));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The panel's sections that are operated: time, detection, response, view, export. Those that tell: panel_figures.cpp.
+// The sections with controls: time, detection, response, view, export. Sections with figures: panel_figures.cpp.
 #include <algorithm>
 #include <array>
 
@@ -17,7 +17,7 @@ namespace ballpit {
 namespace {
 
 constexpr std::array kFilmSizes{"640x360", "1280x720", "1920x1080", "3840x2160"};
-constexpr float kMostFrames = 3600;
+constexpr float kMaxFrames = 3600;
 
 }  // namespace
 
@@ -95,7 +95,7 @@ void Panel::draw_response(Demo& demo) {
   }
 }
 
-/// An entry for each of a table; chosen by name.
+/// A drop-down list with an entry for each row of a table.
 template <class Table>
 void Panel::choose(Demo& demo, const char* name, const char* label, const Table& table, std::string& current) {
   const auto shown = std::find_if(table.begin(), table.end(), [&](const auto& e) { return e.name == current; });
@@ -128,27 +128,27 @@ void Panel::draw_view(Demo& demo) {
   }
   choose(demo, "color", "colour", coloring_table(), view.coloring);
   choose(demo, "theme", "theme", themes(), view.theme);
-  if (slider("ui-scale", "panel size", view.ui_scale, {kSmallestUi, kLargestUi, true, "%.2f"})) {
-    view.ui_scale = std::clamp(view.ui_scale, kSmallestUi, kLargestUi);  // a typed number may be any
+  if (slider("ui-scale", "panel size", view.ui_scale, {kMinUiScale, kMaxUiScale, true, "%.2f"})) {
+    view.ui_scale = std::clamp(view.ui_scale, kMinUiScale, kMaxUiScale);  // a typed number may be any
     demo.touch();
   }
 }
 
 void Panel::draw_export() {
   if (!section("Export")) return;
-  if (button("save", "save picture")) wishes.picture = true;
+  if (button("save", "save picture")) requests.picture = true;
   ImGui::SameLine();
-  if (button("save state", "save state (CSV)")) wishes.state = true;
-  combo("film size", "size of frames", wishes.film_size, [&] {
+  if (button("save state", "save state (CSV)")) requests.state = true;
+  combo("film size", "size of frames", requests.film_size, [&] {
     for (const std::string size : kFilmSizes) {
-      if (entry("film size " + size, size, size == wishes.film_size)) wishes.film_size = size;
+      if (entry("film size " + size, size, size == requests.film_size)) requests.film_size = size;
     }
   });
-  auto frames = static_cast<float>(wishes.film_frames);
-  if (slider("film frames", "frames, 60 a second", frames, {1, kMostFrames, true, "%.0f"})) {
-    wishes.film_frames = static_cast<int>(std::clamp(frames, 1.0f, kMostFrames));
+  auto frames = static_cast<float>(requests.film_frames);
+  if (slider("film frames", "frames, 60 a second", frames, {1, kMaxFrames, true, "%.0f"})) {
+    requests.film_frames = static_cast<int>(std::clamp(frames, 1.0f, kMaxFrames));
   }
-  if (button("film", is_filming ? "stop" : "export frames")) wishes.film = true;
+  if (button("film", is_filming ? "stop" : "export frames")) requests.film = true;
 }
 
 void Panel::draw_keys(Demo& demo) {

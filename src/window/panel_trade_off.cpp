@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The panel's chart of speed against accuracy: a point for each trial, the present one filled, the front as a line.
+// The panel's chart of speed against accuracy: a point for each trial (filled for the present one), and the front as a line.
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "core/numbers.h"
@@ -13,8 +14,8 @@ namespace ballpit {
 
 namespace {
 
-constexpr double kLeastCost = 1e-9;   // [s] a simulated second
-constexpr double kLeastError = 1e-9;  // less lies on the lower edge
+constexpr double kMinCost = 1e-9;   // [s] a simulated second
+constexpr double kMinError = 1e-9;  // smaller errors are drawn on the lower edge
 
 /// A logarithmic axis from one power of ten to another.
 struct LogAxis {
@@ -27,7 +28,7 @@ struct LogAxis {
   }
 };
 
-/// Holds all values, each at least `least`; two powers of ten at the least.
+/// An axis that holds all values, none smaller than `least`, and spans at least two powers of ten.
 template <class Value>
 LogAxis axis_of(const std::vector<Played>& trials, double least, const Value& value, float at_low, float at_high) {
   int low = 100, high = -100;
@@ -43,9 +44,8 @@ LogAxis axis_of(const std::vector<Played>& trials, double least, const Value& va
 }
 
 std::string power_of_ten(int power) {
-  if (power < -3 || power > 3) return "1e" + std::to_string(power);
-  return power < 0 ? std::string("0.").append(static_cast<size_t>(-power - 1), '0').append("1")
-                   : std::string("1").append(static_cast<size_t>(power), '0');
+  if (power < -3 || power > 3) return fmt::format("1e{}", power);
+  return fmt::format("{:.{}f}", std::pow(10.0, power), std::max(-power, 0));
 }
 
 void dotted(ImDrawList& lines, ImVec2 from, ImVec2 to, ImU32 color, float unit) {
@@ -78,9 +78,9 @@ void Panel::draw_trade_off(Demo& demo) {
   if (revealed_.rfind("trial ", 0) == 0) ImGui::SetScrollHereY();
 
   const LogAxis x = axis_of(
-      trials, kLeastCost, [](const Played& t) { return t.cost(); }, inner_low.x, inner_high.x);
+      trials, kMinCost, [](const Played& t) { return t.cost(); }, inner_low.x, inner_high.x);
   const LogAxis y = axis_of(
-      trials, kLeastError, [&](const Played& t) { return t.*error.value; }, inner_high.y, inner_low.y);
+      trials, kMinError, [&](const Played& t) { return t.*error.value; }, inner_high.y, inner_low.y);
   ImDrawList& lines = *ImGui::GetWindowDrawList();
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text), faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   const auto right_of = [&](const std::string& label, float at_x, float at_y, ImU32 color) {
@@ -104,7 +104,7 @@ void Panel::draw_trade_off(Demo& demo) {
   }
 
   const auto place = [&](const Played& t) {
-    return ImVec2{x.at(std::max(t.cost(), kLeastCost)), y.at(std::max(t.*error.value, kLeastError))};
+    return ImVec2{x.at(std::max(t.cost(), kMinCost)), y.at(std::max(t.*error.value, kMinError))};
   };
   std::vector<ImVec2> front;
   for (const int k : demo.trade_off.front(error)) front.push_back(place(trials[static_cast<size_t>(k)]));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The widgets that the panel's sections are made of.
+// The widgets of the panel's sections.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -17,37 +16,7 @@ namespace {
 
 constexpr float kItemWidth = 0.58f;  // of the panel's; the rest is the label's
 
-/// Where a slider is of use; other values can be typed.
-struct SliderRange {
-  std::string_view setting;
-  float low, high;
-  bool is_log, is_integer;
-};
-constexpr std::array kSliders{
-    SliderRange{"cell-size", 0.25f, 8, true, false},  SliderRange{"skin", 0, 1, false, false},
-    SliderRange{"iterations", 1, 64, true, true},     SliderRange{"compliance", 0, 1e-3f, false, false},
-    SliderRange{"dt", 1e-4f, 1.0f / 30, true, false}, SliderRange{"substeps", 1, 32, true, true},
-    SliderRange{"threads", 0, 16, false, true},
-};
-
-const SliderRange* slider_of(std::string_view setting) {
-  const auto found =
-      std::find_if(kSliders.begin(), kSliders.end(), [&](const auto& s) { return s.setting == setting; });
-  return found == kSliders.end() ? nullptr : &*found;
-}
-
-/// What the program takes where a setting is left to it.
-float value_in_use(const Settings& settings, std::string_view name) {
-  if (name == "cell-size") return static_cast<float>(settings.cell_size.value_or(1));
-  if (name == "skin") return static_cast<float>(skin_of(settings));
-  if (name == "iterations") return float(settings.iterations.value_or(settings.response == Response::impulse ? 4 : 1));
-  if (name == "compliance") return static_cast<float>(settings.compliance);
-  if (name == "dt") return static_cast<float>(settings.dt);
-  if (name == "substeps") return float(settings.substeps);
-  return float(settings.threads);
-}
-
-/// A radius in units of 2·r_max, the smallest sphere's, which is slide 7's bound for cells; and 2·r_max itself.
+/// The smallest radius in units of 2·r_max, which is slide 7's bound for cells; and 2·r_max itself.
 std::vector<SliderMark> marks_of(std::string_view setting, const BodyShape& bodies) {
   if (setting != "cell-size" || bodies.count == 0) return {};
   return {{0.5f * bodies.smallest / bodies.radius, bodies.smallest < bodies.radius ? "r_min" : "r"}, {1, "2·r_max"}};
@@ -55,7 +24,7 @@ std::vector<SliderMark> marks_of(std::string_view setting, const BodyShape& bodi
 
 }  // namespace
 
-/// A heading that folds what is below it.
+/// A heading; returns whether the section below it is open.
 bool Panel::section(const char* title) {
   const bool is_open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
   note(std::string("section ").append(title));
@@ -68,7 +37,7 @@ bool Panel::button(const std::string& name, const std::string& label) {
   return is_pressed;
 }
 
-/// A list to choose from: `entries` calls entry() for each.
+/// A drop-down list; `entries` calls entry() for each entry.
 void Panel::combo(const std::string& name, const std::string& label, const std::string& current,
                   const std::function<void()>& entries) {
   ImGui::SetNextItemWidth(kItemWidth * ImGui::GetContentRegionAvail().x);
@@ -85,7 +54,7 @@ bool Panel::entry(const std::string& name, const std::string& label, bool is_cur
   return is_chosen;
 }
 
-/// True once the slider is let go of, or a number was typed into it.
+/// Returns true once the slider is released, or a number was typed into it.
 bool Panel::slider(const std::string& name, const std::string& label, float& value, const SliderLook& look) {
   const auto edited = edited_.find(name);
   float shown = edited != edited_.end() ? edited->second : value;
@@ -96,22 +65,22 @@ bool Panel::slider(const std::string& name, const std::string& label, float& val
     edited_[name] = shown;
   }
   note(name);
-  const bool is_let_go = ImGui::IsItemDeactivatedAfterEdit();
+  const bool is_released = ImGui::IsItemDeactivatedAfterEdit();
   draw_marks(look, width);
-  if (!is_let_go) return false;
+  if (!is_released) return false;
   value = shown;
   edited_.erase(name);
   return true;
 }
 
-/// Ticks on the slider before, where ImGui puts the grab's middle for these values, and their names below it.
+/// Draws ticks with names on the slider that was drawn last, where ImGui centres the grab for these values.
 void Panel::draw_marks(const SliderLook& look, float width) {
   if (look.marks.empty()) return;
   constexpr float kPadding = 2;  // ImGui's own, between frame and grab [pixel]
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float ends = kPadding + 0.5f * ImGui::GetStyle().GrabMinSize, names = high.y + 2 * sheet_.unit();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  float free_from = low.x;  // names do not lie over one another
+  float free_from = low.x;  // so that names do not overlap
   for (const SliderMark& mark : look.marks) {
     if (mark.at < look.low || mark.at > look.high) continue;
     const float part = look.is_log ? std::log(mark.at / look.low) / std::log(look.high / look.low)
@@ -128,14 +97,12 @@ void Panel::draw_marks(const SliderLook& look, float width) {
 
 void Panel::number_setting(Demo& demo, const SettingInfo& info) {
   const std::string name(info.name);
-  if (const SliderRange* range = slider_of(info.name)) {
-    float value = value_in_use(demo.session.settings(), info.name);
+  if (const auto& range = info.slider) {
+    auto value = static_cast<float>(info.in_use(demo.session.settings()));
     const SliderLook look{range->low, range->high, range->is_log, range->is_integer ? "%.0f" : "%.4g",
                           marks_of(info.name, demo.session.world().shape())};
     if (slider(name, name, value, look)) {
-      std::array<char, 32> text;
-      std::snprintf(text.data(), text.size(), range->is_integer ? "%.0f" : "%.6g", double(value));
-      demo.set(name, text.data());
+      demo.set(name, range->is_integer ? fmt::format("{:.0f}", value) : fmt::format("{:.6g}", value));
     }
   } else {
     std::string& text = typed_[name];
@@ -146,10 +113,10 @@ void Panel::number_setting(Demo& demo, const SettingInfo& info) {
     if (is_entered) demo.set(name, text);
     if (!ImGui::IsItemActive()) text.clear();
   }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s: %s", std::string(info.help).c_str(), info.allowed().c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s: %s", std::string(info.help).c_str(), info.allowed.c_str());
 }
 
-/// One shared option, as its table describes it. Names that the response does not go with are not offered.
+/// A setting as its table describes it. Names that do not fit the response are not offered.
 void Panel::setting(Demo& demo, const SettingInfo& info) {
   if (info.choices.empty()) {
     number_setting(demo, info);
@@ -166,7 +133,7 @@ void Panel::setting(Demo& demo, const SettingInfo& info) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(info.help).c_str());
 }
 
-/// A value beside its name; a long one takes more lines. For tests, by its name.
+/// A value beside its name; a long one takes more lines.
 void Panel::row(const char* what, const std::string& value) {
   ImGui::TextUnformatted(what);
   ImGui::SameLine(0.45f * ImGui::GetWindowContentRegionMax().x);

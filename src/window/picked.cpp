@@ -14,7 +14,7 @@ std::vector<int32_t> list_from(const GridInspection& grid, int32_t head) {
   return bodies;
 }
 
-/// The cell of a place; one outside the grid is in the nearest.
+/// The cell of a place, or the nearest one if the place is outside the grid.
 IVec3 cell_of(const GridInspection& grid, const Vec3& place) {
   IVec3 cell(0);
   for (int axis = 0; axis < 3; ++axis) {

@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "scene/input_error.h"
 #include "show/parse.h"
 
 namespace ballpit {
@@ -17,22 +16,21 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int kVersion = 1;  // of the file; another one is not read
+constexpr int kVersion = 1;  // of the file; others are not read
 
-/// A finite number from low to high.
-float bounded(const Json& view, const char* key, float low, float high) {
+float number_at(const Json& view, const char* key, const Range<float>& range) {
   const float number = view.at(key).get<float>();
-  if (number >= low && number <= high) return number;
-  throw UserError(key, view.at(key).dump(), limits_text({low, high}));
+  if (number >= range.low && number <= range.high) return number;
+  throw UserError(key, view.at(key).dump(), text_of(range));
 }
 
 View view_from(const Json& json) {
   constexpr float kTurn = 6.2832f;
   View view;
-  view.azimuth = bounded(json, "azimuth", -kTurn, kTurn);
-  view.elevation = bounded(json, "elevation", -kTurn, kTurn);
-  view.zoom = bounded(json, "zoom", kFarthest, kClosest);
-  view.ui_scale = bounded(json, "ui_scale", kSmallestUi, kLargestUi);
+  view.azimuth = number_at(json, "azimuth", {-kTurn, kTurn});
+  view.elevation = number_at(json, "elevation", {-kTurn, kTurn});
+  view.zoom = number_at(json, "zoom", {kMinZoom, kMaxZoom});
+  view.ui_scale = number_at(json, "ui_scale", {kMinUiScale, kMaxUiScale});
   view.overlays = parse_overlays("overlays", json.at("overlays").get<std::string>());
   view.coloring = coloring_named(json.at("color").get<std::string>()).name;
   view.theme = theme_named(json.at("theme").get<std::string>()).name;
@@ -49,8 +47,7 @@ Remembered remembered_from(const Json& json) {
     apply_setting(settings, name, result.given.back().value, name);
   }
   result.view = view_from(json.at("view"));
-  result.size = json.at("size").get<std::string>();
-  parse_size(result.size);
+  result.size = parse_size(json.at("size").get<std::string>());
   return result;
 }
 
@@ -100,7 +97,7 @@ void write_remembered(const std::filesystem::path& file, const Remembered& remem
                     {"overlays", view.overlays.empty() ? "none" : join(view.overlays, ",")},
                     {"color", view.coloring},
                     {"theme", view.theme}}},
-                  {"size", remembered.size}};
+                  {"size", text_of(remembered.size)}};
   make_folder(file.parent_path());
   write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

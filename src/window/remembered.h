@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `show --remember` keeps from one start to the next: scene, options, view and the window's size, as JSON in the user's
-// configuration folder.
+// `show --remember` stores scene, options, view and the window's size as JSON in the user's configuration folder.
 #pragma once
 
 #include <filesystem>
@@ -9,25 +8,26 @@
 #include <vector>
 
 #include "show/given_options.h"
+#include "show/parse.h"
 #include "show/view.h"
 
 namespace ballpit {
 
 struct Remembered {
-  std::string scene;               ///< by name, or a file
+  std::string scene;               ///< name, or path of a file
   std::vector<GivenOption> given;  ///< shared options that were set
   View view;                       ///< without the picked sphere
-  std::string size;                ///< of the window, "1600x900"
+  PictureSize size;                ///< of the window
 };
 
-/// $XDG_CONFIG_HOME/ballpit/show.json, or ~/.config/ballpit/show.json. Throws UserError where neither is known.
+/// $XDG_CONFIG_HOME/ballpit/show.json, or ~/.config/ballpit/show.json. Throws UserError if neither is known.
 std::filesystem::path remembered_file();
 
-/// None where there is no such file yet. Throws UserError naming the file where it cannot be read, or is not what this version
-/// writes.
+/// Empty if there is no such file yet. Throws UserError naming the file if it cannot be read, or if this version does not
+/// write such files.
 std::optional<Remembered> read_remembered(const std::filesystem::path& file);
 
-/// Throws RunError where write_remembered() would; changes nothing.
+/// Throws RunError if write_remembered() would; changes nothing.
 void check_remembered(const std::filesystem::path& file);
 
 /// Throws RunError naming the file.

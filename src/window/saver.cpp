@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "window/saver.h"
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
+
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "export/png.h"
@@ -15,15 +16,12 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::chrono::milliseconds kLongestTurn{200};  // the panel waits for it
+constexpr std::chrono::milliseconds kMaxTurn{200};  // the panel waits that long
 
 /// "picture_00000.png", or the first after it that does not exist.
 std::string free_name(const std::string& stem, const std::string& ending) {
   for (int k = 0;; ++k) {
-    std::string name = std::to_string(k);
-    name.insert(0, 5 - std::min<size_t>(name.size(), 5), '0');
-    name.insert(0, stem);
-    name.append(ending);
+    const std::string name = fmt::format("{}{:05}{}", stem, k, ending);
     if (!std::filesystem::exists(name)) return name;
   }
 }
@@ -35,7 +33,7 @@ Image draw(DemoRenderer& drawing, Demo& demo, const RenderOptions& options) {
 
 }  // namespace
 
-/// A disk that is full, or a size that cannot be drawn, ends what was asked for and nothing else.
+/// Runs an action. An error, such as a full disk, ends the film but not the demonstration.
 template <class Action>
 void Saver::attempt(const Action& action) {
   try {
@@ -82,19 +80,17 @@ void Saver::start_film(PictureSize size, int frames) {
   });
 }
 
-void Saver::go_on() {
+void Saver::advance() {
   if (!film_) return;
-  if (demo_.worlds() != world_ ||
-      film_->is_overtaken()) {  // its time begins anew, or somebody went on without the film
+  if (demo_.worlds() != world_ || film_->is_overtaken()) {  // the user changed or stepped the world
     stop_film();
     return;
   }
   attempt([&] {
     const auto start = std::chrono::steady_clock::now();
-    if (!film_->advance([&] { return std::chrono::steady_clock::now() - start > kLongestTurn; })) return;
+    if (!film_->advance([&] { return std::chrono::steady_clock::now() - start > kMaxTurn; })) return;
     film_->push(draw(*drawing_, demo_, {}));
-    demo_.say("frame " + std::to_string(film_->next()) + " of " + std::to_string(film_->plan().frames) + " in " +
-              film_->plan().folder);
+    demo_.say(fmt::format("frame {} of {} in {}", film_->next(), film_->plan().frames, film_->plan().folder));
     if (film_->is_done()) stop_film();
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a demonstration leaves on the disk while it is operated: pictures, states and films, under the first free names in the
-// current folder. What was saved, or why not, is said to the audience. Needs the OpenGL context that pictures are drawn in.
+// Saves pictures, states and films of a running demonstration, under the first free names in the current folder. The
+// demonstration's message reports what was saved, or why not. Needs the OpenGL context that pictures are drawn in.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,16 @@ class Saver {
   /// `demo` must outlive the saver.
   explicit Saver(Demo& demo) : demo_(demo) {}
 
-  /// The scene alone, each pixel averaged from 2 × 2.
+  /// The scene without the panel, each pixel averaged from 2 × 2.
   void save_picture(PictureSize size);
 
-  /// As `ballpit simulate --out` writes it.
+  /// In the format of `ballpit simulate --out`.
   void save_state();
 
-  /// Frames from now on, sixty a simulated second, as `ballpit render` draws them: one with each go_on(), of the world of now. Pauses.
+  /// Pauses, and makes frames of the present world from now on, sixty a simulated second, as `ballpit render` draws them: one with
+  /// each advance().
   void start_film(PictureSize size, int frames);
-  void go_on();
+  void advance();
   void stop_film();
   bool is_filming() const { return film_ != nullptr; }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -21,24 +22,24 @@ std::string glfw_reason() {
   return reason ? reason : "unknown";
 }
 
-/// What to do where there is no window.
-std::string other_way() {
+/// What to do without a window.
+std::string alternative() {
   const std::string trouble = trouble_with(kEglLibrary);
   return trouble.empty() ? "ballpit render draws without a display"
                          : "ballpit render would draw without a display, but " + trouble;
 }
 
-/// A window much larger than its display was not meant, and would take memory that there may not be.
+/// A window much larger than its display is a mistake, and would take too much memory.
 void check_size(int width, int height) {
-  constexpr int kMostDisplays = 4;  // side by side
+  constexpr int kMaxDisplays = 4;  // side by side
   GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
   const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
   if (!mode) return;
-  const int most_wide = kMostDisplays * mode->width, most_high = kMostDisplays * mode->height;
-  if (width <= most_wide && height <= most_high) return;
+  const int max_width = kMaxDisplays * mode->width, max_height = kMaxDisplays * mode->height;
+  if (width <= max_width && height <= max_height) return;
   glfwTerminate();
-  throw UserError("--size", std::to_string(width) + "x" + std::to_string(height),
-                  "at most " + std::to_string(most_wide) + "x" + std::to_string(most_high) + " on this display");
+  throw UserError("--size", fmt::format("{}x{}", width, height),
+                  fmt::format("at most {}x{} on this display", max_width, max_height));
 }
 
 }  // namespace
@@ -46,19 +47,19 @@ void check_size(int width, int height) {
 Window::Window(int width, int height, const std::string& title) {
   const std::string trouble = trouble_with(kGlLibrary);
   if (!trouble.empty()) throw RunError("show", "no window: " + trouble);
-  if (!glfwInit()) throw RunError("show", "no window: " + glfw_reason(), other_way());
+  if (!glfwInit()) throw RunError("show", "no window: " + glfw_reason(), alternative());
   check_size(width, height);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
-  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // so that a loss is told
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // so that a loss is reported
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (!window_) {
     const std::string reason = glfw_reason();
     glfwTerminate();
-    throw RunError("show", "no window with OpenGL 4.5: " + reason, other_way());
+    throw RunError("show", "no window with OpenGL 4.5: " + reason, alternative());
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
@@ -104,7 +105,7 @@ void Window::listen() {
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).events_.any = true; });
 }
 
-/// GLFW tells the mouse in the window's units, which a HiDPI display has fewer of than pixels.
+/// GLFW reports the mouse in units of the window; a HiDPI display has more pixels than units.
 Vec2 Window::to_pixels(double x, double y) const {
   int w = 1, h = 1;
   glfwGetWindowSize(window_, &w, &h);

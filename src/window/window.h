@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A window with an OpenGL 4.5 context, by GLFW, and what hands do in it.
+// A window with an OpenGL 4.5 context, by GLFW, and its events.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ struct GLFWwindow;
 
 namespace ballpit {
 
-/// What happened since the last look, in pixels of the framebuffer from its upper left corner.
+/// The events since the last poll(). Positions are in pixels of the framebuffer, from its upper left corner.
 struct WindowEvents {
   Vec2 mouse{0.0f};
   bool is_mouse_down = false;  ///< the left button, now
@@ -23,12 +23,12 @@ struct WindowEvents {
   std::vector<int> pressed;  ///< keys that went down, by GLFW's code
   std::map<int, bool> keys;  ///< keys that changed, and whether they are down now
   std::u32string typed;      ///< characters
-  bool any = false;          ///< anything at all, a new size or an uncovered window included
+  bool any = false;          ///< anything at all, including a new size or an uncovered window
 };
 
 class Window {
  public:
-  /// Throws UserError for a size beyond all displays, RunError with GLFW's reason where there is no display or no OpenGL 4.5.
+  /// Throws UserError for a size far beyond the display, RunError with GLFW's reason without a display or OpenGL 4.5.
   Window(int width, int height, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
@@ -41,8 +41,8 @@ class Window {
 
   int width() const;  ///< [pixel] of the framebuffer; 0 while the window is minimised
   int height() const;
-  float density() const;  ///< pixels for each of an ordinary display's: 2 on many HiDPI ones
-  void show();            ///< what was drawn
+  float density() const;  ///< pixels for one of an ordinary display: 2 on many HiDPI displays
+  void show();            ///< shows what was drawn
   void set_title(const std::string& title);
 
  private:

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What the program tells of itself comes from the tables: nothing that exists goes unnamed.
+// The help, the lists and the documentation name everything that the program's tables hold.
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
 #include <catch2/catch.hpp>
 
 #include "lab/report/experiment.h"
@@ -9,6 +13,7 @@
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
 #include "scene/catalog.h"
+#include "show/parse.h"
 #include "tests/support/run_program.h"
 #include "world/observables.h"
 #include "world/world.h"
@@ -24,11 +29,25 @@ std::vector<std::string> names_of(const nlohmann::json& list) {
   return names;
 }
 
-template <class Table>
-std::vector<std::string> names_in(const Table& table) {
-  std::vector<std::string> names;
-  for (const auto& entry : table) names.emplace_back(entry.name);
-  return names;
+/// The cells of the row of an option in the table of README or docs/command-line.md, without backquotes.
+std::vector<std::string> documented(std::string_view option) {
+  for (const char* file : {"/README.md", "/docs/command-line.md"}) {
+    const std::string path = std::string(BALLPIT_SOURCE_DIR) + file;
+    if (!std::filesystem::exists(path)) continue;
+    std::istringstream text(read_text(path));
+    for (std::string line; std::getline(text, line);) {
+      if (!line.starts_with("| `--" + std::string(option) + "` |")) continue;
+      line.erase(std::remove(line.begin(), line.end(), '`'), line.end());
+      std::vector<std::string> cells;
+      std::istringstream row(line.substr(2));
+      for (std::string cell; std::getline(row, cell, '|');) {
+        const size_t first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
+        cells.push_back(first == cell.npos ? "" : cell.substr(first, last - first + 1));
+      }
+      return cells;
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -56,9 +75,19 @@ TEST_CASE("the help of render and simulate names every setting and its allowed v
     CHECK(outcome.status == 0);
     for (const SettingInfo& setting : setting_table()) {
       CHECK_THAT(outcome.out, Contains("--" + std::string(setting.name) + " " + std::string(setting.value_name)));
-      CHECK_THAT(outcome.out, Contains(std::string(setting.help) + ": " + setting.allowed()));
+      CHECK_THAT(outcome.out, Contains(std::string(setting.help) + ": " + setting.allowed));
     }
     CHECK_THAT(outcome.out, Contains(std::string(kDefaultScene)));
+  }
+}
+
+TEST_CASE("the documentation names every setting with its allowed values and its default") {
+  for (const SettingInfo& setting : setting_table()) {
+    INFO("--" << setting.name);
+    const std::vector<std::string> cells = documented(setting.name);
+    REQUIRE(cells.size() == 4);
+    CHECK(cells[1] == setting.allowed);
+    CHECK(cells[2] == setting.preset);
   }
 }
 

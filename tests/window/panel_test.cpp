@@ -109,16 +109,16 @@ TEST_CASE("of the picked sphere the panel tells what its method keeps of it") {
 TEST_CASE("what is to be exported is asked for by clicks") {
   Desk desk;
   desk.click("save state");
-  CHECK(desk.panel.wishes.state);
-  CHECK_FALSE(desk.panel.wishes.picture);
+  CHECK(desk.panel.requests.state);
+  CHECK_FALSE(desk.panel.requests.picture);
   desk.click("save");
-  CHECK(desk.panel.wishes.picture);
+  CHECK(desk.panel.requests.picture);
   desk.click("film size");
   desk.click("film size 640x360");
-  CHECK(desk.panel.wishes.film_size == "640x360");
-  CHECK_FALSE(desk.panel.wishes.film);
+  CHECK(desk.panel.requests.film_size == "640x360");
+  CHECK_FALSE(desk.panel.requests.film);
   desk.click("film");
-  CHECK(desk.panel.wishes.film);
+  CHECK(desk.panel.requests.film);
 }
 
 TEST_CASE("the history is that of the steps up to the present one, also after going back") {

@@ -14,7 +14,7 @@ using namespace ballpit;
 namespace {
 
 Remembered some() {
-  Remembered some{"rain", {{"broadphase", "sorted-grid"}, {"dt", "0.002"}}, {}, "1280x720"};
+  Remembered some{"rain", {{"broadphase", "sorted-grid"}, {"dt", "0.002"}}, {}, {1280, 720}};
   some.view.azimuth = 0.25f;
   some.view.zoom = 2;
   some.view.ui_scale = 1.5f;
@@ -37,7 +37,7 @@ TEST_CASE("scene, options, view and size come back as they were") {
   REQUIRE(back->given.size() == 2);
   CHECK(back->given[1].name == "dt");
   CHECK(back->given[1].value == "0.002");
-  CHECK(back->size == "1280x720");
+  CHECK(text_of(back->size) == "1280x720");
   const View view = some().view;
   CHECK(back->view.azimuth == view.azimuth);
   CHECK(back->view.zoom == view.zoom);

@@ -45,7 +45,7 @@ TEST_CASE_METHOD(Operated, "an exported film has the frames that render makes") 
   saver.start_film({320, 180}, 4);
   CHECK_FALSE(demo.player.is_running);
   int turns = 0;
-  for (; saver.is_filming() && turns < 10; ++turns) saver.go_on();
+  for (; saver.is_filming() && turns < 10; ++turns) saver.advance();
   CHECK(turns == 4);
   CHECK(demo.message() == "4 frames in frames_00000");
   CHECK(demo.timeline->first() == 0);
@@ -63,11 +63,11 @@ TEST_CASE_METHOD(Operated, "an exported film has the frames that render makes") 
 TEST_CASE_METHOD(Operated, "a film ends with the world that it shows") {
   for (int k = 0; k < 100; ++k) demo.step();
   saver.start_film({160, 90}, 100);
-  saver.go_on();
+  saver.advance();
   demo.set("broadphase", "sort-and-sweep");  // the same world
   CHECK(saver.is_filming());
   demo.set("response", "kinematic");
-  saver.go_on();
+  saver.advance();
   CHECK_FALSE(saver.is_filming());
   CHECK(demo.message() == "1 frame in frames_00000");
   CHECK(demo.session.world().steps() == 0);
@@ -75,17 +75,17 @@ TEST_CASE_METHOD(Operated, "a film ends with the world that it shows") {
 
 TEST_CASE_METHOD(Operated, "a film ends where the world is stepped beyond its next frame") {
   saver.start_film({160, 90}, 100);
-  saver.go_on();
+  saver.advance();
   for (int k = 0; k < 60; ++k) demo.step();
-  saver.go_on();
+  saver.advance();
   CHECK_FALSE(saver.is_filming());
   CHECK(demo.message() == "1 frame in frames_00000");
 }
 
 TEST_CASE_METHOD(Operated, "a film that is stopped keeps its frames; one that cannot be drawn says why") {
   saver.start_film({160, 90}, 100);
-  saver.go_on();
-  saver.go_on();
+  saver.advance();
+  saver.advance();
   saver.stop_film();
   CHECK_FALSE(saver.is_filming());
   CHECK(demo.message() == "2 frames in frames_00000");

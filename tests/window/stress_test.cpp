@@ -31,7 +31,7 @@ class Monkey {
                                          &Monkey::pick,  &Monkey::resize, &Monkey::scrub,  &Monkey::restage,
                                          &Monkey::play,  &Monkey::play};
     (this->*kActions[below(kActions.size())])();
-    fulfil();
+    handle_requests();
     desk_.demo.advance(0.01, 0.002);
   }
 
@@ -127,13 +127,13 @@ class Monkey {
   }
 
   /// Small pictures and short films in place of what was wished.
-  void fulfil() {
-    PanelWishes& wishes = desk_.panel.wishes;
-    if (wishes.picture) saver_.save_picture({64, 48});
-    if (wishes.state) saver_.save_state();
-    if (wishes.film) saver_.is_filming() ? saver_.stop_film() : saver_.start_film({64, 48}, 5);
-    wishes.picture = wishes.state = wishes.film = false;
-    saver_.go_on();
+  void handle_requests() {
+    PanelRequests& requests = desk_.panel.requests;
+    if (requests.picture) saver_.save_picture({64, 48});
+    if (requests.state) saver_.save_state();
+    if (requests.film) saver_.is_filming() ? saver_.stop_film() : saver_.start_film({64, 48}, 5);
+    requests.picture = requests.state = requests.film = false;
+    saver_.advance();
     desk_.panel.is_filming = saver_.is_filming();
   }
 
