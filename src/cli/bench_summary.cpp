@@ -8,7 +8,7 @@
 
 #include "measure/gas.h"
 #include "measure/machine.h"
-#include "measure/spread.h"
+#include "measure/statistics.h"
 
 namespace ballpit {
 
