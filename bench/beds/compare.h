@@ -11,7 +11,7 @@
 
 #include "bed.h"
 #include "lammps.h"
-#include "measure/spread.h"
+#include "measure/statistics.h"
 #include "measured.h"
 
 namespace ballpit {

@@ -15,7 +15,7 @@
 #include "core/interrupt.h"
 #include "measure/gas.h"
 #include "measure/machine.h"
-#include "measure/spread.h"
+#include "measure/statistics.h"
 #include "measure/step_timing.h"
 #include "methods/methods.h"
 

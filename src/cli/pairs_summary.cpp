@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/summary.h"
-#include "measure/spread.h"
+#include "measure/statistics.h"
 
 namespace ballpit {
 

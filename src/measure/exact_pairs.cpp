@@ -12,19 +12,17 @@ namespace ballpit {
 
 namespace {
 
-bool comes_before(const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
-
-/// The spheres in the order of one coordinate, one array for each number.
+/// The spheres sorted by one coordinate, one array for each number.
 struct SortedSpheres {
   int axis;
   std::array<std::vector<float>, 3> coordinate;  ///< [m] x, y, z
   std::vector<float> radius;                     ///< [m]
-  std::vector<int32_t> index;                    ///< in the order of the owner
+  std::vector<int32_t> index;                    ///< of the sphere in the caller's arrays
   float largest_radius = 0;
-  Vec3 period{0};  ///< [m] 0 where there is none
+  Vec3 period{0};  ///< [m] 0: none
 };
 
-/// The axis along which the centres reach farthest: the fewest are near each other there.
+/// The axis along which the centres extend farthest: there, the fewest are near each other.
 int longest_axis(const SphereArrays& spheres) {
   Vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
   for (const Vec3& p : spheres.position) {
@@ -49,8 +47,8 @@ SortedSpheres sorted_along(int axis, const SphereArrays& spheres) {
   return sorted;
 }
 
-/// The first sphere behind sphere a that is too far along the axis for any radius. Rounding never turns a ≤ b into
-/// a > b, so with one squared difference above the squared reach, the sum of three is above it too, here and behind.
+/// The first sphere after a that is too far along the axis for any radius. Rounding never turns a ≤ b into a > b. So if
+/// one squared difference exceeds the squared reach, the sum of three does too, for this sphere and all after it.
 size_t end_of_reach(const SortedSpheres& spheres, size_t a) {
   const std::vector<float>& along = spheres.coordinate[spheres.axis];
   const float reach = spheres.radius[a] + spheres.largest_radius;
@@ -61,8 +59,8 @@ size_t end_of_reach(const SortedSpheres& spheres, size_t a) {
   return static_cast<size_t>(std::partition_point(along.begin() + a + 1, along.end(), is_near) - along.begin());
 }
 
-/// The first sphere that a may reach across the end of a periodic axis, which is the end of the order there too. Half of
-/// the reach more makes up for all rounding: there is an edge of two reaches at least.
+/// The first sphere that a may reach across the end of a periodic axis; all after it are candidates as well. The reach is
+/// enlarged by half to cover all rounding: the period is at least two reaches.
 size_t begin_of_reach_across(const SortedSpheres& spheres, size_t a) {
   const std::vector<float>& along = spheres.coordinate[spheres.axis];
   const float reach = 1.5f * (spheres.radius[a] + spheres.largest_radius), period = spheres.period[spheres.axis];
@@ -70,12 +68,12 @@ size_t begin_of_reach_across(const SortedSpheres& spheres, size_t a) {
   return static_cast<size_t>(std::partition_point(along.begin() + a + 1, along.end(), is_apart) - along.begin());
 }
 
-/// A difference of coordinates, to the nearest image where there is a period.
+/// A difference of coordinates; with a period, to the nearest image.
 float nearest(float difference, float period) {
   return period == 0 ? difference : difference - period * std::nearbyint(difference / period);
 }
 
-/// The predicate itself. (a − b)² and (b − a)² are the same float.
+/// The exact test. (a − b)² and (b − a)² are the same float.
 bool overlaps(const SortedSpheres& spheres, size_t a, size_t b) {
   const auto& [x, y, z] = spheres.coordinate;
   const float dx = nearest(x[b] - x[a], spheres.period.x), dy = nearest(y[b] - y[a], spheres.period.y),
@@ -101,18 +99,18 @@ std::vector<Pair> exact_pairs(const SphereArrays& spheres, const std::function<v
     if (!spheres.period) continue;
     for (size_t b = std::max(end, begin_of_reach_across(sorted, a)); b < sorted.index.size(); ++b) test(b);
   }
-  std::sort(pairs.begin(), pairs.end(), comes_before);
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
 Deviation deviation_of(std::vector<Pair> found, const std::vector<Pair>& exact) {
-  std::sort(found.begin(), found.end(), comes_before);
+  std::sort(found.begin(), found.end());
   const auto end = std::unique(found.begin(), found.end());
   Deviation deviation;
   deviation.duplicate = found.end() - end;
   int64_t right = 0;
   for (auto next = exact.begin(); const Pair& pair : std::span(found.begin(), end)) {
-    next = std::lower_bound(next, exact.end(), pair, comes_before);
+    next = std::lower_bound(next, exact.end(), pair);
     right += next != exact.end() && *next == pair;
   }
   deviation.wrong = (end - found.begin()) - right;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kRadius = 0.01;  // [m]
 constexpr double kMass = 0.004;   // [kg]
 
-/// Sites of a cubic lattice with `side` sites along each edge, jittered.
+/// Sites of a cubic lattice with `side` sites along each edge, displaced at random.
 std::vector<Vec3d> jittered_lattice(int64_t count, int64_t side, double spacing, Random& random) {
   const double jitter = spacing / 2 - kRadius;
   std::vector<Vec3d> places;

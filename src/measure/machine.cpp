@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "version.h"
@@ -15,7 +16,7 @@ namespace ballpit {
 
 namespace {
 
-/// "AMD EPYC 9354": the first processor that Linux names.
+/// "AMD EPYC 9354": the first processor that Linux lists.
 std::string cpu_model() {
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);) {
@@ -42,11 +43,9 @@ nlohmann::ordered_json describe_machine() {
 }
 
 std::string machine_line() {
-  const nlohmann::ordered_json machine = describe_machine();
-  const auto text = [&](const char* key) { return machine[key].get<std::string>(); };
-  std::string line = text("cpu") + ", " + machine["cores"].dump() + " cores; ";
-  if (machine.contains("cuda")) line += text("cuda") + "; ";
-  return line + text("compiler") + ", " + text("build_type") + "; ballpit " + text("version");
+  const Backend cuda = cuda_backend();
+  return fmt::format("{}, {} cores; {}{}, {}; ballpit {}", cpu_model(), thread_count(0),
+                     cuda.unavailable_reason.empty() ? cuda.description + "; " : "", kCompiler, kBuildType, kVersion);
 }
 
 }  // namespace ballpit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The machine and the build that measured times depend on.
+// The machine and the build, on which measured times depend.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace ballpit {
 
-/// Threads that `--threads` asks for: 0 is as many as there are cores.
+/// The number of threads for `--threads`: 0 stands for one per core.
 int thread_count(int threads);
 
-/// CPU, cores, CUDA device where one answers, compiler, build type, version.
+/// CPU, cores, CUDA device if there is one, compiler, build type, version.
 nlohmann::ordered_json describe_machine();
 
 /// The same on one line: "Xeon, 2 cores; GNU 12.2.0, Release; ballpit 0.1.0".

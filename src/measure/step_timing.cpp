@@ -6,27 +6,28 @@
 #include <cmath>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "measure/gas.h"
-#include "measure/spread.h"
+#include "measure/statistics.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr double kBlockSeconds = 0.05;  // long enough for a clock and for what the system does meanwhile
-constexpr int kMostSteps = 200;         // in a block
+constexpr double kBlockSeconds = 0.05;  // long enough for the clock and for short interruptions
+constexpr int kMaxSteps = 200;          // in a block
 
-/// What a step of so many spheres took.
+/// The time of a step with this number of spheres.
 struct Cost {
   int64_t count;
   double seconds;
 };
 
-/// What a step of `count` spheres will take: the power law through the two largest costs known. No method grows slower
-/// than the spheres, or faster than their pairs.
+/// Predicts the time of a step by the power law through the two largest known costs. The time of every method grows with an
+/// exponent between 1 and 2.
 double predict(const std::vector<Cost>& known, int64_t count) {
   const Cost& a = known[known.size() - 2];
   const Cost& b = known.back();
@@ -48,8 +49,8 @@ std::vector<Stage> between(const std::vector<Stage>& before, const std::vector<S
   return result;
 }
 
-/// A world whose steps are timed. To report is to detect, unless that was done already, and to measure: two reports in
-/// a row tell what measuring launches, so that it can be taken off.
+/// A world whose steps are timed. A report launches stages of its own. Two reports in a row show which, so that they can be
+/// subtracted.
 class TimedWorld {
  public:
   TimedWorld(const Scene& gas, const Settings& settings, const StepCase& which) {
@@ -63,7 +64,7 @@ class TimedWorld {
     run(1);  // its contacts were detected for the report
   }
 
-  /// [s] a step, of so many.
+  /// The mean time of a step [s].
   double run(int steps) {
     const auto start = std::chrono::steady_clock::now();
     for (int k = 0; k < steps; ++k) world_->step();
@@ -89,7 +90,7 @@ class TimedWorld {
   int steps_ = 0;
 };
 
-/// Runs what may fail for one case and must not end the others; returns why it failed.
+/// Runs `work`, whose failure must not end the other cases. Returns the reason of a failure.
 template <class Work>
 std::string failure_of(const Work& work) {
   try {
@@ -102,12 +103,12 @@ std::string failure_of(const Work& work) {
   return "";
 }
 
-/// One case through all counts.
+/// Times one case for all counts.
 class CaseTimer {
  public:
   CaseTimer(const StepCase& which, const TimingPlan& plan) : which_(which), plan_(plan) {}
 
-  /// Whether so many spheres are worth a try; if not, timing() says why.
+  /// Whether this number of spheres is likely to stay within the limit; if not, the timing gives the reason.
   bool expects(int64_t count) {
     timing_ = {which_, count, {}, {}, 0, 0, 0, {}};
     timing_.skipped = failure_of([&] {
@@ -123,7 +124,7 @@ class CaseTimer {
       const double step = std::min(world_->run(1), world_->run(1));
       known_.push_back({timing_.count, step});
       check(step, "a step takes ");
-      timing_.steps = std::clamp(static_cast<int>(kBlockSeconds / step), 1, kMostSteps);
+      timing_.steps = std::clamp(static_cast<int>(kBlockSeconds / step), 1, kMaxSteps);
     });
     if (!timing_.skipped.empty()) world_.reset();
   }
@@ -145,21 +146,18 @@ class CaseTimer {
   }
 
  private:
-  static constexpr int64_t kProbes[] = {1000, 10000};  // spheres that any method steps in a moment
+  static constexpr int64_t kProbes[] = {1000, 10000};  // numbers of spheres that no method needs long for
 
   Cost probe(int64_t count) const {
     TimedWorld world(make_gas(count, plan_.seed), plan_.settings, which_);
     return {count, world.run(1)};
   }
 
-  /// Throws where the blocks would take longer than a case may.
+  /// Throws if the blocks would exceed the limit.
   void check(double step, const char* words) const {
     if (step * plan_.blocks <= plan_.limit) return;
-    std::ostringstream message;
-    message.precision(3);
-    message << words << step << " s, " << plan_.blocks << " blocks at least " << step * plan_.blocks
-            << " s; --limit is " << plan_.limit << " s";
-    throw std::runtime_error(message.str());
+    throw std::runtime_error(fmt::format("{}{:.3g} s, {} blocks at least {:.3g} s; --limit is {:.3g} s", words, step,
+                                         plan_.blocks, step * plan_.blocks, plan_.limit));
   }
 
   StepCase which_;
@@ -169,7 +167,7 @@ class CaseTimer {
   std::unique_ptr<TimedWorld> world_;
 };
 
-/// The gas after its first steps: a lattice has no contacts yet.
+/// The gas after its first steps. The lattice that it starts from has no contacts.
 Scene gas_in_motion(int64_t count, uint64_t seed) {
   Scene gas = make_gas(count, seed);
   Settings settings;

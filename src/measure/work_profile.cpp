@@ -9,7 +9,7 @@ namespace ballpit {
 
 namespace {
 
-/// 0, 1, 2 to 3, 4 to 7, …: bin k holds the numbers of k binary digits.
+/// 0, 1, 2 to 3, 4 to 7, …: bin k counts the numbers with k binary digits.
 std::vector<WorkBin> count_in_bins(const std::vector<int>& work, int64_t most) {
   std::vector<WorkBin> bins{{0, 0, 0}};
   for (int64_t low = 1; low <= most; low *= 2) bins.push_back({low, 2 * low - 1, 0});

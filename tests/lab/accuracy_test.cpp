@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/experiments/results.h"
-#include "lab/measure/mean.h"
+#include "measure/statistics.h"
 #include "response/damping.h"
 
 using namespace ballpit;

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "measure/spread.h"
+#include "measure/statistics.h"
 #include "measure/work_profile.h"
 
 using namespace ballpit;

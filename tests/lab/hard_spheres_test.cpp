@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/measure/made_scenes.h"
-#include "lab/measure/mean.h"
+#include "measure/statistics.h"
 #include "lab/measure/theory.h"
 
 using namespace ballpit;

@@ -8,7 +8,7 @@
 
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/same_error.h"
-#include "lab/measure/fit.h"
+#include "measure/statistics.h"
 #include "lab/measure/recall.h"
 #include "lab/measure/search_timing.h"
 #include "lab/measure/winner_map.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A chart as a value, and the gnuplot script that draws it: one look for all, on light and on dark ground.
+// A chart as a value, and the gnuplot script that draws it on a light or a dark background.
 //
-//     series: lines with markers and spreads, each with its label at its end; or a map: cells coloured by value or category
-//     theory: grey, dotted; failed runs: × at the edge
+//     series   lines with markers and error bars, each with its label at its end
+//     map      cells coloured by value or category, below the series
+//     theory   grey and dotted;  failed runs: × at the edge
 #pragma once
 
 #include <cmath>
@@ -20,31 +21,50 @@ struct Axis {
   std::string label;      ///< "spheres"
   std::string unit = "";  ///< "ms"; empty: none
   Scale scale = Scale::linear;
-  std::optional<double> low = {}, high = {};  ///< the range shown; empty: that of what is drawn
+  std::optional<double> low = {}, high = {};  ///< the range shown; empty: that of the data
 };
 
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// A point; `low` and `high` are the ends of its spread in y (quartiles, errors), kNoNumber where it has none.
+/// A point. `low` and `high` are the ends of its error bar in y, `left` and `right` in x; kNoNumber: it has none.
 struct Point {
   double x;
-  double y;  ///< a failed run stands at infinity
-  double low = kNoNumber;
-  double high = kNoNumber;
-  double left = kNoNumber, right = kNoNumber;  ///< the same in x
+  double y;  ///< infinite for a failed run
+  double low = kNoNumber, high = kNoNumber;
+  double left = kNoNumber, right = kNoNumber;
 };
 
-enum class Stroke { line, points, line_and_points, steps };
+enum class Stroke { line, points, line_and_points };
 
-/// What belongs together. Its role gives colour, marker and dashes, see roles(); every label is drawn at the line's end.
+/// Points that belong together. The role gives colour, marker and dashes; the label stands at the line's end.
 struct Series {
   std::string label;  ///< empty: none is drawn
-  std::string role;   ///< a method's name, "theory", "bound", "failed", or one of "first" to "sixth"
+  std::string role;   ///< a method's name, "theory", "front", "failed", or one of "first" to "sixth"
   std::vector<Point> points;
   Stroke stroke = Stroke::line_and_points;
-  bool is_dashed = false;  ///< CUDA, or the second of two kinds
-  bool is_thin = false;    ///< one of many, beside what matters
+  bool is_dashed = false;  ///< the second of two kinds
+  bool is_thin = false;    ///< less important than the others
 };
+
+/// A series with a point for each item.
+template <class Items, class ToPoint>
+Series make_series(const std::string& label, const std::string& role, const Items& items, const ToPoint& to_point,
+                   Stroke stroke = Stroke::line_and_points) {
+  Series series{label, role, {}, stroke};
+  for (const auto& item : items) series.points.push_back(to_point(item));
+  return series;
+}
+
+/// The line y(x) of a formula.
+template <class Formula>
+Series theory_line(const std::string& label, const std::vector<double>& xs, const Formula& y) {
+  return make_series(
+      label, "theory", xs,
+      [&](double x) {
+        return Point{x, y(x)};
+      },
+      Stroke::line);
+}
 
 /// One kind of cell in a map of categories.
 struct Category {
@@ -52,19 +72,19 @@ struct Category {
   std::string role;
 };
 
-/// A grid of cells: values[row][column], a row for each y. With categories, values are their indices. kNoNumber: nothing
-/// was measured there.
+/// A grid of cells: values[row][column], one row for each y. With categories, values are their indices. kNoNumber: not
+/// measured.
 struct Map {
   std::vector<double> x, y;  ///< centres of the cells, ascending
   std::vector<std::vector<double>> values;
   std::vector<Category> categories = {};
   std::string label = "";  ///< of the values, with their unit; without categories
-  bool is_log = false;     ///< colours go by the values' logarithm
+  bool is_log = false;     ///< colours follow the values' logarithm
   std::optional<double> low = {},
-                        high = {};  ///< the values at both ends of the colours; empty: the least and the largest
+                        high = {};  ///< values of the first and the last colour; empty: the least and the largest
 };
 
-/// A line across the whole chart at one x, with a word at its upper end.
+/// A vertical line across the whole chart, with a label at its upper end.
 struct Bound {
   double x;
   std::string label;
@@ -79,7 +99,7 @@ struct Chart {
   std::vector<Bound> bounds = {};
 };
 
-/// The script, all data inside; it writes an SVG to standard output. The same chart gives the same bytes.
+/// The script with all its data; it makes gnuplot write an SVG to standard output. Equal charts give equal bytes.
 std::string gnuplot_script(const Chart& chart, Ground ground);
 
 }  // namespace ballpit

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "core/numbers.h"
 
@@ -12,7 +13,7 @@ namespace ballpit {
 
 namespace {
 
-/// 10 to a whole power, as text: "10⁻³".
+/// "10⁻³"
 std::string power_text(int exponent) {
   constexpr std::array<const char*, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = "10";
@@ -90,16 +91,10 @@ std::string tick_text(double value) {
     const int power = static_cast<int>(std::floor(std::log10(size) + 1e-9));
     const double part = value / std::pow(10.0, power);
     if (std::fabs(part - 1) < 1e-6) return power_text(static_cast<int>(exponent));
-    std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%.3g·", part);
-    return text.data() + power_text(power);
+    return fmt::format("{:.3g}·{}", part, power_text(power));
   }
   if (size > 9999) return grouped(static_cast<int64_t>(std::llround(value)));
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.5g", size < 1e-12 ? 0.0 : value);
-  return text.data();
+  return fmt::format("{:.5g}", size < 1e-12 ? 0.0 : value);
 }
-
-std::string title_of(const Axis& axis) { return axis.unit.empty() ? axis.label : axis.label + " [" + axis.unit + "]"; }
 
 }  // namespace ballpit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An axis with its range settled and its ticks chosen.
+// The range of an axis, and its ticks.
 #pragma once
 
 #include <string>
@@ -18,22 +18,19 @@ struct Range {
   double low, high;
   Scale scale;
 
-  /// Where a value stands, from 0 at `low` to 1 at `high`.
+  /// 0 for `low`, 1 for `high`.
   double share_of(double value) const;
 
   bool shows(double value) const { return value >= low && value <= high; }
 };
 
-/// What the axis asks for, else what holds all values, with a margin where `is_wide`.
+/// The range that the axis asks for; else that of all values, with a margin if `is_wide`.
 Range range_of(const Axis& axis, const std::vector<double>& values, bool is_wide);
 
-/// Round numbers: at most about eight.
+/// About eight round numbers at most.
 std::vector<Tick> ticks_of(const Range& range);
 
-/// "0.01", "1 000", "10⁵": short, for people.
+/// "0.01", "1 000", "10⁵".
 std::string tick_text(double value);
-
-/// "time a step [ms]"
-std::string title_of(const Axis& axis);
 
 }  // namespace ballpit

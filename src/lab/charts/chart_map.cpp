@@ -5,19 +5,11 @@
 #include <cmath>
 #include <string>
 
-#include "scene/input_error.h"
-
 namespace ballpit {
 
 namespace {
 
-constexpr size_t kMostMarkedCells = 600;  // in more, markers are too small to see
-
-std::vector<double> all_of(const Map& map) {
-  std::vector<double> values;
-  for (const std::vector<double>& row : map.values) values.insert(values.end(), row.begin(), row.end());
-  return values;
-}
+constexpr size_t kMaxMarkedCells = 600;  // beyond that, markers are too small to see
 
 Rgb cell_color(Ground ground, const Map& map, const Range& colors, double value) {
   if (std::isinf(value)) return color_of("failed", ground);
@@ -33,55 +25,51 @@ void draw_cells(ChartScript& script, const Map& map, const Range& colors) {
     for (size_t column = 0; column < map.x.size(); ++column) {
       const double value = map.values[row][column];
       if (std::isnan(value)) continue;
-      const std::string center = number_text(map.x[column]) + ' ' + number_text(map.y[row]);
-      if (std::isinf(value)) failed += center + '\n';
-      if (!map.categories.empty() && std::isfinite(value)) markers[static_cast<size_t>(value)] += center + '\n';
-      cells += center + ' ' + number_text(x[column]) + ' ' + number_text(x[column + 1]) + ' ' + number_text(y[row]) +
-               ' ' + number_text(y[row + 1]) + ' ' + std::to_string(cell_color(script.ground(), map, colors, value)) +
-               '\n';
+      const std::string center = data_line({map.x[column], map.y[row]});
+      if (std::isinf(value)) failed += center;
+      if (!map.categories.empty() && std::isfinite(value)) markers[static_cast<size_t>(value)] += center;
+      cells += script_text("{} {} {} {} {} {} {}\n", map.x[column], map.y[row], x[column], x[column + 1], y[row],
+                           y[row + 1], cell_color(script.ground(), map, colors, value));
     }
   }
   if (!cells.empty()) {
-    script.plot(script.block(cells) +
+    script.plot(script.block(cells),
                 " using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid 1 noborder linecolor rgb variable");
   }
-  const bool is_marked = map.x.size() * map.y.size() <= kMostMarkedCells;
-  for (size_t k = 0; k < markers.size(); ++k) {
-    if (!is_marked || markers[k].empty()) continue;
-    script.plot(script.block(markers[k]) + " with points pointtype " +
-                std::to_string(style_of(map.categories[k].role).open) + " pointsize 0.7 linewidth 2 linecolor " +
+  if (map.x.size() * map.y.size() > kMaxMarkedCells) return;
+  const auto mark = [&](const std::string& centers, int type) {
+    if (centers.empty()) return;
+    script.plot(script.block(centers), " with points pointtype {} pointsize 0.7 linewidth 2 linecolor {}", type,
                 rgb(script.style().background));
-  }
-  if (!failed.empty() && is_marked) {
-    script.plot(script.block(failed) + " with points pointtype 2 pointsize 0.7 linewidth 2 linecolor " +
-                rgb(script.style().background));
-  }
+  };
+  for (size_t k = 0; k < markers.size(); ++k) mark(markers[k], style_of(map.categories[k].role).open);
+  mark(failed, 2);
 }
 
 void draw_color_bar(ChartScript& script, const Map& map, const Range& colors) {
   constexpr int kSteps = 48;
   constexpr double kBarLeft = 0.755, kBarRight = 0.785, kBarTop = 0.72;
+  const auto height = [&](int step) { return kPlotBottom + (kBarTop - kPlotBottom) * step / kSteps; };
   for (int k = 0; k < kSteps; ++k) {
-    const auto height = [&](int step) { return kBottom + (kBarTop - kBottom) * step / kSteps; };
-    script.line("set object rectangle from screen " + number_text(kBarLeft) + ", screen " + number_text(height(k)) +
-                " to screen " + number_text(kBarRight) + ", screen " +
-                number_text(std::min(height(k + 1) + 0.004, kBarTop)) + " fillcolor " +
-                rgb(gradient((k + 0.5) / kSteps)) + " fillstyle solid 1 noborder");
+    script.line(
+        "set object rectangle from screen {}, screen {} to screen {}, screen {} fillcolor {} fillstyle solid 1 "
+        "noborder",
+        kBarLeft, height(k), kBarRight, std::min(height(k + 1) + 0.004, kBarTop), rgb(gradient((k + 0.5) / kSteps)));
   }
   for (const Tick& tick : ticks_of(colors)) {
-    script.write_text(kBarRight + 0.012, kBottom + (kBarTop - kBottom) * colors.share_of(tick.at), tick.text,
+    script.write_text(kBarRight + 0.012, kPlotBottom + (kBarTop - kPlotBottom) * colors.share_of(tick.at), tick.text,
                       script.style().text);
   }
   script.write_text(kBarLeft, kBarTop + 0.05, map.label, script.style().text);
 }
 
-/// A chip for each category, the first at the top.
+/// Marker and name of each category, the first at the top.
 void list_categories(ChartScript& script, const Map& map) {
-  double y = kTop - 0.03;
+  double y = kPlotTop - 0.03;
   for (const Category& category : map.categories) {
-    script.write_text(kRight + 0.02, y, std::string(style_of(category.role).glyph) + ' ' + category.label,
+    script.write_text(kPlotRight + 0.02, y, std::string(style_of(category.role).glyph) + ' ' + category.label,
                       text_color_of(category.role, script.ground()));
-    y -= 1.3 * kLineHeight;
+    y -= 1.3 * kLabelHeight;
   }
 }
 
@@ -99,8 +87,9 @@ std::vector<double> edges_of(const std::vector<double>& centers, Scale scale) {
 }
 
 void draw_map(ChartScript& script, const Map& map) {
-  const Range colors =
-      range_of({"", "", map.is_log ? Scale::log : Scale::linear, map.low, map.high}, all_of(map), false);
+  std::vector<double> values;
+  for (const std::vector<double>& row : map.values) values.insert(values.end(), row.begin(), row.end());
+  const Range colors = range_of({"", "", map.is_log ? Scale::log : Scale::linear, map.low, map.high}, values, false);
   draw_cells(script, map, colors);
   if (map.categories.empty()) {
     draw_color_bar(script, map, colors);

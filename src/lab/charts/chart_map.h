@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps: cells of measured values under the lines of a chart, and what their colours mean beside it.
+// Maps: coloured cells under the lines of a chart, and beside them what the colours mean.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace ballpit {
 
-/// Borders of cells: half way between centres, by ratio where the axis is logarithmic.
+/// Borders of cells, half way between their centres; on a logarithmic axis, by ratio.
 std::vector<double> edges_of(const std::vector<double>& centers, Scale scale);
 
 void draw_map(ChartScript& script, const Map& map);

@@ -1,18 +1,58 @@
 // SPDX-License-Identifier: MIT
-// A gnuplot script in the making: what all parts of a chart draw with.
+// A gnuplot script under construction: the drawing commands that all parts of a chart share.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "lab/charts/chart_axis.h"
 #include "lab/charts/chart_style.h"
+#include "scene/input_error.h"
 
 namespace ballpit {
 
-// Of the picture; y up. Between them are the axes; what is right of them belongs to labels.
+// Positions are fractions of the picture, y up. These four lines enclose the plot; labels stand to the right of it.
 inline constexpr double kChartWidth = 720, kChartHeight = 520;  ///< [px]
-inline constexpr double kLeft = 0.12, kRight = 0.725, kBottom = 0.155, kTop = 0.8;
-inline constexpr double kLineHeight = 0.046;  ///< of a label
+inline constexpr double kPlotLeft = 0.12, kPlotRight = 0.725, kPlotBottom = 0.155, kPlotTop = 0.8;
+inline constexpr double kLabelHeight = 0.046;  ///< of a label
+
+/// A text beside the end of a line.
+struct Label {
+  double x, y;  ///< of its left end
+  std::string text;
+  Rgb color;
+};
+
+/// A double as the shortest text that reads back as the same number; other values unchanged.
+template <class Part>
+auto exact(const Part& part) {
+  if constexpr (std::is_same_v<Part, double>) {
+    return number_text(part);
+  } else if constexpr (std::is_integral_v<Part>) {
+    return part;
+  } else {
+    return std::string_view(part);
+  }
+}
+
+template <class... Parts>
+std::string script_text(std::string_view format, const Parts&... parts) {
+  return fmt::format(fmt::runtime(format), exact(parts)...);
+}
+
+/// One line of a data block.
+std::string data_line(std::initializer_list<double> numbers);
+
+/// Text in gnuplot's single quotes.
+std::string quoted_text(const std::string& text);
+
+/// "rgb '#0072B2'"
+std::string rgb(Rgb color);
 
 class ChartScript {
  public:
@@ -24,19 +64,30 @@ class ChartScript {
   const Range& x() const { return x_; }
   const Range& y() const { return y_; }
 
-  /// Where a point of the axes is in the picture.
-  double place_x(double x) const { return kLeft + x_.share_of(x) * (kRight - kLeft); }
-  double place_y(double y) const { return kBottom + y_.share_of(y) * (kTop - kBottom); }
+  /// Where a point of the plot is in the picture.
+  double place_x(double x) const { return kPlotLeft + x_.share_of(x) * (kPlotRight - kPlotLeft); }
+  double place_y(double y) const { return kPlotBottom + y_.share_of(y) * (kPlotTop - kPlotBottom); }
 
-  void line(const std::string& text) { text_ += text + '\n'; }
+  template <class... Parts>
+  void line(std::string_view format, const Parts&... parts) {
+    text_ += script_text(format, parts...) + '\n';
+  }
 
-  void write_text(double x, double y, const std::string& text, Rgb color, const std::string& where = "left",
-                  int size = 20);
+  /// Plots the lines of a data block; `format` and `parts` are what follows its name.
+  template <class... Parts>
+  void plot(const std::string& data, std::string_view format, const Parts&... parts) {
+    plots_ += (plots_.empty() ? "" : ", \\\n     ") + data + script_text(format, parts...);
+  }
 
-  /// A data block of lines, and its name.
+  void write_text(double x, double y, const std::string& text, Rgb color, std::string_view where = "left",
+                  double size = 20);
+
+  /// Moves labels apart where they would cover each other, keeps their order from bottom to top, and writes them. Each has
+  /// an opaque background, so that lines behind it leave it readable.
+  void write_labels(std::vector<Label> labels);
+
+  /// Adds a data block with these lines and returns its name.
   std::string block(const std::string& lines);
-
-  void plot(const std::string& what) { plots_ += (plots_.empty() ? "" : ", \\\n     ") + what; }
 
   std::string finish() const { return text_ + data_ + "plot " + plots_ + '\n'; }
 
@@ -47,11 +98,5 @@ class ChartScript {
   std::string text_, data_, plots_;
   int blocks_ = 0;
 };
-
-/// Text in gnuplot's single quotes.
-std::string quoted_text(const std::string& text);
-
-/// "rgb '#0072B2'"
-std::string rgb(Rgb color);
 
 }  // namespace ballpit

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace ballpit {
 
@@ -25,9 +26,6 @@ constexpr std::array kRoles{
     RoleStyle{"penalty", kGreen, kGreen, 4, 5, "□"},
     RoleStyle{"position-based", kBlack, kWhite, 14, 15, "⬠"},
     RoleStyle{"event-driven", kBlue, kBlue, 8, 9, "△"},
-    RoleStyle{"contact", kOrange, kOrange, 12, 13, "◇"},
-    RoleStyle{"candidate", kSky, kSky, 4, 5, "□"},
-    RoleStyle{"missed", kVermillion, kVermillion, 6, 7, "○"},
     RoleStyle{"theory", kGrey, kLightGrey, 0, 0, "┄"},
     RoleStyle{"failed", kVermillion, kVermillion, 2, 2, "×"},
     RoleStyle{"front", kPurple, kPurple, 14, 15, "⬠"},
@@ -70,9 +68,10 @@ Rgb mix(Rgb from, Rgb to, double share) {
 }  // namespace
 
 const RoleStyle& style_of(std::string_view role) {
-  const auto found = std::find_if(kRoles.begin(), kRoles.end(), [&](const RoleStyle& r) { return r.role == role; });
-  if (found == kRoles.end()) throw std::logic_error("no role '" + std::string(role) + "' for a chart");
-  return *found;
+  for (const RoleStyle& style : kRoles) {
+    if (style.role == role) return style;
+  }
+  throw std::logic_error(fmt::format("no role '{}' for a chart", role));
 }
 
 const GroundStyle& ground_style(Ground ground) { return ground == Ground::light ? kLight : kDark; }
@@ -97,10 +96,6 @@ Rgb gradient(double share) {
   return mix(kStops[below], kStops[below + 1], place - static_cast<double>(below));
 }
 
-std::string hex(Rgb color) {
-  std::array<char, 8> text;
-  std::snprintf(text.data(), text.size(), "#%06X", color);
-  return text.data();
-}
+std::string hex(Rgb color) { return fmt::format("#{:06X}", color); }
 
 }  // namespace ballpit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws charts by gnuplot, a program of its own (Debian: gnuplot-nox).
+// Draws charts with the program gnuplot (Debian: gnuplot-nox).
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace ballpit {
 
-/// Where gnuplot is on the PATH; empty where it is not.
+/// The path of gnuplot; empty if it is not on the PATH.
 std::string gnuplot_path();
 
-/// The chart as SVG, by this gnuplot. It names fonts that systems have, and embeds none. Throws RunError with what gnuplot said.
+/// The chart as SVG, drawn by the gnuplot at this path. It names common fonts and embeds none. Throws RunError with gnuplot's
+/// message.
 std::string draw_svg(const Chart& chart, Ground ground, const std::string& gnuplot);
 
 }  // namespace ballpit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What HTML and SVG need of texts.
+// Text in HTML and SVG.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace ballpit {
 /// With &, <, > and " as entities.
 std::string html_text(std::string_view text);
 
-/// "data:image/svg+xml;base64,…": a picture inside the page.
+/// "data:image/svg+xml;base64,…": the address of a picture that the page itself contains.
 std::string svg_address(std::string_view svg);
 
 }  // namespace ballpit

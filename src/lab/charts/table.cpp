@@ -35,22 +35,21 @@ std::string short_text(const Cell& cell) {
   return is_count ? grouped(static_cast<int64_t>(number)) : three_digits(number);
 }
 
-std::string header_of(const Column& column) {
-  return column.unit.empty() ? column.name : column.name + " [" + column.unit + ']';
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " [" + unit + ']';
 }
 
 std::string csv_line(const std::vector<Cell>& cells) {
   std::string line;
-  for (size_t k = 0; k < cells.size(); ++k) {
-    if (k > 0) line += ',';
-    if (const double* number = std::get_if<double>(&cells[k])) {
+  for (const Cell& cell : cells) {
+    if (&cell != &cells.front()) line += ',';
+    if (const double* number = std::get_if<double>(&cell)) {
       if (!std::isnan(*number)) append_number(line, *number);
     } else {
-      append_text(line, std::get<std::string>(cells[k]));
+      append_text(line, std::get<std::string>(cell));
     }
   }
-  line += '\n';
-  return line;
+  return line + '\n';
 }
 
 std::vector<std::string> split_csv_line(std::string_view line) {
@@ -75,9 +74,7 @@ std::string csv_of(const Table& table, const std::vector<std::string>& comments)
   std::string text;
   for (const std::string& comment : comments) text += "# " + comment + '\n';
   std::vector<Cell> header;
-  for (const Column& column : table.columns) {
-    header.emplace_back(header_of(column));
-  }
+  for (const Column& column : table.columns) header.emplace_back(with_unit(column.name, column.unit));
   text += csv_line(header);
   for (const std::vector<Cell>& row : table.rows) {
     assert(row.size() == table.columns.size());

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Scenes whose outcome is known, by closed form or by exact motion, and how far each method's outcome is from it: the tasks of
-// `work-precision`.
+// The tasks of `work-precision`: scenes whose outcome is known from a closed form or from exact motion, and the error of each
+// method in them.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,34 +13,41 @@
 
 namespace ballpit {
 
-/// One run of a method: how far off, and what it cost. A run that stops, or whose outcome is none, is off by infinity.
+/// One run of a method.
 struct Trial {
-  double off = 0;      ///< as a part of the true value; signed where it is a mean's
-  double seconds = 0;  ///< of stepping, for a second simulated
+  double off = 0;  ///< error relative to the true value, with a sign for tasks of means; kFailed for a run that stops
+  double seconds = 0;  ///< computation time of steps per simulated second
 };
+
+inline constexpr double kFailed = std::numeric_limits<double>::infinity();
 
 struct Task {
-  std::string name;    ///< the chart's file: "stack-10"
-  std::string title;   ///< a sentence
-  std::string error;   ///< what is off: "largest overlap / radius"
-  std::string truth;   ///< what errors are against
-  double coarsest;     ///< [s] dt0; steps are dt0·2^−k
-  int quick_halvings;  ///< k of the finest step
-  int full_halvings;
-  bool is_mean;  ///< of many collisions: there is a statistical floor, and what the repeats are off has signs
-  bool (*serves)(const ContactMethod&);
+  std::string name;                   ///< of the chart's file: "stack-10"
+  std::string title;                  ///< a sentence
+  std::string error;                  ///< the quantity: "largest overlap / radius"
+  std::string truth;                  ///< its true value
+  double coarsest;                    ///< [s] dt0; steps are dt0·2^−k
+  int quick_halvings, full_halvings;  ///< k of the finest step
   std::function<Trial(const ContactMethod&, double dt, uint64_t seed, bool is_quick)> run;
+  bool is_mean = false;  ///< over many collisions, so that small errors are chance
+  bool (*serves)(const ContactMethod&) = [](const ContactMethod&) { return true; };
 };
 
-/// All: contacts of few spheres, spheres at rest, gases.
 const std::vector<Task>& tasks();
 
-/// The mean error of restitution, |v'/v − e|, of head-on hits of springs that begin at different parts of a step, `steps` steps a
-/// contact, against the closed form.
-double restitution_error(const std::string& integrator, const std::string& precision, const std::string& law,
-                         double restitution, double steps, int phases);
+std::vector<Task> contact_tasks();  ///< accuracy_contacts.cpp: a few spheres that hit each other, or a floor
+std::vector<Task> gas_tasks();      ///< accuracy_gases.cpp: many collisions
 
-/// log2 of how much the error falls when steps are halved, between 40 and 160 steps a contact.
+inline constexpr double kStepsOfContact = 20;  ///< of springs whose stiffness follows from the step
+
+inline Settings with_step(const ContactMethod& method, double dt) {
+  Settings settings = method.settings;
+  settings.dt = dt;
+  return settings;
+}
+
+/// The order with which the error of the penalty response's restitution falls with the step, between 40 and 160 steps per
+/// contact: that of the mean |v'/v − e| over hits that start at different moments of a step.
 double order_of_restitution(const std::string& integrator, const std::string& law, double restitution);
 
 }  // namespace ballpit

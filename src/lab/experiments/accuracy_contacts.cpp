@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Tasks of few spheres, each a mean over contacts that begin at different parts of a step.
+// Tasks of a few spheres. Each is a mean over contacts that start at different moments of a step.
 #include <algorithm>
 #include <cmath>
 
-#include "lab/experiments/accuracy_parts.h"
+#include "lab/experiments/accuracy.h"
 #include "lab/experiments/timed_run.h"
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/theory.h"
@@ -13,14 +13,14 @@ namespace ballpit {
 
 namespace {
 
-/// A scene that is stepped until a time, and how far its end is from what it should be.
+/// A scene, the time until which it runs, and the error of its end.
 struct Case {
   Scene scene;
   double time;  ///< [s]
   std::function<double(const Bodies& end)> off;
 };
 
-/// The mean over `phases` cases, the first of which is to warm up; off by infinity where one of them stops.
+/// The mean over `phases` cases, the first of which is not timed; kFailed if one of them stops.
 Trial mean_over_phases(int phases, const Settings& settings, const std::function<Case(double phase)>& make) {
   Trial trial{0, 0};
   for (int k = 0; k < phases; ++k) {
@@ -33,7 +33,7 @@ Trial mean_over_phases(int phases, const Settings& settings, const std::function
   return trial;
 }
 
-/// A head-on hit of springs whose stiffness stays the same at any step.
+/// A head-on hit of springs whose stiffness does not depend on the step.
 struct SpringHit {
   double speed, stiffness, restitution, duration;
   std::string law;
@@ -58,25 +58,16 @@ Trial mean_of_spring_hits(const SpringHit& hit, const Settings& settings, int ph
   });
 }
 
-bool is_of_springs(const ContactMethod& method) { return method.settings.response == Response::penalty; }
-
 Task springs_of(const SpringHit& hit, const std::string& name, const std::string& title, const std::string& truth) {
   constexpr int kPhases = 32;
-  return {name,
-          title,
-          "error of restitution",
-          truth,
-          hit.duration / 5,
-          4,
-          9,
-          false,
-          is_of_springs,
-          [hit](const ContactMethod& method, double dt, uint64_t, bool) {
-            return mean_of_spring_hits(hit, with_step(method, dt), kPhases);
-          }};
+  const auto run = [hit](const ContactMethod& method, double dt, uint64_t, bool) {
+    return mean_of_spring_hits(hit, with_step(method, dt), kPhases);
+  };
+  const auto has_springs = [](const ContactMethod& method) { return method.settings.response == Response::penalty; };
+  return {name, title, "error of restitution", truth, hit.duration / 5, 4, 9, run, false, has_springs};
 }
 
-/// One sphere meets another at rest, `offset` off its centre. Along the line n of centres Δp = (1 + e)·μ·(v·n).
+/// One sphere hits another at rest, `offset` beside its centre. Along the line n of centres Δp = (1 + e)·μ·(v·n).
 struct Strike {
   double speed, restitution, offset;
   double radius[2], mass[2];
@@ -101,19 +92,13 @@ Trial run_strike(const Strike& strike, const ContactMethod& method, double dt) {
 }
 
 Task strike_task(const Strike& strike, const std::string& name, const std::string& title, double coarsest) {
-  return {name,
-          title,
-          "error of velocity / speed",
-          "closed form of rigid spheres",
-          coarsest,
-          6,
-          10,
-          false,
-          is_any,
-          [strike](const ContactMethod& method, double dt, uint64_t, bool) { return run_strike(strike, method, dt); }};
+  const auto run = [strike](const ContactMethod& method, double dt, uint64_t, bool) {
+    return run_strike(strike, method, dt);
+  };
+  return {name, title, "error of velocity / speed", "closed form of rigid spheres", coarsest, 6, 10, run};
 }
 
-/// Dropped from about a metre, looked at after three bounces.
+/// Dropped from about a metre, observed after three bounces.
 Trial run_ball(const ContactMethod& method, double dt, uint64_t, bool) {
   constexpr int kPhases = 4;
   constexpr double kRestitution = 0.8, kTime = 2, kFloor = -2, kRadius = 0.1, kMass = 1;
@@ -130,7 +115,7 @@ Trial run_ball(const ContactMethod& method, double dt, uint64_t, bool) {
   });
 }
 
-/// Five spheres, so far apart that one hit follows the other: the last flies, all others rest.
+/// Five spheres with gaps, so that one hit follows the other: in the end the last one moves, and all others rest.
 Trial run_cradle(const ContactMethod& method, double dt, uint64_t, bool) {
   constexpr int kPhases = 4, kSpheres = 5;
   constexpr double kGap = 0.02, kTime = 0.25;
@@ -151,38 +136,29 @@ Trial run_cradle(const ContactMethod& method, double dt, uint64_t, bool) {
   });
 }
 
-double damped() { return restitution_to_overlap_end(0.1); }
-
 }  // namespace
 
 std::vector<Task> contact_tasks() {
   return {
-      springs_of(spring_hit("linear", damped()), "springs", "Damped springs: RK4 keeps two of its four orders",
-                 "closed form of the spring-dashpot"),
+      springs_of(spring_hit("linear", restitution_to_overlap_end(0.1)), "springs",
+                 "Damped springs: RK4 keeps two of its four orders", "closed form of the spring-dashpot"),
       springs_of(spring_hit("hertz", 1), "hertz", "Springs by Hertz’s law: no order above 2.5",
                  "energy, which undamped springs keep"),
       {"ball", "A ball after three bounces", "error of height / first height", "closed form of parabolas", 1.0 / 30, 5,
-       9, false, is_any, run_ball},
+       9, run_ball},
       strike_task({2, 0.6, 0.6, {0.4, 0.6}, {1, 3}, 1}, "hit", "An oblique hit of rigid spheres", 0.1),
       strike_task({20, 1, 0, {0.05, 0.1}, {0.1, 1}, 0.2}, "bullet", "A bullet that coarse steps carry past its aim",
                   0.02),
       {"cradle", "Newton’s cradle, with gaps", "largest error of velocity / speed", "one hit after another", 0.05, 6,
-       10, false, is_any, run_cradle},
+       10, run_cradle},
   };
-}
-
-double restitution_error(const std::string& integrator, const std::string& precision, const std::string& law,
-                         double restitution, double steps, int phases) {
-  const SpringHit hit = spring_hit(law, restitution);
-  Settings settings = settings_of("penalty", hit.duration / steps, integrator);
-  settings.precision = named<Precision>(precision);
-  return mean_of_spring_hits(hit, settings, phases).off;
 }
 
 double order_of_restitution(const std::string& integrator, const std::string& law, double restitution) {
   constexpr int kPhases = 200;
+  const SpringHit hit = spring_hit(law, restitution);
   const auto error = [&](double steps) {
-    return restitution_error(integrator, "double", law, restitution, steps, kPhases);
+    return mean_of_spring_hits(hit, settings_of("penalty", hit.duration / steps, integrator), kPhases).off;
   };
   return std::log2(error(40) / error(160)) / 2;
 }

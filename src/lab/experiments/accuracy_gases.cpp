@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Tasks of many collisions. Paths are forgotten soon, so that after a few collisions of a sphere only means can be compared.
+// Tasks of many collisions. Gases are chaotic: after a few collisions of each sphere, only means can be compared.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "lab/experiments/accuracy_parts.h"
+#include "lab/experiments/accuracy.h"
 #include "lab/experiments/same_error.h"
 #include "lab/experiments/timed_run.h"
 #include "lab/measure/made_scenes.h"
@@ -18,72 +18,61 @@ namespace {
 constexpr int kCells = 3;  // 108 spheres
 constexpr double kCount = 4.0 * kCells * kCells * kCells;
 
-/// Scenes by their seed. The last is kept, since all methods of a repeat begin with the same.
-class Starts {
- public:
-  explicit Starts(std::function<Scene(uint64_t seed)> make) : make_(std::move(make)) {}
+/// A task's run, which starts from a scene for its seed. The last scene is kept, since all methods of a repeat start from it.
+using Run = std::function<Trial(const Scene&, const ContactMethod&, double dt, bool is_quick)>;
 
-  Scene of(uint64_t seed) {
-    if (!seed_ || *seed_ != seed) scene_ = make_(seed);
-    seed_ = seed;
-    return scene_;
-  }
-
- private:
-  std::function<Scene(uint64_t)> make_;
-  std::optional<uint64_t> seed_;
-  Scene scene_;
-};
-
-Starts gas_of(double rho, double collisions = kCollisionsToEquilibrium) {
-  return Starts([=](uint64_t seed) { return equilibrium_gas(kCells, rho, seed, collisions); });
+decltype(Task::run) from(const std::function<Scene(uint64_t seed)>& make, const Run& run) {
+  std::optional<uint64_t> made;
+  return
+      [make, run, made, start = Scene()](const ContactMethod& method, double dt, uint64_t seed, bool is_quick) mutable {
+        if (made != seed) start = make(seed);
+        made = seed;
+        return run(start, method, dt, is_quick);
+      };
 }
 
-/// What a run shows at evenly spaced looks between these times, on average; not a number where it stops.
-double mean_of_looks(TimedRun& run, double from, double to, const std::function<double(World&)>& value) {
-  constexpr int kLooks = 40;
+std::function<Scene(uint64_t)> gas_of(double rho, double collisions = kCollisionsToEquilibrium) {
+  return [=](uint64_t seed) { return equilibrium_gas(kCells, rho, seed, collisions); };
+}
+
+/// The mean of a value, sampled at equal intervals between these times; NaN if the run stops.
+double mean_of_samples(TimedRun& run, double from, double to, const std::function<double(World&)>& value) {
+  constexpr int kSamples = 40;
   double sum = 0;
   if (!run.reach(from)) return kNoNumber;
-  for (int k = 1; k <= kLooks; ++k) {
-    if (!run.reach(from + (to - from) * k / kLooks)) return kNoNumber;
+  for (int k = 1; k <= kSamples; ++k) {
+    if (!run.reach(from + (to - from) * k / kSamples)) return kNoNumber;
     sum += value(run.world());
   }
-  return sum / kLooks;
+  return sum / kSamples;
 }
 
 Trial trial_of(double value, double truth, const TimedRun& run) {
   return {std::isnan(value) ? kFailed : value / truth - 1, run.seconds()};
 }
 
-/// Z = 1 + W/(3·N·kT·t), W the virial of all collisions.
-Trial run_pressure(Scene scene, double rho, double time, const ContactMethod& method, double dt) {
+/// Z = 1 + W/(3·N·kT·t) with the virial W of all collisions.
+Trial run_pressure(const Scene& scene, double rho, double time, const ContactMethod& method, double dt) {
   Settings settings = with_step(method, dt);
   settings.keeps_tally = true;
   TimedRun run(with_springs(scene, dt), settings);
-  const double kt =
-      mean_of_looks(run, 0, time, [](World& world) { return 2 * world.report().kinetic_energy / (3 * (kCount - 1)); });
+  const double kt = mean_of_samples(
+      run, 0, time, [](World& world) { return 2 * world.report().kinetic_energy / (3 * (kCount - 1)); });
   const double virial = run.world().report().tally.virial;
   return trial_of(1 + virial / (3 * kCount * kt * run.world().time()), finite_z(rho, kCount), run);
 }
 
-Task pressure_task(const Starts& gas, double rho, const std::string& name, const std::string& title, double coarsest,
-                   double time, int quick_halvings, int full_halvings) {
-  return {name,
-          title,
-          "error of Z",
-          "Kolafa et al. 2004, corrected for 108 spheres",
-          coarsest,
-          quick_halvings,
-          full_halvings,
-          true,
-          is_any,
-          [=, starts = gas](const ContactMethod& method, double dt, uint64_t seed, bool is_quick) mutable {
-            return run_pressure(starts.of(seed), rho, is_quick ? time / 4 : time, method, dt);
-          }};
+Task pressure_task(const std::function<Scene(uint64_t)>& gas, double rho, const std::string& name,
+                   const std::string& title, double coarsest, double time, int quick_halvings, int full_halvings) {
+  const Run run = [=](const Scene& scene, const ContactMethod& method, double dt, bool is_quick) {
+    return run_pressure(scene, rho, is_quick ? time / 4 : time, method, dt);
+  };
+  const std::string truth = "Kolafa et al. 2004, corrected for 108 spheres";
+  return {name, title, "error of Z", truth, coarsest, quick_halvings, full_halvings, from(gas, run), true};
 }
 
-/// Where spheres are after a time, against exact motion: the median distance.
-Trial run_paths(Scene scene, double time, const ContactMethod& method, double dt) {
+/// The median distance between the positions after a time and those of exact motion.
+Trial run_paths(const Scene& scene, double time, const ContactMethod& method, double dt) {
   const auto exact = make_cpu_world(scene, exact_motion(time));
   exact->step();
   TimedRun run(with_springs(scene, dt), with_step(method, dt));
@@ -100,29 +89,21 @@ Trial run_paths(Scene scene, double time, const ContactMethod& method, double dt
   return {*middle, run.seconds()};
 }
 
-bool is_not_the_truth(const ContactMethod& method) { return method.settings.response != Response::event_driven; }
-
 Task paths_task(double rho, const std::string& name, const std::string& title) {
-  constexpr double kCollisions = 2;  // of each sphere; errors grow by e^0.8 to e^2.5 in each
+  constexpr double kCollisions = 2;  // of each sphere; in each, errors grow by a factor of e^0.8 to e^2.5
   const double time = kCollisions / collision_rate(rho, kCount);
-  return {name,
-          title,
-          "median distance / diameter",
-          "exact motion",
-          time / 16,
-          5,
-          10,
-          false,
-          is_not_the_truth,
-          [=, starts = gas_of(rho)](const ContactMethod& method, double dt, uint64_t seed, bool) mutable {
-            return run_paths(starts.of(seed), time, method, dt);
-          }};
+  const Run run = [=](const Scene& scene, const ContactMethod& method, double dt, bool) {
+    return run_paths(scene, time, method, dt);
+  };
+  const auto has_errors = [](const ContactMethod& method) { return method.settings.response != Response::event_driven; };
+  return {name, title, "median distance / diameter", "exact motion", time / 16,
+          5,    10,    from(gas_of(rho), run),       false,          has_errors};
 }
 
 constexpr double kEnergyRho = 0.5, kCoolingRho = 0.1;
 
-/// |E/E₀ − 1| of an elastic gas, for each collision of a sphere.
-Trial run_energy(Scene scene, const ContactMethod& method, double dt, bool is_quick) {
+/// |E/E₀ − 1| of an elastic gas, divided by the number of collisions of a sphere.
+Trial run_energy(const Scene& scene, const ContactMethod& method, double dt, bool is_quick) {
   const double collisions = is_quick ? 10 : 40, time = collisions / collision_rate(kEnergyRho, kCount);
   TimedRun run(with_springs(scene, dt), with_step(method, dt));
   const auto energy = [&] {
@@ -134,7 +115,7 @@ Trial run_energy(Scene scene, const ContactMethod& method, double dt, bool is_qu
   return {std::fabs(energy() / start - 1) / collisions, run.seconds()};
 }
 
-/// T/T₀ after Haff's τ: nearly a quarter.
+/// T/T₀ after the time τ of Haff's law: about a quarter.
 Trial run_cooling(Scene scene, const ContactMethod& method, double dt, bool) {
   constexpr double kRestitution = 0.9;
   scene.physics.restitution = kRestitution;
@@ -146,8 +127,8 @@ Trial run_cooling(Scene scene, const ContactMethod& method, double dt, bool) {
   return trial_of(run.world().report().kinetic_energy / start, std::pow(1 + run.world().time() / tau, -2), run);
 }
 
-/// The mean height of a gas under gravity. Its energy, not its temperature, is what stays.
-Trial run_column(Scene scene, const ContactMethod& method, double dt, bool is_quick) {
+/// The mean height of a gas under gravity, for its energy, which is constant while its temperature is not.
+Trial run_column(const Scene& scene, const ContactMethod& method, double dt, bool is_quick) {
   TimedRun run(with_springs(scene, dt), with_step(method, dt));
   const Report start = run.world().report();
   const auto count = static_cast<double>(scene.bodies.size());
@@ -158,12 +139,12 @@ Trial run_column(Scene scene, const ContactMethod& method, double dt, bool is_qu
     return sum / count;
   };
   const double energy = start.kinetic_energy / count + weight * height(scene.bodies);
-  const double mean = mean_of_looks(run, 0, is_quick ? 10 : 40, [&](World& world) { return height(world.bodies()); });
+  const double mean = mean_of_samples(run, 0, is_quick ? 10 : 40, [&](World& world) { return height(world.bodies()); });
   const Vec3d room = scene.domain.max - scene.domain.min - Vec3d(2 * radius);
   return trial_of(mean, barometric_height(energy, weight, 2 * radius, count / (room.x * room.z)), run);
 }
 
-/// Large spheres and small ones, the small ones at first too slow.
+/// Large spheres and small ones, which are too slow at first.
 Scene uneven_mixture(uint64_t seed) {
   Scene scene = equilibrium_mixture(kCells, seed);
   for (size_t i = 1; i < scene.bodies.velocity.size(); i += 2) scene.bodies.velocity[i] *= 0.5;
@@ -171,13 +152,14 @@ Scene uneven_mixture(uint64_t seed) {
   return scene;
 }
 
-/// The share of the energy that small spheres have come to: of each it is in proportion to 1 − m/M, where momentum is zero.
+/// The share of the energy that the small spheres reach. With total momentum 0 and mass M, a sphere of mass m has a share
+/// in proportion to 1 − m/M.
 Trial run_mixture(Scene scene, const ContactMethod& method, double dt, bool is_quick) {
   constexpr double kSettle = 5;
   const double large = scene.bodies.mass[0], small = scene.bodies.mass[1], all = kCount / 2 * (small + large);
   scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, small / 2, 1);
   TimedRun run(scene, with_step(method, dt));
-  const double share = mean_of_looks(run, kSettle, kSettle + (is_quick ? 5 : 20), [&](World& world) {
+  const double share = mean_of_samples(run, kSettle, kSettle + (is_quick ? 5 : 20), [&](World& world) {
     const Bodies bodies = world.bodies();
     double energy[2] = {0, 0};
     for (size_t i = 0; i < bodies.position.size(); ++i) {
@@ -186,13 +168,6 @@ Trial run_mixture(Scene scene, const ContactMethod& method, double dt, bool is_q
     return energy[1] / (energy[0] + energy[1]);
   });
   return trial_of(share, (1 - small / all) / (2 - (small + large) / all), run);
-}
-
-Task task_from(Starts starts, Trial (*run)(Scene, const ContactMethod&, double dt, bool is_quick), Task task) {
-  task.run = [starts, run](const ContactMethod& method, double dt, uint64_t seed, bool is_quick) mutable {
-    return run(starts.of(seed), method, dt, is_quick);
-  };
-  return task;
 }
 
 }  // namespace
@@ -204,41 +179,14 @@ std::vector<Task> gas_tasks() {
       pressure_task(gas_of(0.8, 1000), 0.8, "gas-dense", "The pressure of a very dense gas", 0.016, 20, 2, 4),
       paths_task(0.1, "paths-thin", "A thin gas: where spheres are after two collisions each"),
       paths_task(0.5, "paths", "A dense gas: where spheres are after two collisions each"),
-      task_from(gas_of(kEnergyRho), run_energy,
-                {"energy",
-                 "A dense gas that should keep its energy",
-                 "energy change in a sphere’s collision",
-                 "energy at the start",
-                 0.04,
-                 3,
-                 6,
-                 false,
-                 is_any,
-                 {}}),
-      task_from(gas_of(kCoolingRho), run_cooling,
-                {"cooling", "A gas that cools", "error of temperature", "Haff’s law", 0.08, 1, 4, true, is_any, {}}),
-      task_from(Starts(equilibrium_column), run_column,
-                {"column",
-                 "A gas under gravity",
-                 "error of mean height",
-                 "barometric formula, second virial coefficient",
-                 0.08,
-                 3,
-                 5,
-                 true,
-                 is_any,
-                 {}}),
-      task_from(Starts(uneven_mixture), run_mixture,
-                {"mixture",
-                 "Small spheres and large ones share their energy",
-                 "error of the small ones’ share",
-                 "equipartition at zero momentum",
-                 0.08,
-                 2,
-                 4,
-                 true,
-                 is_any,
-                 {}}),
+      {"energy", "A dense gas that should keep its energy", "energy change in a sphere’s collision",
+       "energy at the start", 0.04, 3, 6, from(gas_of(kEnergyRho), run_energy)},
+      {"cooling", "A gas that cools", "error of temperature", "Haff’s law", 0.08, 1, 4,
+       from(gas_of(kCoolingRho), run_cooling), true},
+      {"column", "A gas under gravity", "error of mean height", "barometric formula, second virial coefficient", 0.08,
+       3, 5, from(equilibrium_column, run_column), true},
+      {"mixture", "Small spheres and large ones share their energy", "error of the small ones’ share",
+       "equipartition at zero momentum", 0.08, 2, 4, from(uneven_mixture, run_mixture), true},
   };
 }
 

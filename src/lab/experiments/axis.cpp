@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Sort and sweep lives by its axis: along a tall box few intervals overlap, along a flat one nearly all. Candidates for each
-// axis against the formula, and the winner among the broad phases by the box's shape.
+// The axis of sort and sweep: along the height of a tall box few intervals overlap, along that of a flat box nearly all.
+// Candidates for each axis against the formula, and the fastest broad phase for each shape of the box.
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
@@ -16,7 +18,7 @@ namespace ballpit {
 
 namespace {
 
-const std::vector<std::string> kAxes{"x", "z", "auto"};  // y is as x: the box is square
+const std::vector<std::string> kAxes{"x", "z", "auto"};  // y is like x: the box is square
 
 std::vector<double> aspects(bool is_quick) {
   if (is_quick) return {0.01, 0.1, 1, 10, 100};
@@ -24,15 +26,13 @@ std::vector<double> aspects(bool is_quick) {
 }
 
 WinnerPlan plan_of(bool is_quick) {
-  WinnerPlan plan;
-  plan.parameter = "aspect";
-  plan.axis = {"height of the box over its width", "", Scale::log};
-  plan.values = aspects(is_quick);
-  plan.counts = winner_counts(is_quick);
-  plan.make_spheres = [](int64_t count, double aspect, uint64_t seed) {
-    return uniform_spheres({count, 0.3, 1, aspect}, seed);
-  };
-  return plan;
+  return {"aspect",
+          {"height of the box over its width", "", Scale::log},
+          aspects(is_quick),
+          winner_counts(is_quick),
+          [](int64_t count, double aspect, uint64_t seed) {
+            return uniform_spheres({count, 0.3, 1, aspect}, seed);
+          }};
 }
 
 int64_t swept_count(bool is_quick) { return is_quick ? 10'000 : 30'000; }
@@ -63,10 +63,9 @@ std::vector<Sweep> measure_sweeps(Lab& lab) {
     Sweep sweep{
         aspect, expected_interval_overlaps(spheres.count, box.x), expected_interval_overlaps(spheres.count, box.z), {}};
     for (const std::string& axis : kAxes) {
-      const std::string key = "candidates of sort and sweep along " + axis + "; " + std::to_string(spheres.count) +
-                              " spheres; aspect " + number_text(aspect) + "; seed " + std::to_string(lab.seed());
-      sweep.candidates.push_back(
-          lab.measure(key, [&] { return std::vector<double>{candidates_along(axis, spheres, lab.seed())}; })[0]);
+      const std::string key = fmt::format("candidates of sort and sweep along {}; {} spheres; aspect {}; seed {}", axis,
+                                          spheres.count, number_text(aspect), lab.seed());
+      sweep.candidates.push_back(lab.measure_number(key, [&] { return candidates_along(axis, spheres, lab.seed()); }));
     }
     sweeps.push_back(std::move(sweep));
   }
@@ -74,26 +73,20 @@ std::vector<Sweep> measure_sweeps(Lab& lab) {
 }
 
 Chart sweep_chart(const WinnerPlan& plan, const std::vector<Sweep>& sweeps, int64_t count) {
-  Chart chart{"candidates",
-              "Candidates of sort and sweep, " + grouped(count) + " spheres",
-              plan.axis,
-              {"candidates a sphere", "", Scale::log},
-              {}};
   const auto n = static_cast<double>(count);
-  Series along_x{"", "theory", {}, Stroke::line}, along_z = along_x;
-  for (const Sweep& sweep : sweeps) {
-    along_x.points.push_back({sweep.aspect, sweep.expected_x / n});
-    along_z.points.push_back({sweep.aspect, sweep.expected_z / n});
-  }
-  const char* roles[] = {"second", "third", "sort-and-sweep"};
-  const char* labels[] = {"along x", "along z", "auto"};
-  for (size_t k = 0; k < kAxes.size(); ++k) {
-    Series series{labels[k], roles[k], {}, kAxes[k] == "auto" ? Stroke::line_and_points : Stroke::points};
-    for (const Sweep& sweep : sweeps) series.points.push_back({sweep.aspect, sweep.candidates[k] / n});
-    chart.series.push_back(std::move(series));
-  }
-  chart.series.insert(chart.series.begin(), {std::move(along_x), std::move(along_z)});
-  return chart;
+  const auto against_aspect = [&](const auto& value) {
+    return [&, value](const Sweep& sweep) { return Point{sweep.aspect, value(sweep) / n}; };
+  };
+  const auto along = [&](size_t axis) { return against_aspect([axis](const Sweep& s) { return s.candidates[axis]; }); };
+  return {"candidates",
+          fmt::format("Candidates of sort and sweep, {} spheres", grouped(count)),
+          plan.axis,
+          {"candidates a sphere", "", Scale::log},
+          {make_series("", "theory", sweeps, against_aspect([](const Sweep& s) { return s.expected_x; }), Stroke::line),
+           make_series("", "theory", sweeps, against_aspect([](const Sweep& s) { return s.expected_z; }), Stroke::line),
+           make_series("along x", "second", sweeps, along(0), Stroke::points),
+           make_series("along z", "third", sweeps, along(1), Stroke::points),
+           make_series("auto", "sort-and-sweep", sweeps, along(2))}};
 }
 
 Table sweep_table(const std::vector<Sweep>& sweeps, int64_t count) {
@@ -107,8 +100,7 @@ Table sweep_table(const std::vector<Sweep>& sweeps, int64_t count) {
                {"candidates by auto"}},
               {}};
   for (const Sweep& s : sweeps) {
-    table.rows.push_back({static_cast<double>(count), s.aspect, s.candidates[0], s.expected_x, s.candidates[1],
-                          s.expected_z, s.candidates[2]});
+    table.add_row(count, s.aspect, s.candidates[0], s.expected_x, s.candidates[1], s.expected_z, s.candidates[2]);
   }
   return table;
 }
@@ -119,26 +111,23 @@ Findings run(Lab& lab) {
   const std::vector<WinnerCell> cells = find_winners(lab, plan);
   const int64_t count = swept_count(lab.is_quick());
   const Sweep& tallest = sweeps.back();
-  Findings findings;
-  findings.tables = {winner_table(plan, cells), sweep_table(sweeps, count)};
-  findings.charts = {sweep_chart(plan, sweeps, count),
-                     winner_chart(plan, cells, "Fastest broad phase by the box’s shape"), time_chart(plan, cells)};
   const auto finds_best = [](const Sweep& s) {
     return s.candidates[2] <= 1.01 * std::min(s.candidates[0], s.candidates[1]);
   };
-  findings.answer = "In a box " + number_text(tallest.aspect) + " times as tall as wide, sort and sweep tests " +
-                    three_digits(tallest.candidates[0] / tallest.candidates[1]) +
-                    " times as many pairs along x as along z; auto takes the better axis in " +
-                    std::to_string(std::count_if(sweeps.begin(), sweeps.end(), finds_best)) + " of " +
-                    std::to_string(sweeps.size()) + " shapes.";
-  findings.see =
-      "Equal spheres, 30 % of the box, from a flat plate to a tall column. Dotted: the expected overlaps of "
-      "intervals, n(n−1)/2 · (2D/L − D²/L²) for centres drawn evenly along a length L, D being a diameter; all pairs "
-      "where L is less than D. Sort and sweep along the long way leaves few candidates; across it, it is brute force "
-      "with a sort. Auto takes the axis along which positions vary most. The map tells which broad phase is fastest "
-      "in such boxes (sort and sweep by auto). " +
-      winning_rule() + " " + tally_of(cells) + ".";
-  return findings;
+  return {{winner_table(plan, cells), sweep_table(sweeps, count)},
+          {sweep_chart(plan, sweeps, count), winner_chart(plan, cells, "Fastest broad phase by the box’s shape"),
+           time_chart(plan, cells)},
+          fmt::format("In a box {} times as tall as wide, sort and sweep tests {} times as many pairs along x as along "
+                      "z; auto takes the better axis in {} of {} shapes.",
+                      number_text(tallest.aspect), three_digits(tallest.candidates[0] / tallest.candidates[1]),
+                      std::count_if(sweeps.begin(), sweeps.end(), finds_best), sweeps.size()),
+          fmt::format(
+              "Equal spheres, 30 % of the box, from a flat plate to a tall column. Dotted: the expected overlaps of "
+              "intervals, n(n−1)/2 · (2D/L − D²/L²) for centres drawn evenly along a length L, D being a diameter; all "
+              "pairs where L is less than D. Sort and sweep along the long way leaves few candidates; across it, it is "
+              "brute force with a sort. Auto takes the axis along which positions vary most. The map tells which broad "
+              "phase is fastest in such boxes (sort and sweep by auto). {} {}.",
+              winning_rule(), tally_of(cells))};
 }
 
 }  // namespace

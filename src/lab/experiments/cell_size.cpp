@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Slide 7: cell size drives the run time, and cells that are too small let contacts fall through. Time and recall against
-// the cells' edge, with the bound that slide 7 prints (r) and the one that makes the block complete (2·r_max).
+// Slide 7: the size of the cells determines the run time, and cells that are too small miss contacts. Time and recall
+// against the edge of the cells, with the bound on slide 7 (r) and the one from which nothing is missed (2·r_max).
+//
+//     c = 1      c = .5          A search tests two spheres if their cells are neighbours: along each axis, the indices differ
+//    ┌───┬───┐  ┌─┬─┬─┬─┐        by one at most. For centres at a distance d along it this is certain if d ≤ c and impossible
+//    │ ● │ ● │  │●│ │ │●│        if d > 2·c. Between, it has the probability 2 − d/c, since the grid has a random place.
+//    └───┴───┘  └─┴─┴─┴─┘
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/measure/recall.h"
+#include "lab/measure/points.h"
 #include "lab/measure/search_timing.h"
 #include "measure/exact_pairs.h"
 #include "scene/input_error.h"
@@ -38,11 +45,7 @@ Settings with_cells(const std::string& grid, double size) {
   return settings;
 }
 
-struct Recall {
-  double found, expected, error;
-};
-
-/// Of pairs that touch: share found by each grid, the formula's share, its error.
+/// For pairs that touch: the share that each grid finds, the share by the formula, its error.
 std::vector<double> measure_recall(int64_t count, double size, uint64_t seed) {
   const SphereSet spheres = touching_pairs(count, seed);
   const std::vector<Pair> contacts = exact_pairs(spheres.arrays());
@@ -58,12 +61,8 @@ std::vector<double> measure_recall(int64_t count, double size, uint64_t seed) {
   return values;
 }
 
-const std::vector<Bound>& bounds() {
-  static const std::vector<Bound> both{{0.5, "slide 7: r"}, {1, "2·r_max"}};
-  return both;
-}
-
-Axis cells_axis() { return {"edge of a cell", "2·r_max", Scale::log}; }
+const std::vector<Bound> kBounds{{0.5, "slide 7: r"}, {1, "2·r_max"}};
+const Axis kCells{"edge of a cell", "2·r_max", Scale::log};
 
 struct Row {
   double size;
@@ -73,18 +72,14 @@ struct Row {
 
 std::vector<Row> measure_all(Lab& lab) {
   const int64_t count = count_of(lab.is_quick());
-  const std::string spheres = std::to_string(count) + " spheres; seed " + std::to_string(lab.seed());
   std::vector<Row> rows;
   std::vector<SearchCase> cases;
   for (const double size : cell_sizes(lab.is_quick())) {
-    const std::string cells = "cells " + number_text(size);
-    rows.push_back(
-        {size,
-         lab.measure("recall; " + cells + "; " + spheres, [&] { return measure_recall(count, size, lab.seed()); }),
-         {}});
-    std::vector<Settings> ways;
-    for (const std::string& grid : kGrids) ways.push_back(with_cells(grid, size));
-    cases.push_back({"time; " + cells + "; " + spheres, ways, [&] { return uniform_spheres({count}, lab.seed()); }});
+    const std::string key = fmt::format("cells {}; {} spheres; seed {}", number_text(size), count, lab.seed());
+    rows.push_back({size, lab.measure("recall; " + key, [&] { return measure_recall(count, size, lab.seed()); }), {}});
+    std::vector<Settings> methods;
+    for (const std::string& grid : kGrids) methods.push_back(with_cells(grid, size));
+    cases.push_back({"time; " + key, methods, [&] { return uniform_spheres({count}, lab.seed()); }});
   }
   const std::vector<std::vector<SearchTiming>> timings = time_searches(lab, cases);
   for (size_t k = 0; k < rows.size(); ++k) rows[k].timings = timings[k];
@@ -92,34 +87,32 @@ std::vector<Row> measure_all(Lab& lab) {
 }
 
 Chart time_chart(const std::vector<Row>& rows, int64_t count) {
-  Chart chart{"time",       "Time of a search against cell size, " + grouped(count) + " spheres",
-              cells_axis(), {"time of a search", "ms", Scale::log},
-              {},           {},
-              bounds()};
+  Chart chart{"time", fmt::format("Time of a search against cell size, {} spheres", grouped(count)),
+              kCells, {"time of a search", "ms", Scale::log},
+              {},     {},
+              kBounds};
   for (size_t k = 0; k < kGrids.size(); ++k) {
-    Series series{label_of(kGrids[k]), kGrids[k], {}};
-    for (const Row& row : rows) {
-      const Spread spread = row.timings[k].spread();
-      series.points.push_back({row.size, 1e3 * spread.median, 1e3 * spread.lower, 1e3 * spread.upper});
-    }
-    chart.series.push_back(std::move(series));
+    chart.series.push_back(make_series(label_of(kGrids[k]), kGrids[k], rows, [&](const Row& row) {
+      return point_of(row.size, row.timings[k].spread(), 1e3);
+    }));
   }
   return chart;
 }
 
 Chart recall_chart(const std::vector<Row>& rows) {
-  Chart chart{"recall", "Contacts found against cell size", cells_axis(), {"contacts found", "%"}, {}, {}, bounds()};
+  Chart chart{"recall", "Contacts found against cell size", kCells, {"contacts found", "%"}, {}, {}, kBounds};
   chart.x.high = 8.5;
-  Series theory{"formula", "theory", {}, Stroke::line};
-  for (const Row& row : rows) theory.points.push_back({row.size, 100 * row.recall[2]});
-  chart.series.push_back(std::move(theory));
+  chart.series.push_back(make_series(
+      "formula", "theory", rows,
+      [](const Row& row) {
+        return Point{row.size, 100 * row.recall[2]};
+      },
+      Stroke::line));
   for (size_t k = 0; k < kGrids.size(); ++k) {
-    Series series{label_of(kGrids[k]), kGrids[k], {}, Stroke::points};
-    for (const Row& row : rows) {
-      const double found = 100 * row.recall[k], error = 100 * row.recall[3];
-      series.points.push_back({row.size, found, found - error, found + error});
-    }
-    chart.series.push_back(std::move(series));
+    const auto to_point = [&](const Row& row) {
+      return point_of(row.size, Mean{100 * row.recall[k], 100 * row.recall[3]});
+    };
+    chart.series.push_back(make_series(label_of(kGrids[k]), kGrids[k], rows, to_point, Stroke::points));
   }
   return chart;
 }
@@ -168,14 +161,14 @@ Findings run(Lab& lab) {
   const Row& half = row_at(rows, 0.5);
   const Row& best = fastest(rows);
   const double slowdown = rows.back().timings[0].spread().median / best.timings[0].spread().median;
-  Findings findings;
-  findings.tables = {table_of(rows)};
-  findings.charts = {recall_chart(rows), time_chart(rows, count_of(lab.is_quick()))};
-  findings.answer = "Cells as wide as slide 7 allows at least, r, find only " + three_digits(100 * half.recall[0]) +
-                    " % of the contacts of touching spheres (theory: " + three_digits(100 * half.recall[2]) +
-                    " %). From 2·r_max on nothing is missed; there, linked cells are fastest at " +
-                    number_text(best.size) + " times 2·r_max, " + three_digits(slowdown) + " times as fast as at 8.";
-  findings.see =
+  return {
+      {table_of(rows)},
+      {recall_chart(rows), time_chart(rows, count_of(lab.is_quick()))},
+      fmt::format("Cells as wide as slide 7 allows at least, r, find only {} % of the contacts of touching spheres "
+                  "(theory: {} %). From 2·r_max on nothing is missed; there, linked cells are fastest at {} times "
+                  "2·r_max, {} times as fast as at 8.",
+                  three_digits(100 * half.recall[0]), three_digits(100 * half.recall[2]), number_text(best.size),
+                  three_digits(slowdown)),
       "First, the share of contacts that the 3 × 3 × 3 block finds among pairs of equal spheres that just touch, in "
       "random directions, against an exact reference; dotted, the formula: along each axis two centres a distance d "
       "apart lie in neighbouring cells of edge c with probability 2 − d/c, and no more than 1; bars are one standard "
@@ -183,11 +176,27 @@ Findings run(Lab& lab) {
       "contacts fall through. Second, the time of a search on one thread among spheres that fill 30 % of the box: "
       "smaller cells mean more cells to visit, larger ones more spheres in each, and candidates grow as the cube of "
       "the edge. Without --cell-size both grids choose cells that miss nothing; the sorted grid then looks only as "
-      "far as spheres reach, and is faster than here.";
-  return findings;
+      "far as spheres reach, and is faster than here."};
 }
 
 }  // namespace
+
+double expected_recall(const SphereSet& spheres, const std::vector<Pair>& contacts, double edge) {
+  assert(!contacts.empty());
+  double sum = 0;
+  for (const Pair& pair : contacts) {
+    const Vec3d apart =
+        Vec3d(spheres.position[static_cast<size_t>(pair.j)]) - Vec3d(spheres.position[static_cast<size_t>(pair.i)]);
+    double share = 1;
+    for (int axis = 0; axis < 3; ++axis) share *= std::clamp(2 - std::abs(apart[axis]) / edge, 0.0, 1.0);
+    sum += share;
+  }
+  return sum / static_cast<double>(contacts.size());
+}
+
+double recall_error(double recall, size_t contacts) {
+  return std::sqrt(recall * (1 - recall) / static_cast<double>(contacts));
+}
 
 Experiment cell_size_experiment() {
   return {"cell-size",

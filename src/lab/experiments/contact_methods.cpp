@@ -2,6 +2,7 @@
 #include "lab/experiments/contact_methods.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 #include "lab/measure/made_scenes.h"
@@ -13,25 +14,19 @@ namespace ballpit {
 
 namespace {
 
-struct Look {
-  std::string_view response, role;
-};
-constexpr Look kLooks[] = {{"event-driven", "first"},
-                           {"impulse", "second"},
-                           {"penalty", "third"},
-                           {"position-based", "sixth"},
-                           {"kinematic", "fifth"}};
-
 std::string role_of(std::string_view response) {
-  for (const Look& look : kLooks) {
-    if (look.response == response) return std::string(look.role);
-  }
-  return "fourth";
+  static const std::map<std::string_view, std::string> roles{{"event-driven", "first"},
+                                                             {"impulse", "second"},
+                                                             {"penalty", "third"},
+                                                             {"position-based", "sixth"},
+                                                             {"kinematic", "fifth"}};
+  const auto found = roles.find(response);
+  return found == roles.end() ? "fourth" : found->second;
 }
 
-/// What else than the integrator makes a method of its own.
+/// A setting other than the integrator that makes another method.
 struct Variant {
-  std::string words;  ///< empty: the response's own
+  std::string name;  ///< empty: the default of the response
   void (*apply)(Settings&);
 };
 
@@ -46,18 +41,18 @@ std::vector<Variant> variants_of(Response response) {
   return variants;
 }
 
-/// "penalty, rk4, float": what differs among those of the response.
+/// "penalty, rk4, float": the settings that differ among the methods of a response.
 std::string name_of(const Settings& settings, const Variant& variant, bool has_integrators) {
   std::string name(name_of(settings.response));
   if (has_integrators) name.append(", ").append(name_of(settings.integrator));
-  if (!variant.words.empty()) name += ", " + variant.words;
+  if (!variant.name.empty()) name += ", " + variant.name;
   if (settings.precision == Precision::float32) name += ", float";
   return name;
 }
 
-/// The response's own integrator and solver go by its name, the others by what they have instead.
+/// The name of the response for its default integrator and solver; for others, the setting that differs.
 std::string label_of(const Settings& settings, const Variant& variant, bool is_own) {
-  if (!variant.words.empty()) return "+ " + variant.words;
+  if (!variant.name.empty()) return "+ " + variant.name;
   return is_own ? std::string(name_of(settings.response)) : "+ " + std::string(name_of(settings.integrator));
 }
 
@@ -80,7 +75,7 @@ void add_methods(Response response, std::vector<ContactMethod>& list) {
         settings.precision = precision;
         variant.apply(settings);
         const bool is_own = integrator == own.integrator;
-        const bool is_main = is_own && variant.words.empty() && precision == Precision::float64;
+        const bool is_main = is_own && variant.name.empty() && precision == Precision::float64;
         list.push_back({name_of(settings, variant, integrators.size() > 1), label_of(settings, variant, is_own),
                         role_of(name_of(response)), is_main, settings});
       }

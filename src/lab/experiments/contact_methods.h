@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that can be done about contacts, as cases to compare: every response with its integrators, solvers and precisions, from the
+// All methods that resolve contacts, to be compared: every response with its integrators, solvers and precisions, from the
 // table of methods.
 #pragma once
 
@@ -12,25 +12,25 @@
 namespace ballpit {
 
 struct ContactMethod {
-  std::string name;   ///< of its options: "penalty, rk4, float"
-  std::string label;  ///< in charts, where its role tells the response: "penalty", and "+ rk4" of its others
-  std::string role;   ///< the response's colour
-  bool is_main;       ///< the response's own integrator and solver, in double precision
-  Settings settings;  ///< one thread; its step is still to be set
+  std::string name;   ///< its options: "penalty, rk4, float"
+  std::string label;  ///< in charts, where the colour shows the response: "penalty", or "+ rk4" for its variants
+  std::string role;   ///< the colour of the response
+  bool is_main;       ///< with the default integrator and solver of the response, in double precision
+  Settings settings;  ///< one thread; dt is not set
 };
 
 const std::vector<ContactMethod>& contact_methods();
 
-/// Whether it is a response's own integrator and solver in single precision.
+/// Whether this is the main method of a response, but in single precision.
 bool is_float_of_main(const ContactMethod& method);
 
-/// Its line in a chart: thin where it is not a main one; dashed and without a label, beside its double's, in single precision.
+/// Its line in a chart: thin unless it is a main method; dashed and without a label in single precision.
 Series series_of(const ContactMethod& method);
 
-/// Takes the label from thin lines that end within a tenth of where their response's main one does: they need none beside it.
+/// Clears the labels of thin lines that end within a tenth of the main line of their response.
 void drop_equal_labels(std::vector<Series>& list);
 
-/// Springs whose contacts last `steps` steps, as accuracy asks for at least 20: N/m for spheres of reduced mass mu [kg].
+/// The stiffness [N/m] with which contacts of reduced mass mu [kg] last `steps` steps. Accuracy needs at least 20.
 double stiffness_for(double dt, double steps, double mu, double restitution);
 
 }  // namespace ballpit

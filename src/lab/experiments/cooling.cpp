@@ -3,22 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
-#include "lab/charts/key.h"
+#include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/hard_spheres.h"
 #include "lab/measure/boundary.h"
-#include "lab/measure/mean.h"
+#include "lab/measure/points.h"
 
 namespace ballpit {
 
 namespace {
 
 constexpr double kRho = 0.1;
-constexpr int kCells = 4;  // 256 spheres: so few stay evenly spread
+constexpr int kCells = 4;  // 256 spheres; in larger gases clusters form
 const std::vector<double> kRestitutions{0.95, 0.9, 0.8};
 
-/// [τ], in hundredths.
+/// [τ] rounded to hundredths
 std::vector<double> times() {
   std::vector<double> result = spaced(0.1, 10, 17, Scale::log);
   for (double& time : result) time = std::round(100 * time) / 100;
@@ -27,7 +29,7 @@ std::vector<double> times() {
 
 int seeds(bool is_quick) { return is_quick ? 20 : 200; }
 
-/// What one restitution shows: T/T₀ at each time, and τ by the time when T has fallen to a quarter, of Haff's.
+/// The results of one restitution: T/T₀ at each time, and τ over that of Haff's law, from the time at which T is a quarter.
 struct Course {
   double restitution;
   std::vector<Mean> temperature;
@@ -40,7 +42,7 @@ Course course_of(Lab& lab, double restitution) {
   std::vector<double> taus;
   for (int k = 0; k < seeds(lab.is_quick()); ++k) {
     const GasRun run{kCells, kRho, lab.seed() * 1000 + static_cast<uint64_t>(k), 0, 0};
-    const auto key = key_of({"cooling", restitution, double(run.cells), run.rho, double(run.seed), double(at.size())});
+    const auto key = key_of("cooling", restitution, run.cells, run.rho, run.seed, at.size());
     const auto one = lab.measure(key, [&] { return cooling(run, restitution, at); });
     for (size_t t = 0; t < at.size(); ++t) parts[t].push_back(one[t]);
     const size_t middle = at.size() / 2;  // √(T₀/T) = 1 + t/τ at t = τ
@@ -51,13 +53,15 @@ Course course_of(Lab& lab, double restitution) {
   return course;
 }
 
+double haff(double time) { return std::pow(1 + time, -2); }
+
 Table table_of(const std::vector<Course>& courses) {
   Table table{"temperature", {{"restitution"}, {"time", "τ"}, {"T/T₀"}, {"standard error"}, {"Haff's law"}}, {}};
   const std::vector<double> at = times();
   for (const Course& course : courses) {
     for (size_t t = 0; t < at.size(); ++t) {
       const Mean& mean = course.temperature[t];
-      table.rows.push_back({course.restitution, at[t], mean.value, mean.error, std::pow(1 + at[t], -2)});
+      table.add_row(course.restitution, at[t], mean.value, mean.error, haff(at[t]));
     }
   }
   return table;
@@ -65,34 +69,26 @@ Table table_of(const std::vector<Course>& courses) {
 
 Table tau_table(const std::vector<Course>& courses) {
   Table table{"tau", {{"restitution"}, {"τ, of Haff's"}, {"standard error"}}, {}, true};
-  for (const Course& course : courses) table.rows.push_back({course.restitution, course.tau.value, course.tau.error});
+  for (const Course& course : courses) table.add_row(course.restitution, course.tau.value, course.tau.error);
   return table;
 }
 
-std::string label_of(const Course& course) { return "e = " + key_of({course.restitution}); }
+std::string label_of(const Course& course) { return "e = " + key_of(course.restitution); }
 
 std::vector<Chart> charts_of(const std::vector<Course>& courses) {
   constexpr const char* kRoles[] = {"first", "second", "third"};
-  const std::vector<double> at = times();
+  const std::vector<double> at = times(), xs = spaced(at.front(), at.back(), 60, Scale::log);
   const Axis time{"time t/τ", "", Scale::log};
-  Chart whole{"temperature", "A gas cools by (1 + t/τ)⁻²", time, {"T/T₀", "", Scale::log}, {}, {}, {}};
-  Chart detail{"deviation", "How far the temperature is from Haff's law", time, {"deviation of T", "%"}, {}, {}, {}};
-  Series law{"Haff's law", "theory", {}, Stroke::line}, zero = law;
-  for (const double t : spaced(at.front(), at.back(), 60, Scale::log)) {
-    law.points.push_back({t, std::pow(1 + t, -2)});
-    zero.points.push_back({t, 0});
-  }
-  whole.series = {law};
-  detail.series = {zero};
+  Chart whole{"temperature", "A gas cools by (1 + t/τ)⁻²", time, {"T/T₀", "", Scale::log}, {}};
+  Chart detail{"deviation", "How far the temperature is from Haff's law", time, {"deviation of T", "%"}, {}};
+  whole.series = {theory_line("Haff's law", xs, haff)};
+  detail.series = {theory_line("Haff's law", xs, [](double) { return 0.0; })};
   for (size_t k = 0; k < courses.size(); ++k) {
-    Series points{label_of(courses[k]), kRoles[k], {}, Stroke::points}, off = points;
-    off.stroke = Stroke::line_and_points;
+    Series points{label_of(courses[k]), kRoles[k], {}, Stroke::points}, off{points.label, points.role, {}};
     for (size_t t = 0; t < at.size(); ++t) {
       const Mean& mean = courses[k].temperature[t];
-      const double haff = std::pow(1 + at[t], -2);
-      points.points.push_back({at[t], mean.value, mean.value - mean.error, mean.value + mean.error});
-      const double value = 100 * (mean.value / haff - 1), error = 100 * mean.error / haff;
-      off.points.push_back({at[t], value, value - error, value + error});
+      points.points.push_back(point_of(at[t], mean));
+      off.points.push_back(point_of(at[t], Mean{100 * (mean.value / haff(at[t]) - 1), 100 * mean.error / haff(at[t])}));
     }
     whole.series.push_back(points);
     detail.series.push_back(off);
@@ -105,19 +101,15 @@ int64_t measurements(bool is_quick) { return static_cast<int64_t>(kRestitutions.
 Findings run(Lab& lab) {
   std::vector<Course> courses;
   for (const double restitution : kRestitutions) courses.push_back(course_of(lab, restitution));
-  Findings findings;
-  findings.tables = {table_of(courses), tau_table(courses)};
-  findings.charts = charts_of(courses);
   const Course& first = courses[1];
-  findings.answer = "A gas with " + label_of(first) + " cools by Haff's law: its τ is off by " +
-                    three_digits(100 * (first.tau.value - 1)) + " ± " + three_digits(100 * first.tau.error) +
-                    " % from that of kinetic theory.";
-  findings.see =
-      "T/T₀ of gases of 256 spheres by exact motion, means over seeds with their standard errors; time in units of "
-      "τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start. Nothing is fitted. The second "
-      "chart magnifies the first: the more a collision takes, the less the speeds are Maxwell's, and the law is a "
-      "little off.";
-  return findings;
+  return {{table_of(courses), tau_table(courses)},
+          charts_of(courses),
+          fmt::format("A gas with {} cools by Haff's law: its τ is off by {} ± {} % from that of kinetic theory.",
+                      label_of(first), three_digits(100 * (first.tau.value - 1)), three_digits(100 * first.tau.error)),
+          "T/T₀ of gases of 256 spheres by exact motion, means over seeds with their standard errors; time in units of "
+          "τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start. Nothing is fitted. The second "
+          "chart magnifies the first: the more a collision takes, the less the speeds are Maxwell's, and the law is a "
+          "little off."};
 }
 
 }  // namespace

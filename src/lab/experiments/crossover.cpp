@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Which response when: the time that a dense gas takes against the number of its spheres, where each response may take the
-// largest step at which it still holds the same error, in the pressure.
+// Which response is fastest: the time of a dense gas against its number of spheres. Each response takes the largest step with
+// which its error in the pressure stays within the same tolerance.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
-#include "lab/charts/key.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/same_error.h"
 #include "lab/experiments/timed_run.h"
-#include "lab/measure/made_scenes.h"
-#include "measure/spread.h"
+#include "lab/measure/points.h"
 #include "scene/input_error.h"
 
 namespace ballpit {
@@ -20,11 +20,11 @@ namespace {
 
 constexpr int kRepeats = 5;
 
-/// A response with the step that it may take.
+/// A response with its largest step.
 struct Entry {
   const Contender* who;
-  std::vector<PressureError> errors;  ///< none for exact motion
-  double dt;                          ///< 0 where it holds the tolerance at no step
+  std::vector<PressureError> errors;  ///< empty for exact motion
+  double dt;                          ///< 0 if it holds the tolerance at no step
   std::vector<Point> points{};        ///< seconds for a unit of time, against spheres
 };
 
@@ -41,20 +41,20 @@ std::vector<Entry> measure_entries(Lab& lab) {
   return entries;
 }
 
-/// Edges of the lattice that a gas starts from: 4 spheres a cell.
+/// Cells along each edge of the lattice that a gas starts from, with 4 spheres each.
 std::vector<int> sizes(bool is_quick) {
   return is_quick ? std::vector<int>{2, 4, 6, 9, 14} : std::vector<int>{2, 3, 4, 6, 9, 14, 20, 30, 46};
 }
 
-/// [s] for a unit of time, repeat by repeat, the entries in turns.
+/// [s] for a unit of time, repeat by repeat, the entries in turns. A repeat takes at least `least` seconds.
 std::vector<double> time_in_turns(const std::vector<const Entry*>& entries, const Scene& gas, double least) {
   std::vector<TimedRun> runs;
-  std::vector<double> parts;  // of simulated time in a repeat
+  std::vector<double> parts;  // simulated time of a repeat
   for (const Entry* entry : entries) {
     runs.emplace_back(with_springs(gas, entry->dt), entry->who->settings(entry->dt));
     runs.back().reach(4 * entry->dt);  // warms up
-    const double a_step = runs.back().seconds() * entry->dt;
-    parts.push_back(std::max(4 * entry->dt, std::min(1.0, std::ceil(least / a_step) * entry->dt)));
+    const double step = runs.back().seconds() * entry->dt;
+    parts.push_back(std::max(4 * entry->dt, std::min(1.0, std::ceil(least / step) * entry->dt)));
   }
   std::vector<double> seconds;
   for (int repeat = 1; repeat <= kRepeats; ++repeat) {
@@ -69,7 +69,7 @@ std::vector<double> time_in_turns(const std::vector<const Entry*>& entries, cons
 }
 
 void measure_times(Lab& lab, std::vector<Entry>& entries) {
-  const double least = lab.is_quick() ? 0.03 : 0.2;  // [s] a repeat
+  const double least = lab.is_quick() ? 0.03 : 0.2;
   std::vector<Entry*> running;
   std::string steps;
   for (Entry& entry : entries) {
@@ -78,16 +78,14 @@ void measure_times(Lab& lab, std::vector<Entry>& entries) {
     steps += entry.who->label + ' ' + number_text(entry.dt) + "; ";
   }
   for (const int cells : sizes(lab.is_quick())) {
-    const std::vector<double> seconds =
-        lab.time(key_of({"time", steps, double(cells), double(lab.seed()), least}), [&] {
-          return time_in_turns({running.begin(), running.end()}, equilibrium_gas(cells, kSameErrorDensity, lab.seed()),
-                               least);
-        });
+    const std::vector<double> seconds = lab.time(key_of("time", steps, cells, lab.seed(), least), [&] {
+      return time_in_turns({running.begin(), running.end()}, equilibrium_gas(cells, kSameErrorDensity, lab.seed()),
+                           least);
+    });
     for (size_t k = 0; k < running.size(); ++k) {
       std::vector<double> own;
       for (size_t repeat = 0; repeat < kRepeats; ++repeat) own.push_back(seconds[repeat * running.size() + k]);
-      const Spread spread = spread_of(own);
-      running[k]->points.push_back({4.0 * cells * cells * cells, spread.median, spread.lower, spread.upper});
+      running[k]->points.push_back(point_of(4.0 * cells * cells * cells, spread_of(own)));
     }
   }
 }
@@ -122,20 +120,22 @@ Chart error_chart(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries) {
     Series series{entry.who->label, entry.who->role, {}, Stroke::line_and_points, entry.who->is_dashed};
     for (auto error = entry.errors.rbegin(); error != entry.errors.rend(); ++error) {
-      const double off = 100 * error->off.value, width = 100 * error->off.error;
-      const bool has_failed = std::isnan(off) || std::fabs(off) > 30;
-      series.points.push_back({error->dt, has_failed ? INFINITY : off, off - width, off + width});
+      Point point = point_of(error->dt, Mean{100 * error->off.value, 100 * error->off.error});
+      if (std::isnan(point.y) || std::fabs(point.y) > 30) point.y = INFINITY;
+      series.points.push_back(point);
     }
     if (!series.points.empty()) chart.series.push_back(std::move(series));
   }
   return chart;
 }
 
+std::string spheres_text(const Point& point) { return grouped(static_cast<int64_t>(point.x)) + " spheres"; }
+
 /// "stops, from 10 976 spheres on"
 std::string stops_from(const Entry& entry) {
   const auto stopped =
       std::find_if(entry.points.begin(), entry.points.end(), [](const Point& p) { return std::isinf(p.y); });
-  return "stops, from " + grouped(static_cast<int64_t>(stopped->x)) + " spheres on";
+  return "stops, from " + spheres_text(*stopped) + " on";
 }
 
 std::vector<Table> tables_of(const std::vector<Entry>& entries) {
@@ -146,19 +146,16 @@ std::vector<Table> tables_of(const std::vector<Entry>& entries) {
   Table steps{"steps", {{"response"}, {"largest step that holds 2 %"}, {"time for the most spheres", "s"}}, {}, true};
   for (const Entry& entry : entries) {
     const std::string& who = entry.who->label;
-    for (const PressureError& e : entry.errors)
-      errors.rows.push_back({who, e.dt, 100 * e.off.value, 100 * e.off.error});
-    for (const Point& p : entry.points) times.rows.push_back({who, entry.dt, p.x, p.y, p.low, p.high});
-    const Cell step = is_exact(*entry.who) ? Cell("any: exact")
-                      : entry.dt > 0       ? Cell(number_text(entry.dt))
-                                           : Cell("none tried");
+    for (const PressureError& e : entry.errors) errors.add_row(who, e.dt, 100 * e.off.value, 100 * e.off.error);
+    for (const Point& p : entry.points) times.add_row(who, entry.dt, p.x, p.y, p.low, p.high);
+    const std::string step = is_exact(*entry.who) ? "any: exact" : entry.dt > 0 ? number_text(entry.dt) : "none tried";
     const double most = entry.points.empty() ? kNoNumber : entry.points.back().y;
-    steps.rows.push_back({who, step, std::isinf(most) ? Cell(stops_from(entry)) : Cell(most)});
+    steps.add_row(who, step, std::isinf(most) ? Cell(stops_from(entry)) : Cell(most));
   }
   return {std::move(steps), std::move(times), std::move(errors)};
 }
 
-/// The fastest among so many spheres; the one before, unless it is slower by more than the spread.
+/// The fastest at the k-th number of spheres; `before` again, unless another is faster by more than the spread.
 const Entry* fastest_at(const std::vector<Entry>& entries, size_t k, const Entry* before) {
   const Entry* best = before != nullptr ? before : &entries.front();
   for (const Entry& entry : entries) {
@@ -176,21 +173,21 @@ const Entry* next_fastest(const std::vector<Entry>& entries, const Entry* best) 
   return next;
 }
 
-/// Who is fastest, and from how many spheres on.
+/// Which response is fastest, and from how many spheres on.
 std::string answer_of(const std::vector<Entry>& entries) {
-  const std::vector<Point>& spheres = entries.front().points;  // exact motion always takes part
+  const std::vector<Point>& spheres = entries.front().points;  // of exact motion, which always takes part
   std::string text = "With at most 2 % of error in the pressure of a dense gas, ";
   const Entry* best = nullptr;
   for (size_t k = 0; k < spheres.size(); ++k) {
     const Entry* now = fastest_at(entries, k, best);
     if (now == best) continue;
-    if (best != nullptr) text += ", from " + grouped(static_cast<int64_t>(spheres[k].x)) + " spheres on";
-    text.append(best != nullptr ? " “" : "“").append(now->who->label).append(best != nullptr ? "”" : "” is fastest");
+    text += best == nullptr ? fmt::format("“{}” is fastest", now->who->label)
+                            : fmt::format(", from {} on “{}”", spheres_text(spheres[k]), now->who->label);
     best = now;
   }
   if (const Entry* next = next_fastest(entries, best)) {
-    text += "; among " + grouped(static_cast<int64_t>(spheres.back().x)) + " spheres, “" + next->who->label +
-            "” takes " + three_digits(next->points.back().y / best->points.back().y) + " times as long";
+    text += fmt::format("; among {}, “{}” takes {} times as long", spheres_text(spheres.back()), next->who->label,
+                        three_digits(next->points.back().y / best->points.back().y));
   }
   return text + ".";
 }
@@ -202,23 +199,20 @@ int64_t measurements(bool is_quick) {
 Findings run(Lab& lab) {
   std::vector<Entry> entries = measure_entries(lab);
   measure_times(lab, entries);
-  Findings findings;
-  findings.tables = tables_of(entries);
-  findings.charts = {time_chart(entries), error_chart(entries)};
-  findings.answer = answer_of(entries);
-  findings.see =
+  return {
+      tables_of(entries),
+      {time_chart(entries), error_chart(entries)},
+      answer_of(entries),
       "A gas of equal elastic spheres, N·D³/V = 0.5, in a periodic box, from equilibrium; diameter, mass and kT are "
       "1, and a sphere hits another 7.7 times in a unit of time. First, the error of the compressibility Z of 256 "
       "spheres against the literature's value, step by step (bars: one standard error; × where it is beyond 30 %, or "
       "the run stopped): each response then takes the largest step that holds 2 %, and whose half does, too. Second, "
       "the time for a unit of simulated time at that step, on one thread in double precision, medians and quartiles "
-      "of five repeats in turns; × where runs stop: among many spheres some pair soon "
-      "overlaps by more than a radius, which the guard refuses. Discrete impulses see each hit up to a step late, so "
-      "they need short steps; swept "
-      "ones find the hit inside the step. Penalty's springs last 20 steps, so soft spheres come with long steps. "
-      "Exact motion needs no steps at all, but handles one collision after the other. What is no contender here, as "
-      "position-based, has no elastic gas.";
-  return findings;
+      "of five repeats in turns; × where runs stop: among many spheres some pair soon overlaps by more than a "
+      "radius, which the guard refuses. Discrete impulses see each hit up to a step late, so they need short steps; "
+      "swept ones find the hit inside the step. Penalty's springs last 20 steps, so soft spheres come with long "
+      "steps. Exact motion needs no steps at all, but handles one collision after the other. What is no contender "
+      "here, as position-based, has no elastic gas."};
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How unevenly the work of a search lies on its threads, and what a GPU's lockstep makes of that: slide 4's walks differ in
-// length and half of them end at once; the lists of slides 12 to 15 differ as cells do.
+// How evenly a search distributes its work over threads, and how busy that keeps a GPU, whose threads run in lockstep. The
+// walks of slide 4 differ in length, and half of them end at once; the lists of slides 12 to 15 differ as cells do.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
@@ -35,7 +36,7 @@ const std::vector<Arrangement>& arrangements() {
   return table;
 }
 
-/// Work has bins 0, 1, 2 to 3, 4 to 7, …; this many hold all that an index can count.
+/// Work has bins 0, 1, 2 to 3, 4 to 7, …; these hold all that an index can count.
 constexpr size_t kBins = 33;
 
 /// Threads, mean, most, SIMD efficiency, and the threads of each bin.
@@ -54,10 +55,10 @@ int64_t count_of(bool is_quick) { return is_quick ? 10'000 : 100'000; }
 
 int64_t measurements(bool) { return static_cast<int64_t>(arrangements().size() * broad_phases().size()); }
 
-/// Share of the threads by their work, at the middle of each bin; no work stands at a half.
+/// The share of the threads by their work, at the middle of each bin; no work is drawn at a half.
 Series histogram(const std::string& broadphase, const std::vector<double>& values) {
   Series series{label_of(broadphase), broadphase, {}};
-  const auto end = static_cast<size_t>(std::log2(std::max(1.0, values[2]))) + 2;  // behind the bin of the most work
+  const auto end = static_cast<size_t>(std::log2(std::max(1.0, values[2]))) + 2;  // after the bin of the most work
   for (size_t bin = 0; bin < end; ++bin) {
     const double low = std::exp2(static_cast<double>(bin) - 1);
     series.points.push_back({bin < 2 ? low : 1.5 * low - 0.5, 100 * values[4 + bin] / values[0]});
@@ -67,44 +68,41 @@ Series histogram(const std::string& broadphase, const std::vector<double>& value
 
 Findings run(Lab& lab) {
   const int64_t count = count_of(lab.is_quick());
-  Findings findings;
-  findings.tables = {
-      {"work",
-       {{"arrangement"}, {"broad phase"}, {"threads"}, {"mean work"}, {"most work"}, {"SIMD efficiency", "%"}},
-       {},
-       true}};
-  Chart work{"work",
-             "Threads by their work, " + grouped(count) + " equal spheres",
-             {"work of a thread: candidates, or entries walked", "", Scale::log},
-             {"share of the threads", "%"},
-             {}};
+  Table table{"work",
+              {{"arrangement"}, {"broad phase"}, {"threads"}, {"mean work"}, {"most work"}, {"SIMD efficiency", "%"}},
+              {},
+              true};
+  Chart chart{"work",
+              fmt::format("Threads by their work, {} equal spheres", grouped(count)),
+              {"work of a thread: candidates, or entries walked", "", Scale::log},
+              {"share of the threads", "%"},
+              {}};
   double least = 1, most = 0;
   std::string worst, best;
   for (const Arrangement& arrangement : arrangements()) {
     for (const std::string& name : broad_phases()) {
-      const std::string key = "work per thread; " + std::string(arrangement.name) + "; " + name + "; " +
-                              std::to_string(count) + " spheres; seed " + std::to_string(lab.seed());
+      const std::string key =
+          fmt::format("work per thread; {}; {}; {} spheres; seed {}", arrangement.name, name, count, lab.seed());
       const std::vector<double> values =
           lab.measure(key, [&] { return profile(name, arrangement.make(count, lab.seed())); });
-      findings.tables[0].rows.push_back(
-          {arrangement.name, label_of(name), values[0], values[1], values[2], 100 * values[3]});
+      table.add_row(arrangement.name, label_of(name), values[0], values[1], values[2], 100 * values[3]);
       if (values[3] < least) least = values[3], worst = label_of(name) + " among " + arrangement.name;
-      if (&arrangement != &arrangements().front()) continue;
-      if (name != "brute-force") work.series.push_back(histogram(name, values));
-      if (name != "brute-force" && values[3] > most) most = values[3], best = label_of(name);
+      if (&arrangement != &arrangements().front() || name == "brute-force") continue;
+      chart.series.push_back(histogram(name, values));
+      if (values[3] > most) most = values[3], best = label_of(name);
     }
   }
-  findings.charts = {std::move(work)};
-  findings.answer = "Among equal spheres the " + best + " keeps " + three_digits(100 * most) +
-                    " % of the lanes of a warp busy; least does " + worst + ": " + three_digits(100 * least) + " %.";
-  findings.see =
+  return {
+      {std::move(table)},
+      {std::move(chart)},
+      fmt::format("Among equal spheres the {} keeps {} % of the lanes of a warp busy; least does {}: {} %.", best,
+                  three_digits(100 * most), worst, three_digits(100 * least)),
       "A GPU's threads walk in warps of 32, in lockstep: a warp takes as long as its longest thread. SIMD efficiency "
       "is the work of all threads over 32 times the longest of each warp. In sort and sweep, half of the threads "
       "hold an end and return at once (work 0, drawn at a half); the walks of the others are as long as the spheres "
       "they meet. A linked cell's thread reads the lists of its block, whose lengths chance decides. Brute force, "
       "not drawn, gives each thread all spheres after its own: neighbours differ by one, so warps lose next to "
-      "nothing, at the price of the most work.";
-  return findings;
+      "nothing, at the price of the most work."};
 }
 
 }  // namespace

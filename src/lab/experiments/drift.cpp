@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
-#include "lab/charts/key.h"
+#include "lab/charts/table.h"
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/long_runs.h"
@@ -18,8 +20,8 @@ namespace {
 constexpr int kCells = 3;  // 108 spheres
 constexpr double kRho = 0.3, kStep = 0.004, kStepsOfContact = 30;
 constexpr double kOmegaStep = 0.1;
-constexpr int kDoublings = 14;    // of steps
-constexpr double kLeast = 1e-14;  // what is less is drawn there
+constexpr int kDoublings = 14;    // of the number of steps
+constexpr double kLeast = 1e-14;  // smaller changes are drawn there
 
 double duration(bool is_quick) { return is_quick ? 40 : 400; }
 
@@ -34,35 +36,37 @@ std::vector<std::string> integrators() {
   return names;
 }
 
-std::vector<LargestDrift> gas_drift(Lab& lab, const ContactMethod& method) {
-  Settings settings = method.settings;
-  settings.dt = kStep;
-  const auto key = key_of({"gas", method.name, kStep, kStepsOfContact, double(kCells), kRho, double(lab.seed()),
-                           duration(lab.is_quick()), double(times(lab.is_quick()).size())});
-  const auto values = lab.measure(key, [&] {
-    Scene gas = equilibrium_gas(kCells, kRho, lab.seed());
-    gas.physics.stiffness = stiffness_for(kStep, kStepsOfContact, 0.5, 1);
-    std::vector<double> flat;
-    for (const LargestDrift& drift : drift_of(gas, settings, times(lab.is_quick()))) {
-      flat.insert(flat.end(), {drift.energy, drift.momentum});
-    }
-    return flat;
-  });
-  std::vector<LargestDrift> drifts;
-  for (size_t k = 0; k + 1 < values.size(); k += 2) drifts.push_back({values[k], values[k + 1]});
-  return drifts;
-}
-
+/// A method in the gas, and its drift at each of times().
 struct Course {
   ContactMethod method;
   std::vector<LargestDrift> drifts;
 };
 
+Course gas_drift(Lab& lab, const ContactMethod& method) {
+  Settings settings = method.settings;
+  settings.dt = kStep;
+  const std::vector<double> at = times(lab.is_quick());
+  const auto key =
+      key_of("gas", method.name, kStep, kStepsOfContact, kCells, kRho, lab.seed(), duration(lab.is_quick()), at.size());
+  const auto values = lab.measure(key, [&] {
+    Scene gas = equilibrium_gas(kCells, kRho, lab.seed());
+    gas.physics.stiffness = stiffness_for(kStep, kStepsOfContact, 0.5, 1);
+    std::vector<double> flat;
+    for (const LargestDrift& drift : drift_of(gas, settings, at)) {
+      flat.insert(flat.end(), {drift.energy, drift.momentum});
+    }
+    return flat;
+  });
+  Course course{method, {}};
+  for (size_t k = 0; k + 1 < values.size(); k += 2) course.drifts.push_back({values[k], values[k + 1]});
+  return course;
+}
+
 Table table_of(const std::vector<Course>& courses, const std::vector<double>& at) {
   Table table{"gas", {{"method"}, {"time", "D/√(kT/m)"}, {"energy change"}, {"momentum change"}}, {}};
   for (const Course& course : courses) {
     for (size_t k = 0; k < at.size(); ++k) {
-      table.rows.push_back({course.method.name, at[k], course.drifts[k].energy, course.drifts[k].momentum});
+      table.add_row(course.method.name, at[k], course.drifts[k].energy, course.drifts[k].momentum);
     }
   }
   return table;
@@ -74,15 +78,13 @@ Chart chart_of(const std::string& name, const std::string& title, const std::vec
               title,
               {"time", "D/√(kT/m)", Scale::log},
               {name + ": largest change so far", "", Scale::log, kLeast / 3, 100},
-              {},
-              {},
               {}};
   for (const Course& course : courses) {
     Series series = series_of(course.method);
     if (series.is_dashed && !is_float_of_main(course.method)) continue;  // the others are in the table
     for (size_t k = 0; k < at.size(); ++k) {
       series.points.push_back({at[k], std::max(kLeast, course.drifts[k].*what)});
-      if (std::isinf(course.drifts[k].*what)) break;  // a run fails once
+      if (std::isinf(course.drifts[k].*what)) break;  // one cross for each failed run
     }
     chart.series.push_back(series);
   }
@@ -90,34 +92,31 @@ Chart chart_of(const std::string& name, const std::string& title, const std::vec
   return chart;
 }
 
-Findings oscillator(Lab& lab) {
-  Findings findings;
+/// A mass on a spring: the energy of each integrator against theory.
+void add_oscillator(Lab& lab, Findings& findings) {
   Table table{"oscillator", {{"integrator"}, {"steps"}, {"largest energy change"}, {"theory"}}, {}};
   Chart chart{"oscillator",
               "On a spring only explicit Euler's energy grows without end",
               {"steps", "", Scale::log},
               {"energy: largest change so far", "", Scale::log},
-              {},
-              {},
               {}};
   constexpr const char* kRoles[] = {"first", "second", "third", "fourth"};
   int role = 0;
   for (const std::string& name : integrators()) {
-    const auto drifts = lab.measure(key_of({"oscillator", name, kOmegaStep, double(kDoublings)}),
+    const auto drifts = lab.measure(key_of("oscillator", name, kOmegaStep, kDoublings),
                                     [&] { return oscillator_drift(name, kOmegaStep, kDoublings); });
     Series measured{name, kRoles[role++], {}, Stroke::points}, theory{"", "theory", {}, Stroke::line};
-    for (int k = 0; k < kDoublings; ++k) {
-      const double steps = std::pow(2, k), expected = oscillator_theory(name, kOmegaStep, steps);
+    for (size_t k = 0; k < kDoublings; ++k) {
+      const double steps = std::exp2(k), expected = oscillator_theory(name, kOmegaStep, steps);
       if (expected > kOscillatorLeaves) break;
-      table.rows.push_back({name, steps, drifts[static_cast<size_t>(k)], expected});
-      measured.points.push_back({steps, drifts[static_cast<size_t>(k)]});
+      table.add_row(name, steps, drifts[k], expected);
+      measured.points.push_back({steps, drifts[k]});
       theory.points.push_back({steps, expected});
     }
     chart.series.insert(chart.series.end(), {theory, measured});
   }
-  findings.tables = {table};
-  findings.charts = {chart};
-  return findings;
+  findings.tables.push_back(table);
+  findings.charts.push_back(chart);
 }
 
 int64_t measurements(bool) { return static_cast<int64_t>(contact_methods().size() + integrators().size()); }
@@ -132,19 +131,19 @@ std::string change(double value) { return std::isinf(value) ? "the run stops" : 
 Findings run(Lab& lab) {
   const std::vector<double> at = times(lab.is_quick());
   std::vector<Course> courses;
-  for (const ContactMethod& method : contact_methods()) courses.push_back({method, gas_drift(lab, method)});
-  Findings findings = oscillator(lab);
-  findings.tables.insert(findings.tables.begin(), table_of(courses, at));
-  findings.charts.insert(
-      findings.charts.begin(),
-      {chart_of("energy", "An elastic gas: who keeps its energy", courses, at, &LargestDrift::energy),
-       chart_of("momentum", "The same gas: who keeps its momentum", courses, at, &LargestDrift::momentum)});
-  findings.answer =
-      "Over " + three_digits(at.back()) + " units of time an elastic gas changes its energy by " +
-      change(end_of(courses, "penalty, velocity-verlet").energy) + " by velocity Verlet, " +
-      change(end_of(courses, "impulse, gauss-seidel").energy) +
-      " by impulses with Gauss–Seidel; explicit Euler: " + change(end_of(courses, "penalty, explicit-euler").energy) +
-      ".";
+  for (const ContactMethod& method : contact_methods()) courses.push_back(gas_drift(lab, method));
+  Findings findings;
+  findings.tables = {table_of(courses, at)};
+  findings.charts = {
+      chart_of("energy", "An elastic gas: who keeps its energy", courses, at, &LargestDrift::energy),
+      chart_of("momentum", "The same gas: who keeps its momentum", courses, at, &LargestDrift::momentum)};
+  add_oscillator(lab, findings);
+  findings.answer = fmt::format(
+      "Over {} units of time an elastic gas changes its energy by {} by velocity Verlet, {} by impulses with "
+      "Gauss–Seidel; explicit Euler: {}.",
+      three_digits(at.back()), change(end_of(courses, "penalty, velocity-verlet").energy),
+      change(end_of(courses, "impulse, gauss-seidel").energy),
+      change(end_of(courses, "penalty, explicit-euler").energy));
   findings.see =
       "Each line is the largest change up to then, of an elastic gas of 108 spheres at the density 0.3, all with "
       "the same step; springs are such that a contact lasts 30 steps. What is below 1e-14 is drawn there. Explicit "

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The pressure of a gas of hard spheres: exact motion against the literature, and what a fixed step makes of it.
+// The pressure of a gas of hard spheres: exact motion against the literature, and the error of a fixed step.
 #include <algorithm>
 #include <cmath>
-#include <functional>
+
+#include <fmt/format.h>
 
 #include "core/numbers.h"
-#include "lab/charts/key.h"
+#include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/hard_spheres.h"
 #include "lab/measure/boundary.h"
 #include "lab/measure/made_scenes.h"
-#include "lab/measure/mean.h"
+#include "lab/measure/points.h"
 #include "lab/measure/theory.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr double kDense = 0.5;  // of the gas with fixed steps
+constexpr double kDense = 0.5;  // density of the gas with fixed steps
 
 std::vector<double> densities(bool is_quick) { return spaced(0.1, 0.9, is_quick ? 9 : 17, Scale::linear); }
 
@@ -30,7 +31,7 @@ GasRun exact_run(const Lab& lab, double rho) { return {5, rho, lab.seed(), lab.i
 GasRun stepped_run(const Lab& lab) { return {4, kDense, lab.seed(), lab.is_quick() ? 60 : 400, 15}; }
 
 std::string key_of_run(const std::string& name, const GasRun& run, double dt) {
-  return key_of({name, dt, double(run.cells), run.rho, double(run.seed), double(run.blocks), run.collisions});
+  return key_of(name, dt, run.cells, run.rho, run.seed, run.blocks, run.collisions);
 }
 
 Mean exact_z(Lab& lab, double rho) {
@@ -42,16 +43,6 @@ Mean stepped_z(Lab& lab, double dt, bool is_swept) {
   const GasRun run = stepped_run(lab);
   const std::string key = key_of_run(is_swept ? "swept" : "discrete", run, dt);
   return mean_of(lab.measure(key, [&] { return block_z(run, elastic_impulses(dt, is_swept)); }));
-}
-
-Point with_error(double x, const Mean& mean) {
-  return {x, mean.value, mean.value - mean.error, mean.value + mean.error};
-}
-
-Series theory_line(const std::string& label, const std::vector<double>& xs, const std::function<double(double)>& y) {
-  Series line{label, "theory", {}, Stroke::line};
-  for (const double x : xs) line.points.push_back({x, y(x)});
-  return line;
 }
 
 struct ExactPoint {
@@ -68,9 +59,10 @@ Table table_of(const std::vector<ExactPoint>& points) {
                {"Z expected of so many spheres"},
                {"Z of Carnahan and Starling"},
                {"off", "standard errors"}},
-              {}};
+              {},
+              true};
   for (const ExactPoint& p : points) {
-    table.rows.push_back({p.rho, p.z.value, p.z.error, p.expected, carnahan_starling_z(p.rho), p.errors_off()});
+    table.add_row(p.rho, p.z.value, p.z.error, p.expected, carnahan_starling_z(p.rho), p.errors_off());
   }
   return table;
 }
@@ -79,19 +71,20 @@ std::vector<Chart> charts_of(const std::vector<ExactPoint>& points) {
   const Axis density{"density N·D³/V"};
   const std::vector<double> xs = spaced(points.front().rho, points.back().rho, 100, Scale::linear);
   const auto percent = [](double z, double rho) { return 100 * (z / reference_z(rho) - 1); };
-  Series measured{"event-driven", "first", {}, Stroke::points}, off = measured;
-  for (const ExactPoint& p : points) {
-    measured.points.push_back(with_error(p.rho, p.z));
-    const double size = reference_z(p.rho) - p.expected;  // taken off: what so few spheres make of it
-    off.points.push_back({p.rho, percent(p.z.value + size, p.rho), percent(p.z.value + size - p.z.error, p.rho),
-                          percent(p.z.value + size + p.z.error, p.rho)});
-  }
-  Chart whole{"z", "The pressure of hard spheres, over that of an ideal gas", density, {"Z = PV/NkT"}, {}, {}, {}};
-  whole.series = {theory_line("reference", xs, reference_z), measured};
-  Chart detail{"deviation", "How far the pressure is from the reference", density, {"deviation of Z", "%"}, {}, {}, {}};
+  const auto deviation = [&](const ExactPoint& p) {
+    const double z = p.z.value + (reference_z(p.rho) - p.expected);  // without the effect of the number of spheres
+    return Point{p.rho, percent(z, p.rho), percent(z - p.z.error, p.rho), percent(z + p.z.error, p.rho)};
+  };
+  Chart whole{"z", "The pressure of hard spheres, over that of an ideal gas", density, {"Z = PV/NkT"}, {}};
+  whole.series = {
+      theory_line("reference", xs, reference_z),
+      make_series(
+          "event-driven", "first", points, [](const ExactPoint& p) { return point_of(p.rho, p.z); }, Stroke::points)};
+  Chart detail{"deviation", "How far the pressure is from the reference", density, {"deviation of Z", "%"}, {}};
   detail.series = {
       theory_line("Carnahan–Starling", xs, [&](double rho) { return percent(carnahan_starling_z(rho), rho); }),
-      theory_line("reference", xs, [](double) { return 0.0; }), off};
+      theory_line("reference", xs, [](double) { return 0.0; }),
+      make_series("event-driven", "first", points, deviation, Stroke::points)};
   return {whole, detail};
 }
 
@@ -110,29 +103,26 @@ Table table_of(const std::vector<SteppedPoint>& points) {
                {"bias expected"},
                {"bias of swept contacts"},
                {"its standard error"}},
-              {}};
+              {},
+              true};
   for (const SteppedPoint& p : points) {
-    table.rows.push_back({p.dt, p.discrete.value, p.discrete.error, p.expected, p.swept.value, p.swept.error});
+    table.add_row(p.dt, p.discrete.value, p.discrete.error, p.expected, p.swept.value, p.swept.error);
   }
   return table;
 }
 
 Chart chart_of(const std::vector<SteppedPoint>& points, double count) {
-  Chart chart{"late-contacts",
-              "A fixed step sees each hit late, and the pressure falls",
-              {"step dt", "D/√(kT/m)"},
-              {"Z − exact Z"},
-              {},
-              {},
-              {}};
-  Series discrete{"discrete", "first", {}, Stroke::points}, swept{"swept", "second", {}, Stroke::points};
-  for (const SteppedPoint& p : points) {
-    discrete.points.push_back(with_error(p.dt, p.discrete));
-    swept.points.push_back(with_error(p.dt, p.swept));
-  }
   const auto bias = [count](double dt) { return late_contact_z(kDense, count, dt) - finite_z(kDense, count); };
-  chart.series = {theory_line("late by dt/2", spaced(0, points.back().dt, 50, Scale::linear), bias), discrete, swept};
-  return chart;
+  const auto measured = [&](const char* label, const char* role, Mean SteppedPoint::*z) {
+    return make_series(
+        label, role, points, [z](const SteppedPoint& p) { return point_of(p.dt, p.*z); }, Stroke::points);
+  };
+  return {"late-contacts",
+          "A fixed step sees each hit late, and the pressure falls",
+          {"step dt", "D/√(kT/m)"},
+          {"Z − exact Z"},
+          {theory_line("late by dt/2", spaced(0, points.back().dt, 50, Scale::linear), bias),
+           measured("discrete", "first", &SteppedPoint::discrete), measured("swept", "second", &SteppedPoint::swept)}};
 }
 
 int64_t measurements(bool is_quick) {
@@ -155,16 +145,15 @@ Findings run(Lab& lab) {
     swept.value -= truth;
     stepped.push_back({dt, discrete, swept, late_contact_z(kDense, count, dt) - truth});
   }
-  Findings findings;
-  findings.tables = {table_of(exact), table_of(stepped)};
-  for (Table& table : findings.tables) table.is_shown = true;
-  findings.charts = charts_of(exact);
+  Findings findings{{table_of(exact), table_of(stepped)}, charts_of(exact), "", ""};
   findings.charts.push_back(chart_of(stepped, count));
   const SteppedPoint& coarse = stepped.back();
-  findings.answer = "Exact motion has the pressure of the literature to " + three_digits(100 * error) + " %, off by " +
-                    three_digits(std::sqrt(squares)) + " standard errors (rms); a step of " + three_digits(coarse.dt) +
-                    " takes " + three_digits(-100 * coarse.discrete.value / truth) +
-                    " % from it, where late contacts predict " + three_digits(-100 * coarse.expected / truth) + " %.";
+  findings.answer = fmt::format(
+      "Exact motion has the pressure of the literature to {} %, off by {} standard errors (rms); a step of {} takes {} "
+      "% "
+      "from it, where late contacts predict {} %.",
+      three_digits(100 * error), three_digits(std::sqrt(squares)), three_digits(coarse.dt),
+      three_digits(-100 * coarse.discrete.value / truth), three_digits(-100 * coarse.expected / truth));
   findings.see =
       "Points are means over blocks of many collisions, with their standard errors; dotted lines are the "
       "literature's. The second chart magnifies the first: Carnahan and Starling's formula is off by up to 0.3 %, "

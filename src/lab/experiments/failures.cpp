@@ -2,7 +2,6 @@
 #include "lab/experiments/failures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -14,13 +13,12 @@ namespace ballpit {
 
 namespace {
 
-constexpr double kSqueeze = 1e-5;     // of a diameter: how far neighbours in the crystal overlap at rest
-constexpr double kDisturbed = 1e-11;  // [m] from there: so little that a thousandfold growth breaks no contact
+constexpr double kSqueeze = 1e-5;     // [diameters] overlap of neighbours in the crystal at rest
+constexpr double kDisturbed = 1e-11;  // [m] displacement, so small that a thousandfold growth breaks no contact
 constexpr double kGrown = 1000;
 
-/// An fcc crystal of 3 × 3 × 3 cells in a periodic box, its spheres shaken a little.
+/// An fcc crystal of 3 × 3 × 3 cells in a periodic box, its spheres slightly displaced.
 Scene crystal(double stiffness) {
-  constexpr std::array<std::array<double, 3>, 4> kBasis{{{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}};
   constexpr int kCells = 3;
   const double edge = (1 - kSqueeze) * std::sqrt(2.0);
   Random random(5);
@@ -28,12 +26,8 @@ Scene crystal(double stiffness) {
   scene.domain = {Vec3d(0.0), Vec3d(kCells * edge), Boundary::periodic, 3};
   scene.physics.restitution = scene.physics.wall_restitution = 1;
   scene.physics.stiffness = stiffness;
-  for (int c = 0; c < kCells * kCells * kCells; ++c) {
-    const Vec3d corner(c % kCells, c / kCells % kCells, c / kCells / kCells);
-    for (const auto& b : kBasis) {
-      const Vec3d place = edge * (corner + Vec3d(b[0], b[1], b[2]) + 0.25);
-      add_sphere(scene, place + kDisturbed * random.uniform(Vec3d(-1.0), Vec3d(1.0)), Vec3d(0.0), 0.5, 1.0);
-    }
+  for (const Vec3d& site : fcc_lattice(kCells, edge)) {
+    add_sphere(scene, site + kDisturbed * random.uniform(Vec3d(-1.0), Vec3d(1.0)), Vec3d(0.0), 0.5, 1.0);
   }
   return scene;
 }
@@ -49,7 +43,7 @@ double largest_speed(World& world) {
 double spring_growth(double dt, double stiffness) {
   constexpr int kSteps = 300;
   Settings settings = settings_of("penalty", dt, "velocity-verlet");
-  settings.max_energy = 1e15;  // it is here to be seen failing
+  settings.max_energy = 1e15;  // the failure is to be seen
   const auto world = make_cpu_world(crystal(stiffness), settings);
   double largest = 1;
   int steps = 0;
@@ -62,7 +56,7 @@ double spring_growth(double dt, double stiffness) {
 }
 
 double part_of_hits_seen(double step, double impact, int phases, bool is_swept) {
-  const int steps = static_cast<int>(2 / step) + 4;  // from before the other to behind it
+  const int steps = static_cast<int>(2 / step) + 4;  // from before the other sphere to behind it
   const double lane = 3;                             // [m] from pair to pair
   const double half = std::max(lane * (phases + 1) / 2.0, 2 + steps * step);
   Scene scene = wide_box(half);
@@ -74,7 +68,7 @@ double part_of_hits_seen(double step, double impact, int phases, bool is_swept) 
   Settings settings = settings_of("impulse", step);
   settings.is_swept = is_swept;
   const auto world = make_cpu_world(scene, settings);
-  std::set<int> seen;  // the second of each pair; what touches while it parts is seen as well, but not thrown back
+  std::set<int> seen;  // the second sphere of each pair; a pair may touch while it parts, without an impulse
   for (int k = 0; k < steps; ++k) {
     for (const Pair& pair : world->inspect().contacts) seen.insert(pair.j);
     world->step();
@@ -87,13 +81,13 @@ double part_of_hits_seen(double step, double impact, int phases, bool is_swept) 
 }
 
 double recall_of_cells(double edge, int pairs, uint64_t seed) {
-  const double spacing = 2 + edge;  // diameters from pair to pair, so that none touches another
+  const double spacing = 2 + edge;  // [diameters] from pair to pair, so that pairs do not touch
   const int side = static_cast<int>(std::ceil(std::cbrt(pairs)));
   Random random(seed);
   std::vector<Vec3> places;
   for (int k = 0; k < pairs; ++k) {
     const Vec3d corner(k % side, k / side % side, k / (side * side));
-    const Vec3d at = spacing * corner + random.uniform(Vec3d(0.0), Vec3d(edge));  // anywhere in a cell, evenly
+    const Vec3d at = spacing * corner + random.uniform(Vec3d(0.0), Vec3d(edge));  // uniform in a cell
     const Vec3d arm = (0.5 - 1e-5) * random.direction(3);
     places.push_back(narrow<Vec3>(at - arm));
     places.push_back(narrow<Vec3>(at + arm));
@@ -136,7 +130,7 @@ double part_of_way(double x, double step) {
 
 bool passes_through(double step, bool is_swept) {
   Scene scene = wide_box(10);
-  add_sphere(scene, {-2.5 * step, 0, 0}, {1, 0, 0}, 0.05, 1);  // as far before the wall as behind it, two steps later
+  add_sphere(scene, {-2.5 * step, 0, 0}, {1, 0, 0}, 0.05, 1);  // symmetric about the wall, two steps later
   for (int k = -2; k <= 2; ++k) add_sphere(scene, {0, 0.22 * k, 0}, Vec3d(0.0), 0.1, 1);
   Settings settings = settings_of("impulse", step);
   settings.is_swept = is_swept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is measured of gases of hard spheres in a periodic box; diameter, mass and kT are 1. The values to hold it against are in
-// lab/theory.h.
+// Measurements of gases of hard spheres in a periodic box; diameter, mass and kT are 1. The expected values are in
+// lab/measure/theory.h.
 #pragma once
 
 #include <cstdint>
@@ -23,17 +23,17 @@ struct GasRun {
 
 double count_of(const GasRun& run);  ///< spheres
 
-/// Z_N = 1 + W/(3·N·kT·t) of each block, W the virial of its collisions, kT that of the block: so many collisions apart that blocks
-/// are as good as independent. Each begins at kT = 1: many steps that change the energy a little would change what a step is.
+/// Z_N = 1 + W/(3·N·kT·t) of each block, with the virial W of its collisions and its kT. Blocks are so long that they are
+/// practically independent. Each starts at kT = 1, so that a slow change of energy does not change the meaning of dt.
 std::vector<double> block_z(const GasRun& run, const Settings& settings);
 
-/// The same of a gas in equilibrium that is given, for its physics to be chosen.
+/// The same for a given gas in equilibrium, whose physics can be changed.
 std::vector<double> block_z(const GasRun& run, const Settings& settings, const Scene& gas);
 
-/// The steps of impulses at which late contacts are shown: without losses, by the solver that keeps a gas's energy best.
+/// Impulses without losses, with the solver that keeps the energy of a gas best.
 Settings elastic_impulses(double dt, bool is_swept);
 
-/// T/T₀ at these times, in hundredths of Haff's τ and units of it, of one gas by exact motion.
+/// T/T₀ of one gas by exact motion at these times [τ of Haff's law], which are multiples of 0.01.
 std::vector<double> cooling(const GasRun& run, double restitution, const std::vector<double>& times);
 
 }  // namespace ballpit

@@ -13,7 +13,7 @@ namespace ballpit {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr int kStepsBetween = 20;  // looks
+constexpr int kStepsBetween = 20;  // checks
 
 double energy_of(const Report& report) {
   return report.kinetic_energy + report.potential_energy + report.elastic_energy;
@@ -47,7 +47,8 @@ std::vector<LargestDrift> drift_of(const Scene& scene, const Settings& settings,
 }
 
 std::vector<double> oscillator_drift(const std::string& integrator, double omega_dt, int count) {
-  constexpr double kStiffness = 1e4, kGravity = 10, kAmplitude = 1e-4;  // ω = 100/s; at rest 1 mm deep in the floor
+  constexpr double kStiffness = 1e4, kGravity = 10,
+                   kAmplitude = 1e-4;  // ω = 100/s; at rest the overlap with the floor is 1 mm
   constexpr double kRest = -10 + 0.5 - kGravity / kStiffness;
   Scene scene = wide_box(10);
   scene.physics.gravity = {0, -kGravity, 0};

@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <limits>
 
-#include "lab/charts/key.h"
-#include "lab/measure/mean.h"
+#include "lab/charts/table.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr double kTaskRevision = 2;  // to be raised when a task comes to measure something else
+constexpr int kTaskRevision = 2;  // to be raised whenever a task measures something else
 
 int repeats(bool is_quick) { return is_quick ? 3 : 5; }
 
-/// The steps at which a method does a task: the coarsest alone where it has none.
+/// The steps of a method in a task; only the coarsest for exact motion.
 std::vector<double> steps_of(const Task& task, const ContactMethod& method, bool is_quick) {
   const int halvings = has_steps(method) ? (is_quick ? task.quick_halvings : task.full_halvings) : 0;
   std::vector<double> steps;
@@ -31,8 +30,7 @@ std::vector<std::vector<Trial>> trials_of(Lab& lab, const Task& task) {
     for (const ContactMethod* method : methods_of(task, lab.is_quick())) {
       for (const double dt : steps_of(task, *method, lab.is_quick())) {
         const uint64_t seed = lab.seed() * 100 + static_cast<uint64_t>(repeat);
-        const auto key =
-            key_of({task.name, kTaskRevision, method->name, dt, double(seed), lab.is_quick() ? "quick" : "full"});
+        const auto key = key_of(task.name, kTaskRevision, method->name, dt, seed, lab.is_quick() ? "quick" : "full");
         const auto values = lab.time(key, [&] {
           const Trial trial = task.run(*method, dt, seed, lab.is_quick());
           return std::vector<double>{trial.off, trial.seconds};

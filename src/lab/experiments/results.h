@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the methods make of a task: all at all their steps, repeated in turns, and who is beaten by nobody.
+// The results of all methods for a task, with all their steps, repeated in turns; and the Pareto front.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "lab/experiments/accuracy.h"
 #include "lab/measure/lab.h"
-#include "measure/spread.h"
+#include "measure/statistics.h"
 
 namespace ballpit {
 
@@ -16,29 +16,29 @@ namespace ballpit {
 struct Result {
   const ContactMethod* method;
   double dt;              ///< [s]
-  double error;           ///< infinite where it failed
-  double standard_error;  ///< where errors are of random runs
-  Spread seconds;         ///< for a second simulated
+  double error;           ///< infinite if it failed
+  double standard_error;  ///< of the repeats
+  Spread seconds;         ///< of computation for a simulated second
   bool has_failed() const { return !std::isfinite(error); }
 };
 
 bool has_steps(const ContactMethod& method);
 
-/// Those that serve a task. Quick runs leave out other than main ones in single precision.
+/// The methods for a task. In single precision, quick runs use main methods only.
 std::vector<const ContactMethod*> methods_of(const Task& task, bool is_quick);
 
-/// Of each method at all its steps, in the order of methods_of() and from the coarsest step on. Each repeat is one of all
-/// methods at all steps, so that what else the machine does falls on all alike.
+/// For each method of methods_of() all its steps, the coarsest first. Each repeat covers all methods and steps, so that other
+/// load on the machine affects all equally.
 std::vector<Result> results_of(Lab& lab, const Task& task);
 
-/// How many measurements that takes.
+/// The number of measurements for that.
 int64_t trial_count(const Task& task, bool is_quick);
 
-/// The typical standard error of those that did not fail: what is below it is chance. 0 where nothing is random.
+/// The typical standard error of the results that did not fail: smaller errors are chance. 0 if nothing is random.
 double floor_of(const Task& task, const std::vector<Result>& results);
 
-/// Those that nobody beats in both error and time, fastest first: the Pareto front. Errors below `floor` are as good as it, and
-/// those below kLeastError as good as that.
+/// The Pareto front: results that no other beats in both error and time, fastest first. Errors below `floor` and kLeastError
+/// count as these.
 std::vector<Result> front_of(std::vector<Result> results, double floor);
 
 inline constexpr double kLeastError = 1e-10;

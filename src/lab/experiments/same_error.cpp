@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "lab/charts/chart.h"
-#include "lab/charts/key.h"
+#include "lab/charts/table.h"
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/hard_spheres.h"
 #include "lab/measure/made_scenes.h"
@@ -15,16 +15,16 @@ namespace ballpit {
 
 namespace {
 
-constexpr double kContactSteps = 20;  // of penalty
+constexpr double kContactSteps = 20;  // of springs
 
 Settings stepping(Settings settings) {
-  settings.broadphase = BroadPhase::automatic;  // with a candidate list, as short steps deserve
+  settings.broadphase = BroadPhase::automatic;  // with a candidate list, which suits short steps
   return settings;
 }
 
 PressureError error_at(Lab& lab, const Contender& who, double dt) {
   const GasRun run{4, kSameErrorDensity, lab.seed(), lab.is_quick() ? 20 : 60, 15};
-  const std::vector<double> z = lab.measure(key_of({"Z", who.label, dt, double(run.seed), double(run.blocks)}), [&] {
+  const std::vector<double> z = lab.measure(key_of("Z", who.label, dt, run.seed, run.blocks), [&] {
     try {
       return block_z(run, who.settings(dt), with_springs(equilibrium_gas(run.cells, kSameErrorDensity, run.seed), dt));
     } catch (const RunError&) {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Exercise sheet 3's diagram: time a step against the number of spheres, for each broad phase, backend and number of
-// threads, with the exponents of growth fitted to the upper part.
+// The diagram of exercise sheet 3: the time of a step against the number of spheres, for each broad phase, backend and number
+// of threads, with exponents of growth fitted to the upper part.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/measure/fit.h"
+#include "lab/measure/points.h"
 #include "lab/measure/search_timing.h"
 #include "measure/gas.h"
 #include "measure/machine.h"
-#include "measure/spread.h"
 #include "measure/step_timing.h"
 
 namespace ballpit {
@@ -21,7 +21,7 @@ namespace ballpit {
 namespace {
 
 constexpr int kBlocks = 5;
-constexpr double kFittedFrom = 0.03;  // of the largest number of spheres: the upper part, which the exponent is of
+constexpr double kFittedFrom = 0.03;  // of the largest number of spheres: fits use the part from there on
 
 std::vector<int64_t> counts(bool is_quick) {
   if (is_quick) return {100, 300, 1000, 3000, 10'000, 30'000};
@@ -42,22 +42,17 @@ std::vector<StepCase> cases() {
   return result;
 }
 
-std::string name_of(const StepCase& which) {
-  const std::string threads = which.threads == 0   ? which.backend.name
-                              : which.threads == 1 ? "1 thread"
-                                                   : std::to_string(which.threads) + " threads";
-  return which.method + ", " + threads;
-}
+std::string threads_text(int threads) { return threads == 1 ? "1 thread" : fmt::format("{} threads", threads); }
 
-/// One case through all counts.
+/// One case for all counts.
 struct Curve {
   StepCase which;
-  std::vector<Point> points;  ///< milliseconds a step: median and quartiles
+  std::vector<Point> points;  ///< [ms] of a step: median and quartiles
   std::vector<double> candidates;
-  PowerFit fit, candidates_fit;  ///< of milliseconds, of candidates
+  PowerFit fit, candidates_fit;  ///< of the points, of the candidates
 };
 
-/// Of each case: its blocks [s a step], then its candidates; not a number where it was skipped.
+/// For each case the mean time of a step in each block [s], then the candidates; NaN if it was skipped.
 std::vector<double> measure_count(int64_t count, uint64_t seed, bool is_quick) {
   TimingPlan plan;
   plan.cases = cases();
@@ -76,7 +71,7 @@ std::vector<double> measure_count(int64_t count, uint64_t seed, bool is_quick) {
   return flat;
 }
 
-/// Of the upper part: `values` belong to the curve's points.
+/// The fit of the upper part. `values` belong to the points of the curve.
 PowerFit fit_upper(const Curve& curve, const std::vector<double>& values) {
   std::vector<double> x, y;
   for (size_t k = 0; k < curve.points.size(); ++k) {
@@ -98,15 +93,13 @@ std::vector<Curve> measure_all(Lab& lab) {
   std::vector<Curve> curves;
   for (const StepCase& which : cases()) curves.push_back({which, {}, {}, {}, {}});
   for (const int64_t count : counts(lab.is_quick())) {
-    const std::string key = "ms a step; gas of " + std::to_string(count) + "; seed " + std::to_string(lab.seed()) +
-                            (lab.is_quick() ? "; quick" : "; full");
+    const std::string key =
+        fmt::format("ms a step; gas of {}; seed {}; {}", count, lab.seed(), lab.is_quick() ? "quick" : "full");
     const std::vector<double> flat = lab.time(key, [&] { return measure_count(count, lab.seed(), lab.is_quick()); });
     for (size_t k = 0; k < curves.size(); ++k) {
       const auto first = flat.begin() + static_cast<std::ptrdiff_t>(k) * (kBlocks + 1);
       if (std::isnan(*first)) continue;
-      const Spread spread = spread_of({first, first + kBlocks});
-      curves[k].points.push_back(
-          {static_cast<double>(count), 1e3 * spread.median, 1e3 * spread.lower, 1e3 * spread.upper});
+      curves[k].points.push_back(point_of(static_cast<double>(count), spread_of({first, first + kBlocks}), 1e3));
       curves[k].candidates.push_back(first[kBlocks]);
     }
   }
@@ -114,18 +107,16 @@ std::vector<Curve> measure_all(Lab& lab) {
   return curves;
 }
 
-/// A guide of slope n^p·log(n)^q that ends at this point.
+/// The line n^p·log(n)^q that ends at this point.
 Series guide(const std::string& label, double power, double log_power, const Point& end, double from) {
-  Series series{label, "theory", {}, Stroke::line};
-  for (int k = 0; k <= 20; ++k) {
-    const double n = from * std::pow(end.x / from, k / 20.0);
-    series.points.push_back(
-        {n, end.y * std::pow(n / end.x, power) * std::pow(std::log(n) / std::log(end.x), log_power)});
-  }
-  return series;
+  std::vector<double> xs;
+  for (int k = 0; k <= 20; ++k) xs.push_back(from * std::pow(end.x / from, k / 20.0));
+  return theory_line(label, xs, [&](double n) {
+    return end.y * std::pow(n / end.x, power) * std::pow(std::log(n) / std::log(end.x), log_power);
+  });
 }
 
-/// Beside the curves: the square above brute force, the others below the fastest.
+/// Lines that show how n², n·log n and n grow: the first above brute force, the others below the fastest curve.
 std::vector<Series> guides(const std::vector<const Curve*>& curves) {
   double fastest = INFINITY, largest = 0, smallest = INFINITY;
   for (const Curve* curve : curves) {
@@ -147,27 +138,27 @@ std::vector<Series> guides(const std::vector<const Curve*>& curves) {
   return result;
 }
 
-Chart chart_of(const std::string& name, const std::string& title, const std::vector<const Curve*>& curves) {
-  Chart chart{name, title, {"spheres", "", Scale::log}, {"time a step", "ms", Scale::log}, guides(curves)};
-  for (const Curve* curve : curves) {
-    Series series{label_of(curve->which.method), curve->which.method, curve->points};
-    series.is_dashed = curve->which.backend.name != "cpu";
-    chart.series.push_back(std::move(series));
-  }
-  return chart;
-}
-
+/// One chart for each backend and number of threads, with all broad phases.
 std::vector<Chart> charts_of(const std::vector<Curve>& curves) {
   std::vector<Chart> charts;
   for (size_t first = 0; first < curves.size(); first += broad_phases().size()) {
     std::vector<const Curve*> chosen;
     for (size_t k = 0; k < broad_phases().size(); ++k) chosen.push_back(&curves[first + k]);
     const StepCase& which = curves[first].which;
-    const std::string where = which.threads == 1   ? "one thread"
-                              : which.threads == 0 ? "CUDA"
-                                                   : std::to_string(which.threads) + " threads";
-    charts.push_back(chart_of("time-" + (which.threads == 0 ? which.backend.name : std::to_string(which.threads)),
-                              "Time a step against spheres, " + where, chosen));
+    const std::string name = which.threads == 0 ? which.backend.name : std::to_string(which.threads);
+    const std::string where = which.threads == 0   ? "CUDA"
+                              : which.threads == 1 ? "one thread"
+                                                   : threads_text(which.threads);
+    Chart chart{"time-" + name,
+                "Time a step against spheres, " + where,
+                {"spheres", "", Scale::log},
+                {"time a step", "ms", Scale::log},
+                guides(chosen)};
+    for (const Curve* curve : chosen) {
+      chart.series.push_back({label_of(curve->which.method), curve->which.method, curve->points,
+                              Stroke::line_and_points, which.backend.name != "cpu"});
+    }
+    charts.push_back(std::move(chart));
   }
   return charts;
 }
@@ -187,8 +178,7 @@ Table times_of(const std::vector<Curve>& curves) {
     const StepCase& which = curve.which;
     for (size_t k = 0; k < curve.points.size(); ++k) {
       const Point& p = curve.points[k];
-      table.rows.push_back({which.method, which.backend.name, static_cast<double>(which.threads), p.x, p.y, p.low,
-                            p.high, curve.candidates[k]});
+      table.add_row(which.method, which.backend.name, which.threads, p.x, p.y, p.low, p.high, curve.candidates[k]);
     }
   }
   return table;
@@ -206,8 +196,10 @@ Table exponents_of(const std::vector<Curve>& curves) {
               true};
   for (const Curve& curve : curves) {
     if (curve.points.empty()) continue;
-    table.rows.push_back({name_of(curve.which), curve.fit.exponent, curve.fit.error, curve.candidates_fit.exponent,
-                          curve.points.back().x, curve.points.back().y});
+    const StepCase& which = curve.which;
+    const std::string where = which.threads == 0 ? which.backend.name : threads_text(which.threads);
+    table.add_row(which.method + ", " + where, curve.fit.exponent, curve.fit.error, curve.candidates_fit.exponent,
+                  curve.points.back().x, curve.points.back().y);
   }
   return table;
 }
@@ -220,28 +212,26 @@ std::string answer_of(const std::vector<Curve>& curves) {
   const Curve& brute = curve_of(curves, "brute-force");
   const Curve& sweep = curve_of(curves, "sort-and-sweep");
   const Curve& grid = curve_of(curves, "sorted-grid");
-  const auto grid_at = [&](double x) {
-    return std::find_if(grid.points.begin(), grid.points.end(), [&](const Point& p) { return p.x == x; });
-  };
-  if (brute.points.empty() || grid_at(brute.points.back().x) == grid.points.end())
-    return "Too little could be measured for an answer.";
+  const auto same = std::find_if(grid.points.begin(), grid.points.end(),
+                                 [&](const Point& p) { return !brute.points.empty() && p.x == brute.points.back().x; });
+  if (same == grid.points.end()) return "Too little could be measured for an answer.";
   const Point& last = brute.points.back();
-  const auto same = grid_at(last.x);
-  return "On one thread time grows as n to the power of " + three_digits(brute.fit.exponent) + " by brute force, " +
-         three_digits(sweep.fit.exponent) + " by sort and sweep, " + three_digits(grid.fit.exponent) +
-         " by the sorted grid, which steps " + grouped(static_cast<int64_t>(last.x)) + " spheres " +
-         three_digits(last.y / same->y) + " times as fast as brute force.";
+  return fmt::format(
+      "On one thread time grows as n to the power of {} by brute force, {} by sort and sweep, {} by the sorted grid, "
+      "which "
+      "steps {} spheres {} times as fast as brute force.",
+      three_digits(brute.fit.exponent), three_digits(sweep.fit.exponent), three_digits(grid.fit.exponent),
+      grouped(static_cast<int64_t>(last.x)), three_digits(last.y / same->y));
 }
 
 int64_t measurements(bool is_quick) { return static_cast<int64_t>(counts(is_quick).size()); }
 
 Findings run(Lab& lab) {
   const std::vector<Curve> curves = measure_all(lab);
-  Findings findings;
-  findings.tables = {times_of(curves), exponents_of(curves)};
-  findings.charts = charts_of(curves);
-  findings.answer = answer_of(curves);
-  findings.see =
+  return {
+      {times_of(curves), exponents_of(curves)},
+      charts_of(curves),
+      answer_of(curves),
       "Whole steps of a gas of equal elastic spheres that fill 30 % of a box: detection, response, motion. Both axes "
       "are logarithmic, so a power of n is a straight line; dotted, what O(n²), O(n log n) and O(n) look like. "
       "Points are medians of five blocks of steps, bars their quartiles; all methods are measured in turns. "
@@ -250,8 +240,7 @@ Findings run(Lab& lab) {
       "ends where a block would take too long. In a cube sort and sweep walks n to the power of 5/3 entries, since "
       "an interval's share of the axis shrinks only as the cube root of n; its time follows that where walking "
       "outweighs sorting: the table gives the exponent of what is counted, the candidates, beside that of what is "
-      "timed.";
-  return findings;
+      "timed."};
 }
 
 }  // namespace

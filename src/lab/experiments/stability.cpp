@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Where methods fail, mapped: what is measured as colour, and the formula's line.
+// Maps of where methods fail: measured values as colours, and the line of the formula.
 #include "lab/experiments/stability.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
-#include "lab/charts/key.h"
+#include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/failures.h"
 #include "lab/experiments/long_runs.h"
@@ -18,7 +20,7 @@ namespace {
 
 constexpr double kBulletStep = 0.42;  // [m]
 constexpr double kOmegaStep = 0.1;    // of an oscillator
-constexpr int kPairs = 20000;         // of a single recall
+constexpr int kPairs = 20000;         // for a single recall
 
 int cells_of(const MapAxis& axis, bool is_quick) { return is_quick ? axis.cells : 2 * axis.cells - 1; }
 
@@ -32,14 +34,13 @@ Table table_of(const FailureMap& which, const Map& map) {
               {}};
   for (size_t column = 0; column < map.x.size(); ++column) {
     for (size_t row = 0; row < map.y.size(); ++row) {
-      table.rows.push_back({map.x[column], map.y[row], map.values[row][column]});
+      table.add_row(map.x[column], map.y[row], map.values[row][column]);
     }
   }
   return table;
 }
 
 Chart chart_of(const FailureMap& which, const Map& map, const MapBoundary& boundary) {
-  Chart chart{which.name, which.title, which.x.axis, which.y.axis, {}, map, {}};
   Series theory{which.formula, "theory", {}, Stroke::line};
   for (const double x : spaced(map.x.front(), map.x.back(), 100, which.x.axis.scale)) {
     const double y = which.theory(x);
@@ -49,29 +50,27 @@ Chart chart_of(const FailureMap& which, const Map& map, const MapBoundary& bound
   for (size_t column = 0; column < map.x.size(); ++column) {
     if (!std::isnan(boundary.y[column])) measured.points.push_back({map.x[column], boundary.y[column]});
   }
-  chart.series = {theory, measured};
-  return chart;
+  return {which.name, which.title, which.x.axis, which.y.axis, {theory, measured}, map};
 }
 
-/// Methods that are known to be wrong, seen failing.
+/// Methods that are known to be wrong, and how they fail.
 Table broken(Lab& lab) {
-  const auto recall = lab.measure(key_of({"broken cells", double(kPairs), "seed", double(lab.seed())}),
-                                  [&] { return std::vector<double>{recall_of_cells(0.5, kPairs, lab.seed())}; });
-  const auto bullet = lab.measure(key_of({"broken bullet", kBulletStep}), [] {
+  const double recall = lab.measure_number(key_of("broken cells", kPairs, "seed", lab.seed()),
+                                           [&] { return recall_of_cells(0.5, kPairs, lab.seed()); });
+  const auto bullet = lab.measure(key_of("broken bullet", kBulletStep), [] {
     return std::vector<double>{double(passes_through(kBulletStep, false)), double(passes_through(kBulletStep, true))};
   });
-  const auto gained = lab.measure(key_of({"broken explicit Euler", kOmegaStep}), [] {
-    return std::vector<double>{oscillator_drift("explicit-euler", kOmegaStep, 7).back()};
-  });
-  const auto yes_or_no = [](double value) { return std::string(value > 0 ? "yes" : "no"); };
-  return {"broken",
-          {{"method"}, {"what is seen"}, {"measured"}, {"theory"}},
-          {{"cells of half a diameter", "recall", recall[0], cell_recall(0.5)},
-           {"contacts at the end of a step of 0.42 m", "the bullet passes through 0.2 m", yes_or_no(bullet[0]), "yes"},
-           {"swept contacts", "the bullet passes through 0.2 m", yes_or_no(bullet[1]), "no"},
-           {"explicit Euler, 64 steps of ωdt = 0.1", "energy gained, of that at the start", gained[0],
-            oscillator_theory("explicit-euler", kOmegaStep, 64)}},
-          true};
+  const double gained = lab.measure_number(key_of("broken explicit Euler", kOmegaStep),
+                                           [] { return oscillator_drift("explicit-euler", kOmegaStep, 7).back(); });
+  const auto yes_or_no = [](double value) { return value > 0 ? "yes" : "no"; };
+  Table table{"broken", {{"method"}, {"what is seen"}, {"measured"}, {"theory"}}, {}, true};
+  table.add_row("cells of half a diameter", "recall", recall, cell_recall(0.5));
+  table.add_row("contacts at the end of a step of 0.42 m", "the bullet passes through 0.2 m", yes_or_no(bullet[0]),
+                "yes");
+  table.add_row("swept contacts", "the bullet passes through 0.2 m", yes_or_no(bullet[1]), "no");
+  table.add_row("explicit Euler, 64 steps of ωdt = 0.1", "energy gained, of that at the start", gained,
+                oscillator_theory("explicit-euler", kOmegaStep, 64));
+  return table;
 }
 
 int64_t measurements(bool is_quick) {
@@ -84,13 +83,13 @@ Findings run(Lab& lab) {
   Findings findings;
   Table lines{"boundaries", {{"map"}, {"formula"}, {"columns that cross"}, {"largest distance", "cells"}}, {}};
   double farthest = 0;
-  int within = 0;  // a cell
+  int within = 0;  // a distance of one cell
   for (const FailureMap& which : failure_maps()) {
     const Map map = measure_map(lab, which);
     const MapBoundary boundary = boundary_of(which, map);
     farthest = std::max(farthest, boundary.distance);
     within += boundary.distance <= 1;
-    lines.rows.push_back({which.name, which.formula, double(boundary.columns), boundary.distance});
+    lines.add_row(which.name, which.formula, boundary.columns, boundary.distance);
     findings.tables.push_back(table_of(which, map));
     findings.charts.push_back(chart_of(which, map, boundary));
     findings.see += which.title + ": at the dotted line " + which.where + ". ";
@@ -103,9 +102,10 @@ Findings run(Lab& lab) {
       "searches that find at least that recall; what is left of the speed that gravity gave in a step; the part of "
       "its way that a sphere makes. Triangles are where what is measured changes sides, dotted lines are formulas; "
       "nothing is fitted.";
-  findings.answer = "In " + std::to_string(within) + " of " + std::to_string(failure_maps().size()) +
-                    " maps the measured boundary lies within a cell of the formula's line; the farthest is " +
-                    three_digits(farthest) + " cells from it.";
+  findings.answer = fmt::format(
+      "In {} of {} maps the measured boundary lies within a cell of the formula's line; the farthest is {} cells from "
+      "it.",
+      within, failure_maps().size(), three_digits(farthest));
   return findings;
 }
 
@@ -116,8 +116,7 @@ Map measure_map(Lab& lab, const FailureMap& which) {
   map.values.assign(map.y.size(), std::vector<double>(map.x.size()));
   for (size_t column = 0; column < map.x.size(); ++column) {
     const double x = map.x[column];
-    const auto key =
-        key_of({which.name, x, map.y.front(), map.y.back(), double(map.y.size()), "seed", double(lab.seed())});
+    const auto key = key_of(which.name, x, map.y.front(), map.y.back(), map.y.size(), "seed", lab.seed());
     const auto values = lab.measure(key, [&] { return which.column(x, map.y, lab.seed()); });
     for (size_t row = 0; row < map.y.size(); ++row) map.values[row][column] = values[row];
   }

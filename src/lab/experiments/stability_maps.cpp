@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of the maps of `stability`.
+// The table of maps of `stability`.
 #include <algorithm>
 #include <cmath>
 
@@ -28,13 +28,14 @@ Values tunnelling(double step, const Values& impact, uint64_t) {
   return each(impact, [step](double b) { return part_of_hits_seen(step, b, 800); });
 }
 
-/// The part of searches that find at least so much: searches of one cell size differ by where their pairs lie.
+/// The part of searches with at least this recall. Searches with the same cells differ by the places of the pairs.
 Values cells(double edge, const Values& recall, uint64_t seed) {
   constexpr int kSearches = 40, kPairs = 1000;
   Values found;
   for (uint64_t k = 0; k < kSearches; ++k) found.push_back(recall_of_cells(edge, kPairs, seed * 1000 + k));
   return each(recall, [&found](double least) {
-    return double(std::count_if(found.begin(), found.end(), [least](double part) { return part >= least; })) /
+    return static_cast<double>(
+               std::count_if(found.begin(), found.end(), [least](double part) { return part >= least; })) /
            kSearches;
   });
 }
@@ -54,7 +55,7 @@ Values far_out(double x, const Values& step, uint64_t) {
   return each(step, [x](double way) { return part_of_way(x, way); });
 }
 
-double largest_stiffness(double dt) { return 0.5 / (dt * dt); }  // stable_step_fcc, solved for k; m = 1
+double largest_stiffness(double dt) { return 0.5 / (dt * dt); }  // dt = √(m/(2k)), twelve contacts each; m = 1
 double largest_impact(double step) { return step < 2 ? std::sqrt(1 - step * step / 4) : 0; }
 
 bool is_unstable(double growth) { return growth > kStableGrowth; }

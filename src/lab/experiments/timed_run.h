@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A world on the CPU whose stepping is timed, and whose end is no error: methods are here to be seen failing as well.
+// A world on the CPU whose steps are timed. Its failure is a result, not an error.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ class TimedRun {
  public:
   TimedRun(const Scene& scene, const Settings& settings) : world_(make_cpu_world(scene, settings)), dt_(settings.dt) {}
 
-  /// Steps until `time` [s]; false where the run has stopped before.
+  /// Steps until `time` [s]; false if the run stops before.
   bool reach(double time) {
     const auto start = std::chrono::steady_clock::now();
     try {
@@ -27,10 +27,10 @@ class TimedRun {
     return !has_stopped_;
   }
 
-  /// [s] spent for a second simulated.
+  /// Computation time [s] per simulated second.
   double seconds() const { return spent_ / std::max(world_->time(), dt_); }
 
-  double spent() const { return spent_; }  ///< [s]
+  double spent() const { return spent_; }  ///< computation time [s]
 
   World& world() { return *world_; }
 

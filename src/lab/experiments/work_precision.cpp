@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What accuracy costs: time per simulated second against error, of every response, integrator, step and precision.
+// The cost of accuracy: computation time per simulated second against error, for every response, integrator, step and
+// precision.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "core/numbers.h"
-#include "lab/charts/key.h"
+#include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/results.h"
 #include "response/damping.h"
@@ -30,13 +33,12 @@ Table table_of(const Task& task, const std::vector<Result>& results) {
   for (const Result& r : results) {
     const Cell step = has_steps(*r.method) ? Cell(r.dt) : Cell("none"),
                error = r.has_failed() ? Cell("failed") : Cell(r.error);
-    table.rows.push_back(
-        {r.method->name, step, error, r.standard_error, r.seconds.median, r.seconds.lower, r.seconds.upper});
+    table.add_row(r.method->name, step, error, r.standard_error, r.seconds.median, r.seconds.lower, r.seconds.upper);
   }
   return table;
 }
 
-/// Whether single precision is worth a line: somewhere its error is twice the double's, by more than chance.
+/// Whether single precision differs from double: at some step its error is more than twice as large, and not by chance.
 bool differs(const std::vector<Result>& results, size_t first, double floor) {
   const std::string& name = results[first].method->name;
   const std::string of_double = name.substr(0, name.rfind(", float"));
@@ -52,9 +54,8 @@ bool differs(const std::vector<Result>& results, size_t first, double floor) {
 
 Chart chart_of(const Task& task, const std::vector<Result>& results) {
   const double floor = floor_of(task, results);
-  Chart chart{task.name, task.title, {"time per simulated second", "s", Scale::log}, {task.error, "", Scale::log}, {},
-              {},        {}};
-  double least = INFINITY, most = 0;  // [s] of those that came to something
+  Chart chart{task.name, task.title, {"time per simulated second", "s", Scale::log}, {task.error, "", Scale::log}, {}};
+  double least = INFINITY, most = 0;  // [s] of results that did not fail
   for (const Result& r : results) {
     if (r.has_failed()) continue;
     least = std::min(least, r.seconds.median);
@@ -66,7 +67,7 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
     const bool is_shown = !series.is_dashed || differs(results, k, floor);
     for (; k < results.size() && results[k].method == method; ++k) {
       const Result& r = results[k];
-      if (r.has_failed()) {  // what it would have taken is no time to compare
+      if (r.has_failed()) {  // it has no comparable time
         series.points.push_back({std::clamp(r.seconds.median, least, most), r.error});
       } else {
         series.points.push_back(
@@ -83,7 +84,7 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
   return chart;
 }
 
-/// At what order in the step restitution converges: the force does not begin smoothly, with a dashpot it begins by a jump.
+/// The order with which restitution converges. It is low because the force does not start smoothly; a dashpot's force jumps.
 struct Order {
   const char *integrator, *law;
   double restitution, expected;
@@ -101,10 +102,10 @@ std::vector<Order> orders() {
 Table order_table(Lab& lab) {
   Table table{"orders", {{"integrator"}, {"law"}, {"restitution"}, {"order measured"}, {"order expected"}}, {}, true};
   for (const Order& order : orders()) {
-    const auto measured = lab.measure(key_of({"order", order.integrator, order.law, order.restitution}), [&] {
-      return std::vector<double>{order_of_restitution(order.integrator, order.law, order.restitution)};
+    const double measured = lab.measure_number(key_of("order", order.integrator, order.law, order.restitution), [&] {
+      return order_of_restitution(order.integrator, order.law, order.restitution);
     });
-    table.rows.push_back({order.integrator, order.law, order.restitution, measured[0], order.expected});
+    table.add_row(order.integrator, order.law, order.restitution, measured, order.expected);
   }
   return table;
 }
@@ -115,13 +116,13 @@ int64_t measurements(bool is_quick) {
   return count;
 }
 
-/// The fastest of a task that holds a tolerance; nullptr where none does.
+/// The fastest of a task within a tolerance; nullptr if there is none.
 const Result* fastest(const std::vector<Result>& front, double tolerance) {
   const auto found = std::find_if(front.begin(), front.end(), [&](const Result& r) { return r.error <= tolerance; });
   return found == front.end() ? nullptr : &*found;
 }
 
-/// "kinematic, event-driven": those that failed at every step; empty where there are none.
+/// "kinematic; event-driven": the methods in double precision that failed at every step.
 std::string never_served(const Task& task, const std::vector<Result>& results, bool is_quick) {
   std::vector<std::string> names;
   for (const ContactMethod* method : methods_of(task, is_quick)) {
@@ -132,7 +133,7 @@ std::string never_served(const Task& task, const std::vector<Result>& results, b
   return join(names, "; ");
 }
 
-/// "penalty, rk4: 12 µs", of the fastest that holds a tolerance; why there is none, else.
+/// "penalty, rk4: 12 µs", or why there is no result within the tolerance.
 std::string text_of(const Result* result, bool is_chance) {
   if (!result) return is_chance ? "chance is larger" : "nobody";
   const double micro = 1e6 * result->seconds.median;
@@ -140,7 +141,7 @@ std::string text_of(const Result* result, bool is_chance) {
          (micro < 1000 ? three_digits(micro) + " µs" : three_digits(micro / 1000) + " ms");
 }
 
-/// How often each name comes, by most first: "impulse in 5 of 19 scenes, penalty in 3; in 11 nobody comes that close, or chance is larger".
+/// How often each name occurs: "impulse in 5 of 19 scenes, penalty in 3; in 11 nobody comes that close, or chance is larger".
 std::string counts_of(const std::vector<std::string>& names, size_t scenes) {
   std::vector<std::pair<std::string, int>> counts;
   for (const std::string& name : names) {
@@ -150,11 +151,10 @@ std::string counts_of(const std::vector<std::string>& names, size_t scenes) {
   }
   std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   std::vector<std::string> texts;
-  for (const auto& [name, count] : counts) texts.push_back(name + " in " + std::to_string(count));
-  if (!texts.empty()) texts.front() += " of " + std::to_string(scenes) + " scenes";
+  for (const auto& [name, count] : counts) texts.push_back(fmt::format("{} in {}", name, count));
+  if (!texts.empty()) texts.front() += fmt::format(" of {} scenes", scenes);
   const size_t left = scenes - names.size();
-  return join(texts) +
-         (left > 0 ? "; in " + std::to_string(left) + " nobody comes that close, or chance is larger" : "");
+  return join(texts) + (left > 0 ? fmt::format("; in {} nobody comes that close, or chance is larger", left) : "");
 }
 
 Findings run(Lab& lab) {
@@ -172,24 +172,21 @@ Findings run(Lab& lab) {
     for (const double tolerance : kTolerances) row.emplace_back(text_of(fastest(front, tolerance), tolerance < floor));
     const Result* winner = fastest(front, 0.01);
     if (winner) winners.emplace_back(name_of(winner->method->settings.response));
-    scenes.rows.push_back({task.name, task.error, task.truth, never_served(task, results, lab.is_quick())});
+    scenes.add_row(task.name, task.error, task.truth, never_served(task, results, lab.is_quick()));
   }
   findings.answer = "An error of one percent costs least by " + counts_of(winners, tasks().size()) + ".";
   findings.see =
       "Each point is a step, half as long as that to its left: to the right runs take longer, downwards they are "
       "more accurate. Times are for a second simulated, without the making of the world; bars are quartiles of them. "
-      "Errors below 1e-10 are drawn "
-      "there. "
-      "Runs that stopped, or carry no weight, are × at the edge. Thin lines are other integrators and solvers of the "
+      "Errors below 1e-10 are drawn there. Runs that stopped, or carry no weight, are × at the edge. Thin lines are "
+      "other integrators and solvers of the "
       "response whose colour and marker they have, without a label where they end like its own; single precision is "
       "drawn, dashed, where it differs, and counts in the Pareto front. Springs get stiffer with the step, so that a "
       "contact always lasts 20 steps, and what these err in restitution stays; only in the first two charts springs "
-      "stay "
-      "the same. There a higher order earns "
-      "little: the force does not begin smoothly, and RK4 keeps two or two and a half of its four "
+      "stay the same. There a higher order earns little: the force does not begin smoothly, and RK4 keeps two or two "
+      "and a half of its four "
       "orders, Verlet one, or two and a half. The first table names, for each scene, the fastest that holds a "
-      "tolerance; "
-      "the second what errors are against, and who failed at all steps.";
+      "tolerance; the second what errors are against, and who failed at all steps.";
   findings.tables.push_back(best);
   findings.tables.push_back(scenes);
   findings.tables.push_back(order_table(lab));

@@ -12,7 +12,7 @@ double scaled(double value, Scale scale) { return scale == Scale::log ? std::log
 
 double unscaled(double value, Scale scale) { return scale == Scale::log ? std::exp(value) : value; }
 
-/// Where a value stands among evenly spaced cells: 0 in the first, 1 in the second; at most half a cell outside.
+/// The place of a value among evenly spaced cells: 0 in the first, 1 in the second; at most half a cell outside.
 double place_among(const std::vector<double>& cells, double value, Scale scale) {
   const double last = static_cast<double>(cells.size() - 1);
   if (scale == Scale::log && value <= 0) return -0.5;

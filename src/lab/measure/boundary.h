@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a measured map changes sides, and how far that is from where theory says.
+// The line along which a measured map changes sides, and its distance from the line of theory.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace ballpit {
 
-/// A map's boundary: in each column the y at which `has_crossed` first comes true from below.
+/// The boundary of a map: in each column the lowest y at which `has_crossed` is true.
 struct MapBoundary {
-  std::vector<double> y;  ///< half way between two cells; kNoNumber in a column that does not cross
-  double distance = 0;    ///< the largest in any column from measured to theory, in cells along y
-  int columns = 0;        ///< that cross
+  std::vector<double> y;  ///< half way between two cells; kNoNumber in columns without a crossing
+  double distance = 0;    ///< the largest of any column between measurement and theory [cells along y]
+  int columns = 0;        ///< with a crossing
 };
 
-/// `theory` gives y for x; outside the map it counts as the map's edge, as does a column that does not cross.
+/// `theory` gives y for x. A y outside the map counts as its edge, and so does a column without a crossing.
 MapBoundary find_boundary(const Map& map, Scale y_scale, const std::function<bool(double)>& has_crossed,
                           const std::function<double(double)>& theory);
 
-/// `count` centres from `low` to `high`, both included: evenly spaced, or by equal factors.
+/// `count` numbers from `low` to `high`, both included: at equal distances, or at equal ratios.
 std::vector<double> spaced(double low, double high, int count, Scale scale);
 
 }  // namespace ballpit

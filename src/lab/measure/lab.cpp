@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "core/file.h"
 #include "core/interrupt.h"
@@ -34,7 +36,7 @@ double load_average() {
 
 Lab::Lab(LabOptions options) : options_(std::move(options)) {
   if (options_.cache.empty()) return;
-  append_to_file(options_.cache, "");  // what cannot be written is told before anything is measured
+  append_to_file(options_.cache, "");  // fails now, not after the first measurement
   const std::string text = read_file(options_.cache);
   size_t start = 0;
   for (size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1) {
@@ -43,13 +45,13 @@ Lab::Lab(LabOptions options) : options_(std::move(options)) {
     values.clear();
     for (size_t k = 1; k < cells.size(); ++k) values.push_back(number_in(cells[k]));
   }
-  // A line without an end was cut short, by a full disk or a lost machine.
+  // An incomplete last line comes from a full disk or a crash.
   if (start < text.size()) shorten_file(options_.cache, static_cast<int64_t>(start));
 }
 
 std::vector<double> Lab::measure(const std::string& key, const std::function<std::vector<double>()>& function) {
   if (options_.stop && options_.stop()) stop();
-  const std::string full_key = std::string("ballpit ") + kVersion + "; " + key;
+  const std::string full_key = fmt::format("ballpit {}; {}", kVersion, key);
   const auto found = kept_.find(full_key);
   const bool was_kept = found != kept_.end();
   std::vector<double> values;
@@ -81,7 +83,7 @@ std::vector<double> Lab::time(const std::string& key, const std::function<std::v
 
 void Lab::stop() const {
   throw RunError(options_.name,
-                 "interrupted after " + std::to_string(asked_) + " measurements of this experiment, which are kept",
+                 fmt::format("interrupted after {} measurements of this experiment, which are kept", asked_),
                  "the same command goes on from there");
 }
 

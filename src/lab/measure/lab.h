@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an experiment runs with. Every measurement is kept by its key, which holds all that it depends on, in a file that
-// grows with each: a run that was interrupted goes on where it stopped, and a changed chart measures nothing again.
+// Makes the measurements of an experiment and keeps them in a file, each with a key that names everything it depends on. So
+// an interrupted run continues where it stopped, and a changed chart needs no new measurements.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,34 @@ namespace ballpit {
 struct LabOptions {
   bool is_quick = false;
   uint64_t seed = 1;
-  std::filesystem::path cache = {};              ///< a file; empty: nothing is kept
-  std::function<void(bool was_kept)> tell = {};  ///< hears of each measurement that is there
+  std::filesystem::path cache = {};              ///< a file; empty: keep nothing
+  std::function<void(bool was_kept)> tell = {};  ///< called after each measurement
   std::string name = "lab";                      ///< of the experiment, in messages
-  std::function<bool()> stop = {};               ///< asked before each; true ends the run
+  std::function<bool()> stop = {};               ///< called before each measurement; true ends the run
 };
 
 class Lab {
  public:
-  /// Reads what the cache holds. Throws RunError where it cannot be read or made.
+  /// Reads the cache. Throws RunError if it cannot be read or created.
   explicit Lab(LabOptions options);
 
   bool is_quick() const { return options_.is_quick; }
   uint64_t seed() const { return options_.seed; }
 
-  /// What the function gives: numbers that depend on the key and the version alone. Throws RunError where the run was
-  /// interrupted, also within a measurement, or the cache cannot be written.
+  /// The result of the function: numbers that depend on nothing but the key and the version. Throws RunError if the run is
+  /// interrupted, also during a measurement, or if the cache cannot be written.
   std::vector<double> measure(const std::string& key, const std::function<std::vector<double>()>& function);
+  double measure_number(const std::string& key, const std::function<double()>& function) {
+    return measure(key, [&] { return std::vector<double>{function()}; })[0];
+  }
 
-  /// The same for seconds, which depend on the machine and the build too; the machine's load is noted.
+  /// The same for times [s], which also depend on the machine and the build. Records the load of the machine.
   std::vector<double> time(const std::string& key, const std::function<std::vector<double>()>& function);
 
-  int64_t measured() const { return measured_; }  ///< by a function, not read from the cache
+  int64_t measured() const { return measured_; }  ///< those not read from the cache
   int64_t asked() const { return asked_; }
 
-  /// The highest load average over a minute at the end of a timing, our own threads included; 0 where nothing was timed.
+  /// The highest load average at the end of a timing, over a minute and with our own threads; 0 if nothing was timed.
   double load() const { return load_; }
 
  private:

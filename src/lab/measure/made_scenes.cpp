@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lab/measure/made_scenes.h"
 
-#include <array>
 #include <cmath>
 
 #include "core/interrupt.h"
@@ -12,7 +11,7 @@ namespace ballpit {
 
 namespace {
 
-/// Velocities of total momentum zero and kT = 1, no two alike, of equal masses of 1.
+/// Random velocities of spheres of mass 1, with total momentum 0 and kT = 1.
 void set_velocities(Bodies& bodies, Random& random) {
   for (Vec3d& v : bodies.velocity) {
     v = random.uniform(Vec3d(-1.0), Vec3d(1.0)) + random.uniform(Vec3d(-1.0), Vec3d(1.0));
@@ -25,22 +24,16 @@ void set_velocities(Bodies& bodies, Random& random) {
 
 Scene lattice_gas(int cells, double rho, uint64_t seed) {
   const double edge = std::cbrt(4 / rho);
-  constexpr std::array<std::array<double, 3>, 4> kBasis{{{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}};
   Scene scene;
   scene.domain = {Vec3d(0.0), Vec3d(cells * edge), Boundary::periodic, 3};
   scene.physics.restitution = scene.physics.wall_restitution = 1;
-  for (int c = 0; c < cells * cells * cells; ++c) {
-    const Vec3d corner(c % cells, c / cells % cells, c / cells / cells);
-    for (const auto& b : kBasis) {
-      add_sphere(scene, edge * (corner + Vec3d(b[0], b[1], b[2]) + 0.25), Vec3d(0.0), 0.5, 1);
-    }
-  }
+  for (const Vec3d& site : fcc_lattice(cells, edge)) add_sphere(scene, site, Vec3d(0.0), 0.5, 1);
   Random random(seed);
   set_velocities(scene.bodies, random);
   return scene;
 }
 
-/// Lets the bodies move exactly for a time.
+/// Moves the bodies exactly for a time.
 void relax(Scene& scene, double time) {
   const auto world = make_cpu_world(scene, exact_motion(time));
   world->step();
@@ -93,6 +86,17 @@ void stop_center(Bodies& bodies) {
     mass += bodies.mass[i];
   }
   for (Vec3d& v : bodies.velocity) v -= momentum / mass;
+}
+
+std::vector<Vec3d> fcc_lattice(int cells, double edge) {
+  std::vector<Vec3d> sites;
+  for (int c = 0; c < cells * cells * cells; ++c) {
+    const Vec3d corner(c % cells, c / cells % cells, c / cells / cells);
+    for (const Vec3d& b : {Vec3d(0, 0, 0), Vec3d(0.5, 0.5, 0), Vec3d(0.5, 0, 0.5), Vec3d(0, 0.5, 0.5)}) {
+      sites.push_back(edge * (corner + b + 0.25));
+    }
+  }
+  return sites;
 }
 
 Scene equilibrium_gas(int cells, double rho, uint64_t seed, double collisions) {

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "methods/methods.h"
 #include "world/world.h"
 
@@ -14,15 +16,15 @@ namespace {
 
 constexpr int kRepeats = 3;            // in a round
 constexpr double kLongEnough = 0.002;  // [s] for the clock
-constexpr int kMostSearches = 200;     // in a repeat
+constexpr int kMaxSearches = 200;      // in a repeat
 
-/// One way to search, made ready.
+/// One method, prepared.
 class Runner {
  public:
   Runner(const Settings& settings, const SphereArrays& spheres)
       : search_(cpu_backend().make_pair_search(settings)), spheres_(spheres) {
     const double once = std::min(run(1), run(1));
-    times_ = std::clamp(static_cast<int>(kLongEnough / once), 1, kMostSearches);
+    times_ = std::clamp(static_cast<int>(kLongEnough / once), 1, kMaxSearches);
   }
 
   double run_repeat() { return run(times_); }
@@ -30,7 +32,7 @@ class Runner {
   SearchReport report() const { return search_->report(); }
 
  private:
-  /// [s] a search.
+  /// The mean time of a search [s].
   double run(int times) {
     const auto start = std::chrono::steady_clock::now();
     for (int k = 0; k < times; ++k) search_->find(spheres_);
@@ -42,20 +44,19 @@ class Runner {
   int times_ = 1;
 };
 
-/// For each way: its repeats, candidates, contacts; one after the other.
-std::vector<double> time_in_turns(const std::vector<Settings>& ways, const SphereSet& spheres) {
+/// For each method its repeats, candidates and contacts, in one array.
+std::vector<double> time_in_turns(const std::vector<Settings>& methods, const SphereSet& spheres) {
   std::vector<Runner> runners;
-  for (const Settings& way : ways) runners.emplace_back(way, spheres.arrays());
-  std::vector<std::vector<double>> values(ways.size());
+  for (const Settings& method : methods) runners.emplace_back(method, spheres.arrays());
+  std::vector<std::vector<double>> values(methods.size());
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
-    for (size_t k = 0; k < ways.size(); ++k) values[k].push_back(runners[k].run_repeat());
+    for (size_t k = 0; k < methods.size(); ++k) values[k].push_back(runners[k].run_repeat());
   }
   std::vector<double> flat;
-  for (size_t k = 0; k < ways.size(); ++k) {
+  for (size_t k = 0; k < methods.size(); ++k) {
     flat.insert(flat.end(), values[k].begin(), values[k].end());
     const SearchReport report = runners[k].report();
-    flat.push_back(static_cast<double>(report.candidates));
-    flat.push_back(static_cast<double>(report.contacts));
+    flat.insert(flat.end(), {static_cast<double>(report.candidates), static_cast<double>(report.contacts)});
   }
   return flat;
 }
@@ -64,11 +65,12 @@ std::vector<double> time_in_turns(const std::vector<Settings>& ways, const Spher
 
 std::vector<std::vector<SearchTiming>> time_searches(Lab& lab, const std::vector<SearchCase>& cases) {
   std::vector<std::vector<SearchTiming>> timings;
-  for (const SearchCase& one : cases) timings.emplace_back(one.ways.size());
+  for (const SearchCase& one : cases) timings.emplace_back(one.methods.size());
   for (int round = 1; round <= kSearchRounds; ++round) {
     for (size_t c = 0; c < cases.size(); ++c) {
-      const std::vector<double> flat = lab.time(cases[c].key + "; round " + std::to_string(round),
-                                                [&] { return time_in_turns(cases[c].ways, cases[c].make_spheres()); });
+      const std::vector<double> flat = lab.time(fmt::format("{}; round {}", cases[c].key, round), [&] {
+        return time_in_turns(cases[c].methods, cases[c].make_spheres());
+      });
       for (size_t k = 0; k < timings[c].size(); ++k) {
         const auto first = flat.begin() + static_cast<std::ptrdiff_t>(k) * (kRepeats + 2);
         SearchTiming& timing = timings[c][k];

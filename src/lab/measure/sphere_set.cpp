@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kDiameterVolume = std::numbers::pi / 6;  // of the largest sphere
 
-/// [r_max] Where 1/r² is uniform, the density of r goes as r⁻³.
+/// [r_max] If 1/r² is uniform, the density of r is ~ r⁻³.
 double draw_radius(double ratio, Random& random) { return 1 / std::sqrt(random.uniform(1, ratio * ratio)); }
 
-/// Mean of r³ [r_max³] where 1/r² is uniform from 1 to q²: 2/(q² − 1)·(1 − 1/q).
+/// The mean of r³ [r_max³] if 1/r² is uniform from 1 to q²: 2/(q² − 1)·(1 − 1/q).
 double mean_cubed_radius(double ratio) { return ratio == 1 ? 1 : 2 / (ratio * (ratio + 1)); }
 
 /// Gaussian with variance 1, as the sum of twelve uniform numbers: the same on every platform.
@@ -27,7 +27,7 @@ double gaussian(Random& random) {
   return sum;
 }
 
-/// Durstenfeld 1964, Algorithm 235: where a sphere is in memory tells nothing of where it is in space.
+/// Durstenfeld 1964, Algorithm 235. Neighbours in space are then no neighbours in memory.
 void shuffle(std::vector<Vec3>& places, Random& random) {
   for (size_t k = places.size(); k > 1; --k) std::swap(places[k - 1], places[random.bits() % k]);
 }
@@ -56,8 +56,8 @@ SphereSet uniform_spheres(const UniformSpheres& wanted, uint64_t seed) {
 }
 
 SphereSet touching_pairs(int64_t count, uint64_t seed) {
-  constexpr double kSpacing = 4;        // pairs are at most 2 wide
-  constexpr double kDistance = 0.9999;  // [diameters] of centres: a contact also after rounding
+  constexpr double kSpacing = 4;        // the width of a pair is at most 2
+  constexpr double kDistance = 0.9999;  // [diameters] of the centres, so that rounding keeps the contact
   Random random(seed);
   constexpr double kPlay = kSpacing / 2 - 1.001;
   const auto side = static_cast<int64_t>(std::ceil(std::cbrt(static_cast<double>(count) / 2) - 1e-9));

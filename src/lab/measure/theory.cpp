@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// P = ρZ of the reference.
+/// P = ρZ.
 double pressure(double rho) { return rho * reference_z(rho); }
 
 }  // namespace
@@ -46,7 +46,7 @@ double reference_z(double rho) {
 }
 
 double finite_z(double rho, double count) {
-  constexpr double h = 1e-4;  // both differences are good to 1e-6
+  constexpr double h = 1e-4;  // both differences are accurate to 1e-6
   const double slope = (pressure(rho + h) - pressure(rho - h)) / (2 * h);
   const double curvature = (pressure(rho + h) - 2 * pressure(rho) + pressure(rho - h)) / (h * h);
   return reference_z(rho) - rho * curvature / (2 * slope * count);
@@ -70,7 +70,7 @@ double cooling_time(double rho, double count, double restitution) {
 double barometric_height(double energy, double weight, double diameter, double per_area) {
   const double volume = 2 * pi / 3 * diameter * diameter * diameter;
   double kt = 0.4 * energy, beta = 0;
-  for (int k = 0; k < 20; ++k) {  // each pass makes the rest smaller by β
+  for (int k = 0; k < 20; ++k) {  // each pass reduces the error by a factor of β
     beta = volume * per_area * weight / kt;
     kt = 2 * energy / (5 + beta);
   }
@@ -100,13 +100,7 @@ double hertz_duration(double stiffness, double mu, double v) {
   return 2.943275 * std::pow(5 * mu * v * v / (4 * stiffness), 0.4) / v;
 }
 
-double stable_step_fcc(double stiffness, double mass) { return std::sqrt(mass / (2 * stiffness)); }
-
-double certain_step(double impact) { return 2 * std::sqrt(1 - impact * impact); }
-
-double part_seen(double step, double impact) { return std::min(1.0, certain_step(impact) / step); }
-
-double mean_part_seen(double step) { return step <= 2 ? 1 - step * step / 12 : 4 / (3 * step); }
+double part_seen(double step, double impact) { return std::min(1.0, 2 * std::sqrt(1 - impact * impact) / step); }
 
 double cell_recall(double edge) {
   // Over an octant: z uniform in [0, 1] and an angle in [0, π/2], by the midpoint rule.

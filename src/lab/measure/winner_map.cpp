@@ -6,28 +6,31 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
+#include "lab/measure/points.h"
 #include "scene/input_error.h"
 
 namespace ballpit {
 
 namespace {
 
-std::vector<Settings> ways_for(double count) {
-  std::vector<Settings> ways;
+std::vector<Settings> methods_for(double count) {
+  std::vector<Settings> methods;
   for (const std::string& name : broad_phases()) {
-    if (name != "brute-force" || count <= kMostForBruteForce) ways.push_back(search_by(name));
+    if (name != "brute-force" || count <= kMaxForBruteForce) methods.push_back(search_by(name));
   }
-  return ways;
+  return methods;
 }
 
-/// Timings for all broad phases, an empty one for each that was not tried.
-std::vector<SearchTiming> spread_out(std::vector<SearchTiming> timings, const std::vector<Settings>& ways) {
+/// Timings of all broad phases, an empty one for each that was not tried.
+std::vector<SearchTiming> with_gaps(const std::vector<SearchTiming>& timings, const std::vector<Settings>& methods) {
   std::vector<SearchTiming> all;
   for (const std::string& name : broad_phases()) {
-    const auto found =
-        std::find_if(ways.begin(), ways.end(), [&](const Settings& way) { return name_of(way.broadphase) == name; });
-    all.push_back(found == ways.end() ? SearchTiming{} : timings[static_cast<size_t>(found - ways.begin())]);
+    const auto found = std::find_if(methods.begin(), methods.end(),
+                                    [&](const Settings& method) { return name_of(method.broadphase) == name; });
+    all.push_back(found == methods.end() ? SearchTiming{} : timings[static_cast<size_t>(found - methods.begin())]);
   }
   return all;
 }
@@ -68,9 +71,9 @@ std::vector<WinnerCell> find_winners(Lab& lab, const WinnerPlan& plan) {
   std::vector<WinnerCell> cells;
   for (const double count : plan.counts) {
     for (const double value : plan.values) {
-      cases.push_back({"search by all broad phases; " + number_text(count) + " spheres; " + plan.parameter + " " +
-                           number_text(value) + "; seed " + std::to_string(lab.seed()),
-                       ways_for(count), [&, count, value] {
+      cases.push_back({fmt::format("search by all broad phases; {} spheres; {} {}; seed {}", number_text(count),
+                                   plan.parameter, number_text(value), lab.seed()),
+                       methods_for(count), [&, count, value] {
                          return plan.make_spheres(static_cast<int64_t>(count), value, lab.seed());
                        }});
       cells.push_back({count, value, {}, kTie});
@@ -78,7 +81,7 @@ std::vector<WinnerCell> find_winners(Lab& lab, const WinnerPlan& plan) {
   }
   const std::vector<std::vector<SearchTiming>> timings = time_searches(lab, cases);
   for (size_t c = 0; c < cells.size(); ++c) {
-    cells[c].timings = spread_out(timings[c], cases[c].ways);
+    cells[c].timings = with_gaps(timings[c], cases[c].methods);
     cells[c].winner = winner_among(cells[c].timings);
   }
   return cells;
@@ -87,8 +90,8 @@ std::vector<WinnerCell> find_winners(Lab& lab, const WinnerPlan& plan) {
 Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells, const std::string& title) {
   Map map{plan.counts, plan.values, {}, {}};
   for (const std::string& name : broad_phases()) map.categories.push_back({label_of(name), name});
+  const auto tie = static_cast<double>(map.categories.size());
   map.categories.push_back({"too close to tell", "theory"});
-  const auto tie = static_cast<double>(broad_phases().size());
   map.values.assign(plan.values.size(), std::vector<double>(plan.counts.size(), kNoNumber));
   for (const WinnerCell& cell : cells) {
     const auto row = std::find(plan.values.begin(), plan.values.end(), cell.value) - plan.values.begin();
@@ -98,23 +101,28 @@ Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells,
   return {"winner", title, {"spheres", "", Scale::log}, plan.axis, {}, std::move(map)};
 }
 
-Chart time_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
-  const double most = plan.counts.back();
-  Chart chart{"time",
-              "Time of a search, " + grouped(static_cast<int64_t>(most)) + " spheres",
-              plan.axis,
-              {"time of a search", "ms", Scale::log},
-              {}};
+std::vector<Series> series_of(const WinnerPlan& plan, const std::vector<WinnerCell>& cells,
+                              const std::function<Point(const WinnerCell&, const SearchTiming&)>& to_point) {
+  std::vector<Series> all;
   for (size_t k = 0; k < broad_phases().size(); ++k) {
     Series series{label_of(broad_phases()[k]), broad_phases()[k], {}};
     for (const WinnerCell& cell : cells) {
-      if (cell.count != most || cell.timings[k].seconds.empty()) continue;
-      const Spread spread = cell.timings[k].spread();
-      series.points.push_back({cell.value, 1e3 * spread.median, 1e3 * spread.lower, 1e3 * spread.upper});
+      if (cell.count != plan.counts.back() || cell.timings[k].seconds.empty()) continue;
+      series.points.push_back(to_point(cell, cell.timings[k]));
     }
-    if (!series.points.empty()) chart.series.push_back(std::move(series));
+    if (!series.points.empty()) all.push_back(std::move(series));
   }
-  return chart;
+  return all;
+}
+
+Chart time_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
+  return {"time",
+          fmt::format("Time of a search, {} spheres", grouped(static_cast<int64_t>(plan.counts.back()))),
+          plan.axis,
+          {"time of a search", "ms", Scale::log},
+          series_of(plan, cells, [](const WinnerCell& cell, const SearchTiming& timing) {
+            return point_of(cell.value, timing.spread(), 1e3);
+          })};
 }
 
 Table winner_table(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
@@ -130,10 +138,12 @@ Table winner_table(const WinnerPlan& plan, const std::vector<WinnerCell>& cells)
         cell.winner == kTie ? "too close to tell" : broad_phases()[static_cast<size_t>(cell.winner)];
     std::vector<Cell> row{cell.count, cell.value, fastest};
     for (const SearchTiming& timing : cell.timings) {
-      const Spread spread =
-          timing.seconds.empty() ? Spread{kNoNumber, kNoNumber, kNoNumber, kNoNumber} : timing.spread();
-      for (const double seconds : {spread.median, spread.lower, spread.upper}) row.emplace_back(1e3 * seconds);
-      row.emplace_back(timing.seconds.empty() ? kNoNumber : timing.candidates);
+      if (timing.seconds.empty()) {
+        row.insert(row.end(), 4, kNoNumber);
+        continue;
+      }
+      const Spread spread = timing.spread();
+      row.insert(row.end(), {1e3 * spread.median, 1e3 * spread.lower, 1e3 * spread.upper, timing.candidates});
     }
     table.rows.push_back(std::move(row));
   }
@@ -141,24 +151,23 @@ Table winner_table(const WinnerPlan& plan, const std::vector<WinnerCell>& cells)
 }
 
 std::string tally_of(const std::vector<WinnerCell>& cells) {
-  const std::vector<std::string> names = broad_phases();
-  std::vector<std::pair<std::ptrdiff_t, std::string>> wins;
   const auto count = [&](int winner) {
     return std::count_if(cells.begin(), cells.end(), [&](const WinnerCell& cell) { return cell.winner == winner; });
   };
-  for (int k = 0; k < static_cast<int>(names.size()); ++k) {
-    if (count(k) > 0) wins.emplace_back(count(k), label_of(names[static_cast<size_t>(k)]));
+  std::vector<std::pair<std::ptrdiff_t, std::string>> wins;
+  for (size_t k = 0; k < broad_phases().size(); ++k) {
+    const std::ptrdiff_t number = count(static_cast<int>(k));
+    if (number > 0) wins.emplace_back(number, label_of(broad_phases()[k]));
   }
   std::sort(wins.rbegin(), wins.rend());
   std::string text;
   for (const auto& [number, name] : wins) {
-    text += text.empty()
-                ? name + " is fastest in " + std::to_string(number) + " of " + std::to_string(cells.size()) + " cases"
-                : ", " + name + " in " + std::to_string(number);
+    text += text.empty() ? fmt::format("{} is fastest in {} of {} cases", name, number, cells.size())
+                         : fmt::format(", {} in {}", name, number);
   }
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  if (count(kTie) > 0) {
-    text += ", and " + std::to_string(count(kTie)) + (count(kTie) == 1 ? " is" : " are") + " too close to tell";
+  if (const auto ties = count(kTie); ties > 0) {
+    text += fmt::format(", and {} {} too close to tell", ties, ties == 1 ? "is" : "are");
   }
   return text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of experiments: command line, `list`, tests and documents are fed from it. A file each, in experiments/.
+// The table of experiments. The command line, `list`, tests and documents use it. Each has a file in experiments/.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,21 @@ namespace ballpit {
 struct Findings {
   std::vector<Table> tables;
   std::vector<Chart> charts;
-  std::string answer;  ///< one sentence with its number, made of the data
-  std::string see;     ///< a paragraph: what to see in the charts, and what was measured how
+  std::string answer;  ///< one sentence with a number, computed from the data
+  std::string see;     ///< a paragraph: what was measured, how, and what the charts show
 };
 
 struct Experiment {
   std::string_view name;                   ///< as on the command line
-  std::string_view title;                  ///< as the audience reads it
-  std::string_view question;               ///< that it answers
-  double quick_seconds;                    ///< [s] on two cores, about
+  std::string_view title;                  ///< for the audience
+  std::string_view question;               ///< the one that it answers
+  double quick_seconds;                    ///< [s] about, on two cores
   double full_seconds;                     ///< [s]
-  int64_t (*measurements)(bool is_quick);  ///< that it asks its laboratory for, at most
+  int64_t (*measurements)(bool is_quick);  ///< the largest number that it asks its laboratory for
   Findings (*run)(Lab& lab);
 };
 
-/// All, in the order in which they tell their story.
+/// In the order of the report.
 const std::vector<Experiment>& experiments();
 
 /// Throws UserError that lists all.

@@ -1,141 +1,169 @@
 // SPDX-License-Identifier: MIT
 #include "lab/report/report.h"
 
-#include <initializer_list>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "lab/charts/html.h"
+#include "lab/report/html_head.h"
 
 namespace ballpit {
 
 namespace {
 
-// Text is as large on a projector as the last row needs, and fits a phone; a table wider than that scrolls by itself.
-constexpr const char* kHead = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
-<title>Ballpit: the laboratory's report</title>
-<style>
-:root { --ground: #FFFFFF; --text: #1A1A1A; --faint: #DDE1E6; --quiet: #5F6368; --link: #0072B2; }
-@media (prefers-color-scheme: dark) {
-  :root { --ground: #14171C; --text: #E8EAED; --faint: #343A43; --quiet: #9AA0A6; --link: #56B4E9; }
-}
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 0 clamp(14px, 3vw, 56px) 4em; max-width: 1840px; background: var(--ground); color: var(--text);
-  font: clamp(16px, 0.55vw + 13px, 24px)/1.5 Roboto, "Helvetica Neue", Arial, "DejaVu Sans", sans-serif; }
-h1 { font-size: 1.9em; line-height: 1.2; margin: 1em 0 0.3em; }
-h2 { font-size: 1.45em; line-height: 1.25; margin: 0 0 0.2em; }
-p { max-width: 70ch; margin: 0.5em 0; }
-a { color: var(--link); }
-section { border-top: 2px solid var(--faint); margin-top: 2.2em; padding-top: 1.4em; }
-.quiet { color: var(--quiet); font-size: 0.85em; margin: 0.2em 0; }
-.answer { font-weight: 600; font-size: 1.1em; }
-.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 660px), 1fr)); gap: 1em 2em; margin: 1em 0; }
-figure { margin: 0; }
-figure img { display: block; width: 100%; height: auto; max-width: 960px; }
-@media (max-width: 700px) {
-  .charts { margin: 0.8em -14px; }
-  .contents td { display: block; border: 0; padding: 0; }
-  .contents td + td { padding-bottom: 0.8em; }
-}
-.scroll { overflow-x: auto; }
-.scroll th, .scroll td { white-space: nowrap; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; margin: 0.8em 0; }
-th, td { text-align: left; vertical-align: top; padding: 0.3em 0.9em 0.3em 0; border-bottom: 1px solid var(--faint); }
-td.number, th.number { text-align: right; }
-code { font-size: 0.9em; overflow-wrap: anywhere; }
-</style>
-</head>
-<body>
-)";
+/// How a format writes each part of the report: patterns for fmt::format. Comments name the arguments of a pattern.
+struct Format {
+  std::string (*escape)(std::string_view text);
+  std::string (*escape_code)(std::string_view text);
+  const char* title;                          // text
+  const char* circumstance;                   // text
+  const char* paragraph;                      // text
+  const char* emphasis;                       // text
+  const char* contents;                       // lines
+  const char* contents_line;                  // experiment, title, answer
+  const char* heading;                        // experiment, title
+  const char* charts;                         // charts
+  const char* chart;                          // experiment, chart, title, light picture, dark picture
+  const char* table;                          // header, rules, rows
+  const char* row;                            // cells
+  const char *header[2], *rule[2], *cell[2];  // of text columns and of number columns: text
+  const char* section_end;                    // command, data
+  const char* data;                           // experiment, table
+  const char* end;
+};
 
-/// One text of many, without copies of what is half done.
-std::string concat(std::initializer_list<std::string_view> parts) {
-  std::string text;
-  for (const std::string_view part : parts) text += part;
-  return text;
-}
+constexpr Format kHtml{
+    .escape = html_text,
+    .escape_code = html_text,
+    .title = "<h1>{}</h1>\n",
+    .circumstance = "<p class=\"quiet\">{}</p>\n",
+    .paragraph = "<p>{}</p>\n",
+    .emphasis = "<p class=\"answer\">{}</p>\n",
+    .contents = "<table class=\"contents\">\n{}</table>\n",
+    .contents_line = "<tr><td><a href=\"#{}\">{}</a></td><td>{}</td></tr>\n",
+    .heading = "<section id=\"{}\">\n<h2>{}</h2>\n",
+    .charts = "<div class=\"charts\">\n{}</div>\n",
+    .chart =
+        "<figure><picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"{4}\">"
+        "<img alt=\"{2}\" width=\"720\" height=\"520\" src=\"{3}\"></picture></figure>\n",
+    .table = "<div class=\"scroll\"><table>\n<tr>{0}</tr>\n{2}</table></div>\n",
+    .row = "<tr>{}</tr>\n",
+    .header = {"<th>{}</th>", "<th class=\"number\">{}</th>"},
+    .rule = {"", ""},
+    .cell = {"<td>{}</td>", "<td class=\"number\">{}</td>"},
+    .section_end = "<p class=\"quiet\">To repeat it: <code>{}</code>. Data:{}</p>\n</section>\n",
+    .data = " <a href=\"{0}/{1}.csv\">{1}.csv</a>",
+    .end = "</body>\n</html>\n",
+};
 
-std::string paragraph(std::string_view kind, std::string_view text) {
-  return concat({"<p class=\"", kind, "\">", html_text(text), "</p>\n"});
-}
-
-std::string link(std::string_view address, std::string_view text) {
-  return concat({"<a href=\"", html_text(address), "\">", html_text(text), "</a>"});
-}
-
-/// What was found, at a glance: a line an experiment.
-std::string contents(const std::vector<ReportSection>& sections) {
-  std::string text = "<table class=\"contents\">\n";
-  for (const ReportSection& section : sections) {
-    const Experiment& experiment = *section.experiment;
-    text += concat({"<tr><td>", link(concat({"#", experiment.name}), experiment.title), "</td><td>",
-                    html_text(section.findings.answer), "</td></tr>\n"});
+/// Text without special meaning in Markdown, also inside a table.
+std::string markdown_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string_view("\\`*_<|[]&~$").find(c) != std::string_view::npos) result += '\\';
+    result += c;
   }
-  return text + "</table>\n";
+  return result;
 }
 
-std::string figure(const DrawnChart& chart) {
-  return concat({"<figure><picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"", svg_address(chart.dark),
-                 "\"><img alt=\"", html_text(chart.title), "\" width=\"720\" height=\"520\" src=\"",
-                 svg_address(chart.light), "\"></picture></figure>\n"});
+constexpr Format kMarkdown{
+    .escape = markdown_text,
+    .escape_code = [](std::string_view text) { return std::string(text); },
+    .title = "# {}\n\n",
+    .circumstance = "- {}\n",
+    .paragraph = "\n{}\n",
+    .emphasis = "\n**{}**\n",
+    .contents = "\n| experiment | what it found |\n| --- | --- |\n{}",
+    .contents_line = "| {1} | {2} |\n",
+    .heading = "\n## {1}\n",
+    .charts = "{}",
+    .chart = "\n![{2}]({0}/{1}.svg)\n",
+    .table = "\n|{0}\n|{1}\n{2}",
+    .row = "|{}\n",
+    .header = {" {} |", " {} |"},
+    .rule = {" --- |", " --: |"},
+    .cell = {" {} |", " {} |"},
+    .section_end = "\nTo repeat it: `{0}`\n",
+    .data = "",
+    .end = "",
+};
+
+template <class... Parts>
+std::string fill(const char* pattern, const Parts&... parts) {
+  return fmt::format(fmt::runtime(pattern), parts...);
 }
 
-std::string cell(const Cell& value) {
-  const bool is_number = std::holds_alternative<double>(value);
-  return concat({is_number ? "<td class=\"number\">" : "<td>", html_text(short_text(value)), "</td>"});
+std::string contents_of(const Format& format, const std::vector<ReportSection>& sections) {
+  std::string lines;
+  for (const ReportSection& section : sections) {
+    lines += fill(format.contents_line, section.experiment->name, format.escape(section.experiment->title),
+                  format.escape(section.findings.answer));
+  }
+  return fill(format.contents, lines);
 }
 
-std::string table_html(const Table& table) {
-  std::string text = "<div class=\"scroll\"><table>\n<tr>";
+std::string charts_of(const Format& format, const ReportSection& section) {
+  std::string charts;
+  for (const DrawnChart& chart : section.charts) {
+    charts += fill(format.chart, section.experiment->name, chart.name, format.escape(chart.title),
+                   svg_address(chart.light), svg_address(chart.dark));
+  }
+  return charts.empty() ? "" : fill(format.charts, charts);
+}
+
+std::string text_of(const Format& format, const Table& table) {
+  std::string header, rules, rows;
   for (size_t k = 0; k < table.columns.size(); ++k) {
     const bool is_number = !table.rows.empty() && std::holds_alternative<double>(table.rows[0][k]);
-    text += concat({is_number ? "<th class=\"number\">" : "<th>", html_text(header_of(table.columns[k])), "</th>"});
+    header += fill(format.header[is_number], format.escape(with_unit(table.columns[k].name, table.columns[k].unit)));
+    rules += format.rule[is_number];
   }
-  text += "</tr>\n";
   for (const std::vector<Cell>& row : table.rows) {
-    text += "<tr>";
-    for (const Cell& value : row) text += cell(value);
-    text += "</tr>\n";
+    std::string cells;
+    for (const Cell& cell : row) {
+      cells += fill(format.cell[std::holds_alternative<double>(cell)], format.escape(short_text(cell)));
+    }
+    rows += fill(format.row, cells);
   }
-  return text + "</table></div>\n";
+  return fill(format.table, header, rules, rows);
 }
 
-std::string section_html(const ReportSection& section) {
+std::string text_of(const Format& format, const ReportSection& section) {
   const Experiment& experiment = *section.experiment;
   const Findings& findings = section.findings;
-  std::string text = concat({"<section id=\"", experiment.name, "\">\n<h2>", html_text(experiment.title), "</h2>\n<p>",
-                             html_text(experiment.question), "</p>\n", paragraph("answer", findings.answer)});
-  if (!section.charts.empty()) {
-    text += "<div class=\"charts\">\n";
-    for (const DrawnChart& chart : section.charts) text += figure(chart);
-    text += "</div>\n";
-  }
+  std::string text = fill(format.heading, experiment.name, format.escape(experiment.title)) +
+                     fill(format.paragraph, format.escape(experiment.question)) +
+                     fill(format.emphasis, format.escape(findings.answer)) + charts_of(format, section);
+  std::string data;
   for (const Table& table : findings.tables) {
-    if (table.is_shown) text += table_html(table);
+    if (table.is_shown) text += text_of(format, table);
+    data += fill(format.data, experiment.name, format.escape(table.name));
   }
-  text += concat({"<p>", html_text(findings.see), "</p>\n<p class=\"quiet\">To repeat it: <code>",
-                  html_text(section.command), "</code>. Data:"});
-  for (const Table& table : findings.tables) {
-    const std::string file = table.name + ".csv";
-    text += concat({" ", link(concat({experiment.name, "/", file}), file)});
-  }
-  return text + "</p>\n</section>\n";
+  return text + fill(format.paragraph, format.escape(findings.see)) +
+         fill(format.section_end, format.escape_code(section.command), data);
+}
+
+std::string report(const Format& format, const std::vector<ReportSection>& sections,
+                   const std::vector<std::string>& circumstances, const std::string& lack) {
+  std::string text = fill(format.title, "Ballpit: the laboratory’s report");
+  for (const std::string& line : circumstances) text += fill(format.circumstance, format.escape(line));
+  if (!lack.empty()) text += fill(format.emphasis, format.escape(lack));
+  text += contents_of(format, sections);
+  for (const ReportSection& section : sections) text += text_of(format, section);
+  return text + format.end;
 }
 
 }  // namespace
 
 std::string report_html(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
                         const std::string& lack) {
-  std::string text = std::string(kHead) + "<h1>Ballpit: the laboratory’s report</h1>\n";
-  for (const std::string& line : circumstances) text += paragraph("quiet", line);
-  if (!lack.empty()) text += paragraph("answer", lack);
-  text += contents(sections);
-  for (const ReportSection& section : sections) text += section_html(section);
-  return text + "</body>\n</html>\n";
+  return kHtmlHead + report(kHtml, sections, circumstances, lack);
+}
+
+std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
+                            const std::string& lack) {
+  return report(kMarkdown, sections, circumstances, lack);
 }
 
 }  // namespace ballpit

@@ -1,11 +1,38 @@
 // SPDX-License-Identifier: MIT
-#include "lab/measure/fit.h"
+#include "measure/statistics.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace ballpit {
+
+namespace {
+
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double place = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<size_t>(place);
+  const size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> values) {
+  assert(!values.empty());
+  std::sort(values.begin(), values.end());
+  return {values.front(), quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)};
+}
+
+Mean mean_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squared = 0;
+  for (const double value : values) squared += (value - mean) * (value - mean);
+  return {mean, std::sqrt(squared / (n * (n - 1)))};
+}
 
 PowerFit fit_power(const std::vector<double>& x, const std::vector<double>& y) {
   assert(x.size() == y.size() && x.size() >= 2);
