@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// One coordinate of a sphere that meets walls alone during a step: exact, however often it bounces.
+// One coordinate of a sphere that meets only walls during a step. Exact for any number of bounces.
 //
-//     low ├──▸────────────┤ high     p(t) = p + v·t + a·t²/2;  at a wall v ← −e·v, with the v of that moment
+//     low ├──▸────────────┤ high     p(t) = p + v·t + a·t²/2;  at a wall v ← −e·v, with the v at that moment
 //
-// Walls stand at right angles and there is no friction, so coordinates do not know of each other. A sphere that a wall
-// throws back at w, and a presses onto it, is there again after 2w/a, and has come to rest after 2w/(a·(1 − e)).
+// Walls are at right angles and there is no friction, so coordinates are independent. A sphere that leaves a wall at speed w
+// against an acceleration a returns after 2w/a, and comes to rest after 2w/(a·(1 − e)).
 // Cost: O(bounces). Source: docs/responses.md, "Swept contacts". Its sibling for pairs is swept.h.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace ballpit {
 
-/// The time [s] until a plane is met that is `distance` ahead [m], approached at `speed` [m/s] that grows by
-/// `acceleration` [m/s²]; both may be negative. Above any step where it is not met.
+/// The time [s] until a plane `distance` [m] ahead is reached at `speed` [m/s] and `acceleration` [m/s²], which may be
+/// negative. Longer than any step if it is not reached.
 template <class Real>
 HOST_DEVICE Real time_to_wall(Real distance, Real speed, Real acceleration) {
   constexpr Real kNever = Real(1e30);
@@ -29,16 +29,16 @@ HOST_DEVICE Real time_to_wall(Real distance, Real speed, Real acceleration) {
 /// The two walls along one axis.
 template <class Real>
 struct BetweenWalls {
-  Real low, high;     ///< [m] where a sphere's centre is when it touches them
+  Real low, high;     ///< [m] positions of the centre in contact with them
   Real acceleration;  ///< [m/s²]
   Real restitution;
 
-  static constexpr int kMostBounces = 32;  ///< in a step; who bounces more often loses the rest of the step's time
+  static constexpr int kMaxBounces = 32;  ///< in a step; after that the rest of the step is lost
 
-  /// Moves a sphere on by `left` [s]; returns what the wall at `low` gave it [m/s].
+  /// Advances a sphere by `left` [s]; returns the speed that the wall at `low` gave it [m/s].
   HOST_DEVICE Real fly(Real& position, Real& velocity, Real left) const {
     Real given = 0;
-    for (int k = 0; k < kMostBounces; ++k) {
+    for (int k = 0; k < kMaxBounces; ++k) {
       const Real to_low = time_to_wall(position - low, -velocity, -acceleration);
       const Real to_high = time_to_wall(high - position, velocity, acceleration);
       const Real side = to_low <= to_high ? Real(-1) : Real(1);
@@ -62,7 +62,7 @@ struct BetweenWalls {
         velocity = 0;
         return given;
       }
-      if (restitution == 1 && period < left) {  // the same bounce again and again
+      if (restitution == 1 && period < left) {  // identical bounces
         const Real bounces = std::floor(left / period);
         left -= bounces * period;
         if (side < 0) given += bounces * 2 * parting;

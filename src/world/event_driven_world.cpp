@@ -121,7 +121,7 @@ class EventDrivenWorld final : public World {
   double time() const override { return time_; }
 
  private:
-  /// All of the motion: forecasts and queue as well, since the latest event of each sphere decides about the bits.
+  /// The whole motion with forecasts and queue, since the latest event of each sphere determines later bits.
   struct EventSnapshot final : Snapshot {
     EventSnapshot(const EventDriven<V>& motion_then, int64_t steps_then, double time_then)
         : motion(motion_then), steps(steps_then), time(time_then) {}
@@ -166,7 +166,7 @@ class EventDrivenWorld final : public World {
     }
   }
 
-  /// All pairs of spheres in neighbouring cells, by i, then j; each once, also where they meet by several images.
+  /// All pairs of spheres in neighbouring cells, by i, then j; each once, even if several images meet.
   std::vector<Pair> pairs_in_reach() const {
     std::vector<Neighbor> neighbors;
     std::vector<Pair> pairs;
@@ -211,8 +211,7 @@ class EventDrivenWorld final : public World {
   double dt_;  // [s]
   EventDriven<V> motion_;
   int64_t steps_ = 0;
-  double time_ =
-      0;  // [s] of the present state: the end of the latest step, or where a step ended early, the moment it reached
+  double time_ = 0;  // [s] of the present state: the end of the last step, or the moment at which it stopped
   double seconds_ = 0;
 };
 

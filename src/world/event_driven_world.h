@@ -7,8 +7,8 @@
 
 namespace ballpit {
 
-/// A world of hard spheres that move from event to event, in double precision on one thread; event_driven.h tells how.
-/// A step goes on by settings.dt, which does not affect the motion.
+/// A world of hard spheres that move from event to event, in double precision on one thread (event_driven.h).
+/// A step advances by settings.dt, which does not affect the motion.
 std::unique_ptr<World> make_event_driven_world(const Scene& scene, const Settings& settings);
 
 }  // namespace ballpit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Looks after a run: a sphere that is not a number or outside the domain stops it at once; in every kSteps-th step so do an
-// overlap or an energy beyond their limits. A state that passes is kept as the last good one.
+// Stops a run that has gone wrong. Every step: a sphere that is not finite or outside the domain. Every kSteps-th step: an
+// overlap or an energy beyond its limit. A state that passes is stored as the last good one.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@
 
 namespace ballpit {
 
-/// Map: a fraction of overlap and the pair, or body and wall, that has it.
+/// Map: an amount of overlap or energy, and the pair or body that has it.
 struct Offender {
   double amount = -1;
-  int64_t first = -1, second = -1;  ///< places of bodies; second −1: a wall, or nobody
+  int64_t first = -1, second = -1;  ///< slots; second −1: a wall, or none
 };
 struct WorseOffender {
   HOST_DEVICE Offender operator()(const Offender& a, const Offender& b) const { return a.amount < b.amount ? b : a; }
@@ -54,7 +54,7 @@ struct MayOverlapTooMuch {
     const Pair pair = pairs[k];
     const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
     const Real ri = bodies.radius[pair.i], rj = bodies.radius[pair.j];
-    const Real reach = (ri + rj - limit * (ri < rj ? ri : rj)) * Real(1.00001);  // rounding must not hide one
+    const Real reach = (ri + rj - limit * (ri < rj ? ri : rj)) * Real(1.00001);  // rounding must not hide an overlap
     return !((reach <= 0) | (dot(d, d) > reach * reach));
   }
 };
@@ -67,14 +67,14 @@ struct OverlapsWallTooMuch {
   HOST_DEVICE bool operator()(int i) const { return overlap(i) > limit; }
 };
 
-/// Map: kinetic energy of body i, and who has it.
+/// Map: the kinetic energy of body i.
 template <class V>
 struct EnergyOffender {
   EnergyAndMomentumOf<V> motion;
   HOST_DEVICE Offender operator()(int i) const { return {motion(i).kinetic, i, -1}; }
 };
 
-/// Map: the energy of body i that needs no explanation [J].
+/// Map: the energy that body i may have without a cause [J].
 template <class V>
 struct LeastEnergy {
   BodiesView<V> bodies;
@@ -104,7 +104,7 @@ class Guard {
   /// Call before the first step. `near` are pairs that include all contacts; `elastic` is the energy in springs [J].
   void start(const BodyStore<V, Exec>& bodies, Span<const Pair> near, double elastic) {
     overlap_at_start_ = worst_overlap(bodies, near).amount;
-    max_overlap_ = std::fmax(max_overlap_, 2 * overlap_at_start_);  // a start may overlap, and settles
+    max_overlap_ = std::fmax(max_overlap_, 2 * overlap_at_start_);  // overlap at the start may settle
     energy_at_start_ = energy(bodies) + elastic;
     explained_ = std::fmax(energy_at_start_, least_energy(bodies));
     keep(bodies, 0);
@@ -211,9 +211,9 @@ class Guard {
     stop(step, time, message.str(), hint_);
   }
 
-  /// Springs are left out: energy from nowhere does not stay in them.
+  /// Springs are left out: spurious energy does not stay in them.
   void check_energy(const BodyStore<V, Exec>& state, int64_t step, double time) const {
-    if (state.box().is_periodic() && state.has_gravity()) return;  // falls for ever
+    if (state.box().is_periodic() && state.has_gravity()) return;  // falls forever
     const double now = energy(state);
     if (now <= max_energy_ * explained_) return;
     const Offender fastest = reduce(state.exec(), "check energy", state.count(), Offender{},
@@ -232,8 +232,8 @@ class Guard {
                                                  : "a smaller --dt or more --substeps may help");
   }
 
-  /// [J] What needs no explanation, however little a run begins with: spheres lifted by their radius, as out of the floor,
-  /// and positions rounded in a substep.
+  /// [J] The energy that a run may have even if it starts with less: from lifting spheres by their radius, as out of the
+  /// floor, and from rounding positions in a substep.
   double least_energy(const BodyStore<V, Exec>& state) const {
     const V extent = state.box().max - state.box().min, g = state.gravity();
     const double speed = 64 * double(std::numeric_limits<Scalar<V>>::epsilon()) * length(widen(extent)) / h_;
@@ -276,7 +276,7 @@ class Guard {
   double max_overlap_, max_energy_, h_;
   std::string hint_;
   double overlap_at_start_ = 0, energy_at_start_ = 0;
-  double explained_ = 0;  // [J] what --max-energy is a multiple of
+  double explained_ = 0;  // [J] --max-energy is a multiple of it
   Buffer good_position_, good_velocity_;
   double good_time_ = 0;
 };

@@ -7,8 +7,8 @@
 
 namespace ballpit {
 
-// Old overlap is pushed out at most as fast as a body falls in so many steps: enough to carry a heap as many spheres
-// high, and no more, so that freed overlap does not throw spheres up.
+// Old overlap is removed at most as fast as a body falls in this many steps: enough to carry a heap of as many layers, but
+// not enough to throw spheres up.
 inline constexpr double kPushSteps = 100;
 
 inline ImpulseParameters impulse_parameters(const Physics& physics, const Settings& settings) {

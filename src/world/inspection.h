@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the simulation shows of itself: copies on the host, so that looking never changes what is looked at.
+// What the simulation shows of itself: copies on the host, so that looking never changes the world.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace ballpit {
 
-/// What an inspection is to hold beside the number of bodies; each costs what it costs.
+/// What an inspection contains besides the number of bodies.
 struct Wanted {
-  bool state = true;  ///< places, velocities, radii, contacts and lists
+  bool state = true;  ///< positions, velocities, radii, contacts and cell lists
   bool candidates = false;
   bool missed = false;     ///< brute force is the oracle: O(n²) tests
   bool endpoints = false;  ///< and the axis
@@ -33,13 +33,13 @@ struct Inspection {
   std::vector<Pair> contacts;         ///< overlapping pairs that the method found, sorted by i, then j
   std::vector<GridInspection> grids;  ///< of the broad phase: one for each size class, or none
 
-  // If wanted; as the method searches the present positions where there is no candidate list.
+  // If wanted. Found by a search of the present positions without a candidate list.
   std::vector<Pair> candidates;     ///< pairs that the broad phase gives to the narrow phase, sorted
   std::vector<Pair> missed;         ///< overlapping pairs that the method did not find, sorted
   int axis = -1;                    ///< along which sort-and-sweep sorts: 0, 1, 2; −1 for other methods
   std::vector<Endpoint> endpoints;  ///< its sorted list, by `at`
-  std::vector<int> work;            ///< candidates that each thread walks over
-  std::vector<int32_t> worker;      ///< the body that each thread walks for; −1 for one that has nothing to do
+  std::vector<int> work;            ///< candidates of each thread
+  std::vector<int32_t> worker;      ///< the body of each thread; −1 for an idle thread
 };
 
 }  // namespace ballpit

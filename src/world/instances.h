@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is compiled once for each vector type and executor: detection, and what stands between it and the responses.
+// Classes that are compiled once for each vector type and executor: detection and bodies.
 //
-//     BALLPIT_DETECTION(, Vec3, CpuExecutor)          compiles it here: detection_cpu_*.cpp
-//     BALLPIT_DETECTION(extern, Vec3, CpuExecutor)    says that it is compiled elsewhere
+//     BALLPIT_DETECTION(, Vec3, CpuExecutor)          compiled here: detection_cpu_*.cpp
+//     BALLPIT_DETECTION(extern, Vec3, CpuExecutor)    compiled elsewhere
 //
-// Without the second, each response's file would compile all broad phases and their kernels again.
+// Without the second form, the file of each response would compile all broad phases again.
 #pragma once
 
 #include "narrow_phase/collider.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which world a scene and its settings ask for: two or three dimensions, single or double precision.
+// Makes the world that a scene and its settings ask for: two or three dimensions, single or double precision.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,7 @@
 
 namespace ballpit {
 
-/// A world of one vector type on an executor. Defined in world_on.h, which takes its time to compile: so each vector type has
-/// a source file of its own.
+/// A world of one vector type on an executor; defined in world_on.h.
 template <class V, class Exec>
 std::unique_ptr<World> make_world_of(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings);
 

@@ -12,7 +12,7 @@ namespace ballpit {
 
 namespace {
 
-/// What has no value; so has what is made of it. Ratios whose denominator is 0 come out as such by themselves.
+/// No value. Ratios with a denominator of 0 have none either.
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double count_of(const Observation& o) { return static_cast<double>(o.bodies.size()); }
@@ -23,8 +23,8 @@ double total_mass(const Bodies& bodies) {
   return sum;
 }
 
-/// [m/s] The velocity that is no thermal motion. A periodic domain conserves momentum, so that its gas may move as a whole;
-/// walls take part in what moves within them.
+/// [m/s] The mean velocity, which is not thermal motion. In a periodic domain momentum is conserved, so the gas may move as a
+/// whole; between walls it cannot.
 Vec3d drift_of(const Observation& o) {
   if (o.domain.boundary != Boundary::periodic) return Vec3d(0.0);
   Vec3d momentum(0.0);
@@ -49,11 +49,10 @@ double thermal_energy(const Observation& o) {
   return sum;
 }
 
-/// kT [J] by equipartition: each degree of freedom holds kT/2. Where momentum is conserved, the sphere that is left when all
-/// others are chosen has no freedom (Allen and Tildesley, Computer Simulation of Liquids, 2017, section 2.4).
+/// kT [J] by equipartition: each degree of freedom has kT/2. If momentum is conserved, one sphere has no freedom (Allen and Tildesley, Computer Simulation of Liquids, 2017, section 2.4).
 double temperature(const Observation& o) {
   const double n = count_of(o);
-  if (n < 2) return kNone;  // one sphere's motion is no disorder
+  if (n < 2) return kNone;  // the motion of one sphere is not thermal
   const double free = o.domain.boundary == Boundary::periodic ? n - 1 : n;
   return 2 * thermal_energy(o) / (o.domain.dimensions * free);
 }
@@ -74,8 +73,8 @@ double pressure(const Observation& o) {
 
 double compressibility(const Observation& o) { return pressure(o) * volume(o.domain) / (count_of(o) * temperature(o)); }
 
-/// Each collision is one of either sphere. Counted so, hard spheres of mass m and diameter σ collide at the rate
-/// Γ = (6/√π)·(Z − 1)·√(kT/m)/σ, as Enskog's theory and the virial say alike.
+/// Each collision counts for both spheres. Counted so, hard spheres of mass m and diameter σ collide at the rate
+/// Γ = (6/√π)·(Z − 1)·√(kT/m)/σ (by Enskog's theory, and by the virial).
 double collisions_per_sphere(const Observation& o) {
   return 2 * static_cast<double>(o.report.tally.collisions) / count_of(o);
 }

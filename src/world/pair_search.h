@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Overlapping pairs among spheres in arrays, without a world: what `ballpit pairs` and the benchmarks run.
+// Finds overlapping pairs among spheres in arrays, without a world, for `ballpit pairs` and the benchmarks.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace ballpit {
 
-/// Spheres at rest, in main memory, as their owner keeps them.
+/// Spheres at rest, in main memory.
 struct SphereArrays {
   Span<const Vec3> position;          ///< [m] finite
   Span<const float> radius;           ///< [m] above 0; one value for all, or one each
@@ -24,11 +24,11 @@ struct SphereArrays {
 
 /// How a search was made, and what it took.
 struct SearchReport {
-  std::string method;         ///< the broad phase that searched: "sorted-grid", also where settings ask for auto
-  std::string reason;         ///< why auto chose it; empty where it was asked for
-  int64_t candidates = 0;     ///< narrow-phase tests made by the last search
+  std::string method;         ///< the broad phase that searched: "sorted-grid"; never auto
+  std::string reason;         ///< why auto chose it, or empty
+  int64_t candidates = 0;     ///< pairs tested by the last search
   int64_t contacts = 0;       ///< pairs found by the last search
-  int64_t searches = 0;       ///< times that the broad phase searched: in each find(), unless there is a skin
+  int64_t searches = 0;       ///< by the broad phase: one in each find(), unless there is a skin
   int64_t bytes = 0;          ///< memory held, on the processor that searches
   std::vector<Stage> stages;  ///< time by stage, over all searches
 };
@@ -37,9 +37,8 @@ class PairSearch {
  public:
   virtual ~PairSearch() = default;
 
-  /// Finds all pairs: bounds, structure, tests, canonical order, everything from the arrays. With a skin, a search that
-  /// follows one of as many spheres tests its candidate list again, as long as no sphere has moved half the skin.
-  /// Throws UserError where the settings need more memory than an index reaches.
+  /// Finds all pairs. With a skin, a search of the same number of spheres tests its candidate list again, as long as no sphere
+  /// has left its skin. Throws UserError if the settings need more memory than an index can address.
   virtual void find(const SphereArrays& spheres) = 0;
 
   /// The pairs of the last search, i < j, sorted by i, then j.
@@ -47,8 +46,7 @@ class PairSearch {
 
   virtual SearchReport report() = 0;
 
-  /// What each thread of the last search walked, in the units of its method (candidates; list entries for the sweep):
-  /// one number a thread, as a GPU would run it.
+  /// The work of each thread of the last search, as a GPU would run it: candidates, or list entries for the sweep.
   virtual std::vector<int> work_per_thread() = 0;
 };
 

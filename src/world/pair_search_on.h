@@ -20,7 +20,7 @@
 
 namespace ballpit {
 
-/// Key: the place of body i's cell.
+/// Key: the index of body i's cell.
 template <class V>
 struct PlaceInGrid {
   Grid<V> grid;
@@ -37,21 +37,21 @@ struct TakeInOrder {
   HOST_DEVICE void operator()(int k) const { to[k] = from[order[k]]; }
 };
 
-/// Kernel: pairs of places become pairs of bodies, lower body first.
+/// Kernel: turns pairs of slots into pairs of bodies, lower body first.
 struct NameBodies {
-  Span<const Pair> places;
+  Span<const Pair> slots;
   Span<const int> order;
   Span<Pair> bodies;
 
   HOST_DEVICE void operator()(int k) const {
-    const int a = order[places[k].i], b = order[places[k].j];
+    const int a = order[slots[k].i], b = order[slots[k].j];
     bodies[k] = a < b ? Pair{a, b} : Pair{b, a};
   }
 };
 
-/// A pair search in two or in three dimensions. Lists lead through memory from sphere to sphere: where there are many, they
-/// are searched in the order of a grid's cells, as a world keeps them (spatial_order.h), and the pairs named and ordered
-/// by body afterwards. Ranges are in an order of their own.
+/// A pair search in two or in three dimensions. Cell lists lead from sphere to sphere through memory. So many spheres are
+/// sorted by the cells of a grid before the search, as in a world (spatial_order.h), and the pairs are renamed afterwards.
+/// Methods with slots sort the spheres themselves.
 template <class V, class Exec>
 class SearchOn {
   using Real = Scalar<V>;
@@ -83,7 +83,7 @@ class SearchOn {
     put_into_rows(exec, Span<const Pair>(named_.span()), order_.size(), rows_);
   }
 
-  /// Those found last, in canonical order.
+  /// The pairs found last, in canonical order.
   Span<const Pair> pairs() const { return order_.size() > 0 ? rows_.pairs() : collider_.pairs(); }
 
   const Collider<V, Exec>& collider() const { return collider_; }
@@ -93,7 +93,7 @@ class SearchOn {
   }
 
  private:
-  static constexpr int64_t kFewestToOrder = 16384;  // fewer fit a cache in any order
+  static constexpr int64_t kFewestToOrder = 16384;  // fewer fit a cache anyway
 
   void upload_positions(Exec& exec, const SphereArrays& spheres) {
     if constexpr (kDimensions<V> == 3) {
@@ -114,7 +114,7 @@ class SearchOn {
     if (radius_.size() > 1) take_in_order(exec, radius_, ordered);
   }
 
-  /// `spare` is for the other of two buffers, and swapped with it.
+  /// `spare` is the second of two buffers; they are swapped.
   template <class T>
   void take_in_order(Exec& exec, Buffer<T>& values, Buffer<T>& spare) {
     spare.resize(values.size());
@@ -129,7 +129,7 @@ class SearchOn {
   Collider<V, Exec> collider_;
   Buffer<V> position_, ordered_position_;
   Buffer<Real> radius_;
-  Buffer<int> order_, offsets_;  // bodies by place; empty where they are searched as they come
+  Buffer<int> order_, offsets_;  // bodies by slot; empty if they are not sorted
   Buffer<Pair> named_;
   ContactRows<Exec> rows_;
 };
@@ -189,8 +189,8 @@ class PairSearchOn final : public PairSearch {
     return std::all_of(position.begin(), position.end(), [&](const Vec3& p) { return p.z == position[0].z; });
   }
 
-  /// Whether the grid of the last search may serve for these spheres: with a skin, while their sizes are the same. Spheres that
-  /// have left its box count to the cells at its border, which is right but slow: so now and then there is a new box.
+  /// Whether the grid of the last search serves these spheres: with a skin, while their radii stay the same. Spheres outside
+  /// its box belong to the cells at its border, which is correct but slow; so a new box is made now and then.
   bool may_go_on(const SphereArrays& spheres) {
     if (*settings_.skin == 0 || spheres.period || count_ != spheres.position.size()) return false;
     if (!std::equal(spheres.radius.begin(), spheres.radius.end(), radius_.begin(), radius_.end())) return false;
@@ -204,7 +204,7 @@ class PairSearchOn final : public PairSearch {
     count_ = spheres.position.size();
     if (*settings_.skin > 0) radius_.assign(spheres.radius.begin(), spheres.radius.end());
     const bool is_planar = count_ > 0 && is_in_a_plane(spheres.position) && settings_.axis != SweepAxis::z;
-    if (is_planar && *settings_.skin == 0) {  // with a skin, they may leave the plane
+    if (is_planar && *settings_.skin == 0) {  // with a skin, later spheres may leave the plane
       spatial_.reset();
       if (!planar_) planar_.emplace();
       planar_->plan(*exec_, settings_, Box<Vec2>{Vec2(box.min), Vec2(box.max), box.boundary}, spheres);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a report tells of a state: sums over bodies and contacts in double precision, in an order fixed by the indices.
+// Sums over bodies and contacts, for reports and the guard: in double precision, in an order fixed by the indices.
 #pragma once
 
 #include <cmath>
@@ -131,15 +131,15 @@ int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box
   return reduce(exec, "find body", n, n, IdIfOutside<V>{bodies, box, id_at}, Smallest{});
 }
 
-/// Mixes 64 bits so that each decides about all (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195: splitmix64).
+/// Mixes 64 bits, so that each input bit changes all output bits (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195: splitmix64).
 HOST_DEVICE inline uint64_t mix_bits(uint64_t x) {
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
   x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
   return x ^ (x >> 31);
 }
 
-/// A hash of the bits of body `id`. Their sum over all bodies is the state's: in whatever order they are kept, by however
-/// many threads, and on either processor.
+/// A hash of the bits of body `id`. The sum over all bodies is the hash of the state; it does not depend on their order in
+/// memory, the number of threads, or the processor.
 template <class V>
 HOST_DEVICE uint64_t hash_body(int64_t id, const V& position, const V& velocity) {
   uint64_t hash = mix_bits(static_cast<uint64_t>(id) + 0x9E3779B97F4A7C15u);
@@ -153,7 +153,7 @@ HOST_DEVICE uint64_t hash_body(int64_t id, const V& position, const V& velocity)
   return hash;
 }
 
-/// Map: the hash of the body that is kept at a place.
+/// Map: the hash of the body in a slot.
 template <class V>
 struct HashOfBody {
   BodiesView<V> bodies;

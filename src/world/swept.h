@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Contacts along the step: a sphere that would pass another, or a wall, within one step is stopped where they meet.
+// Swept contacts: a sphere that would pass another one, or a wall, within a step collides where they meet.
 //
-//      ╭───────────────╮       the broad phase sees the sphere around each way: its middle, radius r + |way|/2
+//      ╭───────────────╮       the broad phase gets the sphere around each path: its middle, radius r + |path|/2
 //      │ ○╌╌╌╌╌╌╌╌╌▸○  │       |d + v·t| = r_i + r_j,  d, v relative:  t = c / (−b + √(b² − a·c)) with
-//      ╰───────────────╯       a = v·v, b = d·v, c = d·d − (r_i + r_j)²  – no difference of like numbers
+//      ╰───────────────╯       a = v·v, b = d·v, c = d·d − (r_i + r_j)²  (no cancellation)
 //
-// A pair with t in [0, dt] is a contact, with the normal that it has at t. Each body moves on its parabola up to its first
-// contact. There the response takes the velocity that it has by then, v + t·g·dt: from before the kick, a ball would lose
-// g·dt with each bounce. It moves on with the velocity that the response gives it and what is left of the kick. So the
-// first hit of a body in a step cannot be missed, and no body leaves through a wall; a second hit in the same step is
-// found by the next one, if the bodies still overlap then. Bodies that meet walls alone bounce exactly: between_walls.h.
+// A pair with t in [0, dt] is a contact, with its normal at time t. Each body moves on its parabola up to its first contact.
+// The response gets its velocity at that moment, v + t·g·dt; with the velocity before the kick, a ball would lose g·dt in
+// each bounce. Then the body moves on with its new velocity and the rest of the kick (swept_drift.h). So the first hit of a
+// body in a step cannot be missed, and no body leaves through a wall. A second hit in the same step is found in the next
+// step, if the bodies still overlap then. Bodies that meet only walls bounce exactly (between_walls.h).
 //
-// A body that lies on a wall is not kicked against it: otherwise what strikes it would seem slower than it is.
-// Cost: the broad phase among larger spheres, O(candidates + n). Source: Ericson, "Real-Time Collision Detection" (2005),
+// A body that lies on a wall is not kicked against it; otherwise the speed of what strikes it would be wrong.
+// Cost: the broad phase on larger spheres, O(candidates + n). Source: Ericson, "Real-Time Collision Detection" (2005),
 // section 5.5.5.
 #pragma once
 
@@ -30,9 +30,7 @@
 #include "exec/reduce.h"
 #include "narrow_phase/collider.h"
 #include "narrow_phase/contact_list.h"
-#include "response/impulse_notes.h"
 #include "response/walls_view.h"
-#include "world/between_walls.h"
 #include "world/body_store.h"
 #include "world/sums.h"
 
@@ -61,7 +59,7 @@ struct KickUnlessHeld {
  private:
   static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // not called on a device
 
-  /// A body lies on a wall where a hop would bring it back within the step, or is less than rounding.
+  /// A body lies on a wall if a hop would end within the step, or is smaller than rounding.
   HOST_DEVICE bool is_held(int i, int axis) const {
     if (box.is_periodic() || (axis == 1 && change[axis] > 0 && box.boundary == Boundary::open_top)) return false;
     const Real p = bodies.position[i][axis], v = bodies.velocity[i][axis], radius = bodies.radius[i];
@@ -73,7 +71,7 @@ struct KickUnlessHeld {
   }
 };
 
-/// Kernel: the way of body i, and the sphere around it.
+/// Kernel: the path of body i, and the sphere around it.
 template <class V>
 struct SweepBody {
   using Real = Scalar<V>;
@@ -168,7 +166,7 @@ struct MeasureImpact {
     const Pair pair = pairs[c];
     const Impact<V> impact = find(pair);
     time[c] = impact.time;
-    if (impact.time <= 0) return;  // they overlap already, and were measured so
+    if (impact.time <= 0) return;  // they overlap already; measured by MeasureContact
     const V normal = impact.apart / std::sqrt(dot(impact.apart, impact.apart));
     V parting = find.bodies.velocity[pair.j] - find.bodies.velocity[pair.i];
     if (!kick.empty()) parting += (kick[pair.j] - kick[pair.i]) * impact.time;
@@ -203,98 +201,6 @@ struct FindFirst {
   }
 };
 
-/// Kernel: where body i is after the step, and with which velocity: on its parabola up to its first contact, then with
-/// the velocity that the response gives it, and not through a wall. One that meets walls alone bounces exactly.
-template <class V>
-struct SweptDrift {
-  using Real = Scalar<V>;
-  BodiesView<V> bodies;  ///< before the step
-  Box<V> box;
-  ContactsView<V> contacts;
-  Sweep<V> sweep;
-  Span<const V> responded;   ///< velocities by the response
-  Span<const V> correction;  ///< [m]
-  Span<const V> kicked;      ///< velocities after the kick
-  V change;                  ///< g·dt [m/s]
-  Real dt, wall_restitution;
-  Span<V> position, velocity;
-  ImpulseNotes<V> notes;
-
-  HOST_DEVICE void operator()(int i) const {
-    if (!box.is_periodic() && contacts.count_of(i) == 0 && is_inside(i)) {
-      bounce(i);
-      return;
-    }
-    const V p = bodies.position[i], kick = sweep.kick_of(i), after = responded[i];
-    const Real before = sweep.first[i], rest = 1 - before;
-    V end = p + sweep.way[i] * before + after * (rest * dt) + correction[i];
-    if (!sweep.kick.empty()) {
-      end -= kick * (before * rest * dt / 2);  // from the chord to the parabola
-      if (is_flying(i)) end -= kick * (rest * rest * dt / 2);
-    }
-    if (!box.is_periodic()) keep_inside(p, bodies.radius[i], end);
-    position[i] = end;
-    velocity[i] = after;
-    if (notes.are_kept() && !box.is_periodic() && change[1] < 0) {  // what lies on the floor was not kicked
-      notes.floor[i] += (kicked[i] - bodies.velocity[i] - change)[1] / bodies.inverse_mass[i];
-    }
-  }
-
- private:
-  static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // not called on a device
-
-  /// Whether body i is between the walls, but for rounding.
-  HOST_DEVICE bool is_inside(int i) const {
-    bool is_held = true;
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const Real p = bodies.position[i][axis], low = low_of(i, axis), high = high_of(i, axis);
-      const Real rounded = 8 * kEpsilon * (std::fabs(box.min[axis]) + bodies.radius[i]);
-      is_held = is_held & (low <= high) & (p >= low - rounded) & (p <= high + rounded);
-    }
-    return is_held;
-  }
-
-  HOST_DEVICE Real low_of(int i, int axis) const { return box.min[axis] + bodies.radius[i]; }
-  HOST_DEVICE Real high_of(int i, int axis) const {
-    return axis == 1 && box.boundary == Boundary::open_top ? box.kFar : box.max[axis] - bodies.radius[i];
-  }
-
-  HOST_DEVICE void bounce(int i) const {
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      Real p = bodies.position[i][axis], v = bodies.velocity[i][axis];
-      const BetweenWalls<Real> walls{low_of(i, axis), high_of(i, axis), change[axis] / dt, wall_restitution};
-      const Real given = walls.fly(p, v, dt);
-      if (notes.are_kept() && axis == 1) notes.floor[i] = given / bodies.inverse_mass[i];
-      position[i][axis] = p;
-      velocity[i][axis] = v;
-    }
-  }
-
-  /// Whether body i parts from all that it meets: what does not part is held, and does not fall in the rest of the step.
-  HOST_DEVICE bool is_flying(int i) const {
-    const V own = responded[i];
-    const Real least = Real(0.01) * std::sqrt(dot(change, change));
-    bool is_free = true;
-    contacts.for_each_of(i, [&](int c, int other, int side) {
-      is_free = is_free & (dot(responded[other] - own, contacts.geometry[c].normal) * Real(side) > least);
-    });
-    const V p = bodies.position[i];
-    box.for_each_wall_on_way(p, p + sweep.way[i], bodies.radius[i],
-                             [&](int axis, int side, Real) { is_free = is_free & (-Real(side) * own[axis] > least); });
-    return is_free;
-  }
-
-  /// A sphere that did not overlap a wall does not after its way, either.
-  HOST_DEVICE void keep_inside(const V& p, Real radius, V& end) const {
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const Real low = box.min[axis] + radius, high = box.max[axis] - radius;
-      const Real least = p[axis] < low ? p[axis] : low, most = p[axis] > high ? p[axis] : high;
-      if (end[axis] < least) end[axis] = least;
-      if (end[axis] > most && !(axis == 1 && box.boundary == Boundary::open_top)) end[axis] = most;
-    }
-  }
-};
-
 template <class V, class Exec>
 class SweptContacts {
   using Real = Scalar<V>;
@@ -323,17 +229,17 @@ class SweptContacts {
     return list_.view();
   }
 
-  /// The bodies with the velocities that they begin the step with: what lies on a wall has none against it. After find().
+  /// The bodies with their velocities at the start of the step; a body that lies on a wall has none against it. After find().
   BodiesView<V> bodies(const BodyStore<V, Exec>& store) const {
     BodiesView<V> bodies = store.view();
     if (kick_.size() > 0) bodies.velocity = start_.span();
     return bodies;
   }
 
-  /// How bodies move and when contacts are met; after find().
+  /// How bodies move, and when contacts occur; after find().
   Sweep<V> sweep() const { return {way_.span(), kick_.span(), met_.span(), time_.span()}; }
 
-  /// Velocities after the kick; those of the state without gravity. After find().
+  /// Velocities after the kick; after find().
   Span<const V> kicked(const BodyStore<V, Exec>& store) const {
     return kick_.size() > 0 ? kicked_.span() : store.view().velocity;
   }
@@ -380,7 +286,7 @@ class SweptContacts {
     candidates_ = collider_.pairs(exec, swept);
   }
 
-  /// A pair must meet across one border of a periodic domain only.
+  /// A pair may only meet across one border of a periodic domain.
   static void check_period(const Box<V>& box, double reach) {
     for (int axis = 0; box.is_periodic() && axis < kDimensions<V>; ++axis) {
       const double period = double(box.max[axis]) - double(box.min[axis]);
@@ -404,7 +310,7 @@ class SweptContacts {
     exec.parallel_for("keep impacts", first_.size(), KeepRows{collider_.first(), place_.span(), first_.span()});
   }
 
-  Collider<V, Exec> collider_;  // of the spheres around the ways
+  Collider<V, Exec> collider_;  // for the spheres around the paths
   Span<const Pair> candidates_;
   ContactList<V, Exec> list_;
   Buffer<V> way_, middle_, start_, kick_, kicked_;

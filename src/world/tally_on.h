@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Keeps a world's tally, where one is wanted: responses note the impulse of each contact, and here they are summed up.
+// Keeps a world's tally, if one is wanted: responses record the impulse of each contact, and it is summed up here.
 //
 //     begin()  notes cleared ──▶ response adds impulses ──▶ end()  Σ Δp·d, impulse on the floor, contacts that are new
 //
-// A collision is a contact between two spheres that did not touch at the substep before. Sums are in double precision, in
-// an order fixed by the indices. Costs nothing where no tally is kept.
+// A collision is a contact of two spheres that did not touch in the substep before. Sums are in double precision, in an
+// order fixed by the indices. Costs nothing if no tally is kept.
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,7 @@ struct Collisions {
   }
 };
 
-/// Map: what contact c adds.
+/// Map: what contact c adds to the tally.
 template <class V>
 struct CollisionOf {
   BodiesView<V> bodies;
@@ -68,10 +68,10 @@ class TallyKeeper {
  public:
   explicit TallyKeeper(bool is_kept) : is_kept_(is_kept) {}
 
-  /// Where the response is to note its impulses.
+  /// Where the response records its impulses.
   ImpulseNotes<V> begin(Exec& exec, int64_t bodies, int64_t contacts);
 
-  /// Adds them to the tally; `counts` tells whether new contacts are collisions, as at the first of a step's evaluations.
+  /// Adds them to the tally. `counts`: new contacts are collisions.
   void end(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs,
            Span<const ContactGeometry<V>> geometry, bool counts = true);
 

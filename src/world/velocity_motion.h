@@ -12,6 +12,7 @@
 #include "integrate/symplectic_euler.h"
 #include "world/motion.h"
 #include "world/swept.h"
+#include "world/swept_drift.h"
 
 namespace ballpit {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A world steps a scene through time and shows itself: step() moves on, inspect() and report() only look.
-// Many worlds may live at once; none shares anything with another.
+// A world simulates a scene: step() advances it, inspect() and report() show it. Worlds share nothing with each other.
 #pragma once
 
 #include <cstdint>
@@ -18,21 +17,21 @@
 
 namespace ballpit {
 
-/// Figures of a world's present state, and of the way to it.
+/// Figures of a world's present state, and of the run so far.
 struct Report {
   int64_t count = 0;  ///< spheres
   int64_t steps = 0;
   double time = 0;                ///< [s] simulated
   double seconds = 0;             ///< [s] spent in step()
-  std::vector<Stage> stages;      ///< where they were spent
-  std::string broadphase;         ///< by name, also where settings ask for auto
-  std::string broadphase_reason;  ///< why auto chose it; empty where it was asked for
-  int64_t searches = 0;           ///< times that the broad phase searched; fewer than steps where there is a skin
+  std::vector<Stage> stages;      ///< time by stage
+  std::string broadphase;         ///< by name, never auto
+  std::string broadphase_reason;  ///< why auto chose it, or empty
+  int64_t searches = 0;           ///< by the broad phase; fewer than steps if there is a skin
   int64_t detection_bytes = 0;    ///< memory of broad and narrow phase
   int64_t body_bytes = 0;         ///< memory of positions, velocities, radii and masses
   int64_t motion_bytes = 0;       ///< memory of response, integrator, guard and tally
-  int64_t candidates = 0;         ///< narrow-phase tests made to detect the contacts of the present state
-  int64_t contacts = 0;           ///< overlapping pairs in the present state, walls not counted
+  int64_t candidates = 0;         ///< pairs tested to find the present contacts
+  int64_t contacts = 0;           ///< pairs of spheres in contact
   double kinetic_energy = 0;      ///< [J]
   double potential_energy = 0;    ///< [J] −Σ m·g·x, zero at the origin
   double elastic_energy = 0;      ///< [J] in springs of the penalty response
@@ -43,7 +42,7 @@ struct Report {
   Tally tally;
 };
 
-/// What a world needs to be as it was: made by World::snapshot(), and of use to that world alone.
+/// A saved state of a world, from World::snapshot(); only that world can restore it.
 class Snapshot {
  public:
   virtual ~Snapshot() = default;
@@ -54,45 +53,45 @@ class World {
  public:
   virtual ~World() = default;
 
-  /// Advances by dt. Throws RunError where a sphere is no longer inside the domain, naming it and the step.
+  /// Advances by dt. Throws RunError with sphere and step if the guard stops the run.
   virtual void step() = 0;
 
-  /// Copies of what the detection sees in the present state, with what is wanted beside. What has no meaning for a method
-  /// stays empty. Throws RunError where there are too many candidates to list.
+  /// A copy of the present state and of the data of its detection. What a method does not have stays empty. Throws RunError
+  /// if there are too many candidates to list.
   virtual Inspection inspect(const Wanted& wanted = {}) = 0;
 
   virtual Report report() = 0;
 
-  /// Finds contacts as these settings say from now on: broad phase, its parameters, skin. The motion goes on, by the bits that any
-  /// method gives that misses nothing; times of stages start anew. False where a world has cells of its own.
+  /// From now on finds contacts by the broad phase, its parameters and the skin of these settings. The motion goes on, bit-identical
+  /// unless a method misses contacts. Clears the times of the stages. False if the world has a detection of its own.
   virtual bool detect_by(const Settings&) { return false; }
 
   virtual BodyShape shape() const = 0;
 
-  /// Writes the present state where a vertex shader reads it; see BodyTarget.
+  /// Writes the present state to memory that a vertex shader reads.
   virtual void write_bodies(const BodyTarget& target) = 0;
 
-  /// The present state, in double precision; starts the same world again.
+  /// The present state in double precision.
   virtual Bodies bodies() = 0;
 
-  /// The last state that passed the guard, and its time [s]: what is left where step() throws.
+  /// The last state that passed the guard, and its time [s], for when step() has thrown.
   virtual Bodies last_good() { return bodies(); }
   virtual double last_good_time() { return time(); }
 
-  /// A copy of all that later bits follow from; bodies() alone is not enough for some (docs/model.md).
+  /// A copy of everything that determines later states; for some worlds bodies() is not enough (docs/model.md).
   virtual std::unique_ptr<Snapshot> snapshot() = 0;
 
-  /// Puts the world back, also after step() threw: it goes on by the bits of the first time. Time spent stays counted.
+  /// Restores a state, also after step() has thrown. The run goes on bit-identically. Time spent stays counted.
   virtual void restore(const Snapshot& snapshot) = 0;
 
   virtual int64_t steps() const = 0;
   virtual double time() const = 0;  ///< [s]
 };
 
-/// A place where worlds run.
+/// A processor on which worlds run.
 struct Backend {
   std::string name;                ///< "cpu"
-  std::string unavailable_reason;  ///< empty where it can serve
+  std::string unavailable_reason;  ///< empty if it is available
   std::string description;         ///< "NVIDIA H100, compute capability 9.0"
   std::unique_ptr<World> (*make_world)(const Scene&, const Settings&);
   std::unique_ptr<PairSearch> (*make_pair_search)(const Settings&);

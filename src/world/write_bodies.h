@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes bodies as the vertex shader reads them, in the order of their ids, by the processor that steps them: where that is the one
-// that draws, no place of a sphere ever leaves its memory.
+// Writes bodies for the vertex shader, in the order of their ids, on the processor that simulates them. If that processor also
+// draws, no position leaves its memory.
 #pragma once
 
 #include "bodies/bodies_view.h"
@@ -22,24 +22,24 @@ HOST_DEVICE void write_body(const BodyTarget& target, int64_t id, const V& posit
 /// Kernel: the bodies of pair k touch.
 struct NoteTouching {
   Span<const Pair> pairs;
-  Span<int> touching;  // by place
+  Span<int> touching;  // by slot
   HOST_DEVICE void operator()(int k) const {
     atomic_exchange(&touching[pairs[k].i], 1);
     atomic_exchange(&touching[pairs[k].j], 1);
   }
 };
 
-/// Kernel: the body that is kept at a place.
+/// Kernel: writes the body in a slot.
 template <class V>
 struct WriteBody {
   BodiesView<V> bodies;
   Span<const int> id_at, touching;
   BodyTarget target;
 
-  HOST_DEVICE void operator()(int place) const {
-    const int id = id_at.empty() ? place : id_at[place];
-    write_body(target, id, bodies.position[place], double(bodies.radius[place]));
-    target.touching[id] = static_cast<uint8_t>(touching[place]);
+  HOST_DEVICE void operator()(int slot) const {
+    const int id = id_at.empty() ? slot : id_at[slot];
+    write_body(target, id, bodies.position[slot], double(bodies.radius[slot]));
+    target.touching[id] = static_cast<uint8_t>(touching[slot]);
   }
 };
 
