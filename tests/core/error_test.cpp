@@ -5,7 +5,7 @@
 
 using namespace ballpit;
 
-TEST_CASE("the user's error says where, what was found, what is allowed, and what helps") {
+TEST_CASE("a UserError names the place, what was found, what is allowed, and a hint") {
   CHECK(std::string(UserError("--dt", "x", "1 to 2").what()) == "--dt: found x, allowed 1 to 2");
   CHECK(std::string(UserError("--dt", "", "1 to 2").what()) == "--dt: found nothing, allowed 1 to 2");
   CHECK(std::string(UserError("--dt", " ", "1 to 2").what()) == "--dt: found \" \", allowed 1 to 2");
@@ -15,7 +15,7 @@ TEST_CASE("the user's error says where, what was found, what is allowed, and wha
         "a.json: dt: found x, allowed 1 to 2; see --help");
 }
 
-TEST_CASE("a failure says where, what happened, and what helps or is left") {
+TEST_CASE("a RunError names the place, what happened, and a remedy or what was saved") {
   CHECK(std::string(RunError("x.csv", "cannot write").what()) == "x.csv: cannot write");
   const RunError failure("step 3", "a sphere left", "a smaller --dt may help");
   CHECK(std::string(failure.what()) == "step 3: a sphere left; a smaller --dt may help");

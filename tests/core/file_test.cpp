@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An empty folder of its own, removed at the end.
+/// An empty folder that is removed at the end.
 struct Folder {
   fs::path path;
   Folder() {
@@ -45,7 +45,7 @@ mode_t mode_of(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("a written file reads back whole and leaves nothing beside it") {
+TEST_CASE("a written file reads back completely, and no temporary file remains") {
   const Folder folder;
   const std::string bytes("a\0b\n", 4);
   write_file(folder / "x.bin", bytes);
@@ -53,7 +53,7 @@ TEST_CASE("a written file reads back whole and leaves nothing beside it") {
   CHECK(folder.count() == 1);
 }
 
-TEST_CASE("a failed write names the path and the reason and leaves no half file") {
+TEST_CASE("a failed write names path and reason, and leaves no partial file") {
   CHECK_THROWS_WITH(write_file("/nonexistent/x", "a"), Contains("/nonexistent/x") && Contains("No such file"));
   const Folder folder;
   {
@@ -64,7 +64,7 @@ TEST_CASE("a failed write names the path and the reason and leaves no half file"
   CHECK(folder.count() == 0);
 }
 
-TEST_CASE("an output that is a link, a chain of links or a dangling one is written where it leads") {
+TEST_CASE("an output through a link, a chain of links or a dangling link is written to its target") {
   const Folder folder;
   fs::create_directory(folder / "far");
   put(folder / "far/target", "old");
@@ -76,7 +76,7 @@ TEST_CASE("an output that is a link, a chain of links or a dangling one is writt
     INFO(link);
     NewFile file(folder / link);
     file.write(link);
-    CHECK(fs::exists(folder / "far/target.part"));  // beside what is replaced, so that a rename does it
+    CHECK(fs::exists(folder / "far/target.part"));  // beside the replaced file, so that a rename suffices
     file.commit();
     CHECK(fs::is_symlink(folder / link));
     CHECK(read_file(folder / "far/target") == link);
@@ -91,7 +91,7 @@ TEST_CASE("an output that is a link, a chain of links or a dangling one is writt
   CHECK_THROWS_WITH(check_output(folder / "circle"), Contains("Too many levels"));
 }
 
-TEST_CASE("an output that is a pipe is written into, and stays one") {
+TEST_CASE("a pipe as output is written to, and remains a pipe") {
   const Folder folder;
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
   fs::create_symlink("pipe", folder / "link");
@@ -102,7 +102,7 @@ TEST_CASE("an output that is a pipe is written into, and stays one") {
     NewFile file(folder / name);
     file.write("some");
     file.write(" bytes");
-    file.cut_to(4);  // cannot be, and harms nothing
+    file.cut_to(4);  // has no effect
     file.commit();
     reader.join();
     CHECK(got == "some bytes");
@@ -112,7 +112,7 @@ TEST_CASE("an output that is a pipe is written into, and stays one") {
   CHECK(folder.count() == 2);
 }
 
-TEST_CASE("a reader who leaves is told as an error") {
+TEST_CASE("writing to a pipe without a reader is an error") {
   const Folder folder;
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
   const auto before = std::signal(SIGPIPE, SIG_IGN);  // as the program does
@@ -123,13 +123,13 @@ TEST_CASE("a reader who leaves is told as an error") {
   std::signal(SIGPIPE, before);
 }
 
-TEST_CASE("an output that is a device is written to, and stays one") {
+TEST_CASE("a device as output is written to, and remains a device") {
   const Folder folder;
-  // Nodes of our own: a program that replaces them does no harm. Only root can make them.
+  // Our own device files, so that replacing them by mistake is harmless. Only root can make them.
   if (::mknod((folder / "null").c_str(), S_IFCHR | 0666, 1 << 8 | 3) != 0) return;
   REQUIRE(::mknod((folder / "full").c_str(), S_IFCHR | 0666, 1 << 8 | 7) == 0);
   const int null = ::open((folder / "null").c_str(), O_WRONLY);
-  if (null < 0) return;  // a folder whose nodes are dead
+  if (null < 0) return;  // the file system does not support device files
   ::close(null);
   check_output(folder / "null");
   write_file(folder / "null", "x");
@@ -139,7 +139,7 @@ TEST_CASE("an output that is a device is written to, and stays one") {
   CHECK(folder.count() == 2);
 }
 
-TEST_CASE("an output that is one of our descriptors is written to where that stands, and not replaced") {
+TEST_CASE("one of our own descriptors as output is written at its position, and not replaced") {
   const Folder folder;
   const int file = ::open((folder / "log").c_str(), O_WRONLY | O_CREAT, 0600);
   REQUIRE(file >= 0);
@@ -172,7 +172,7 @@ TEST_CASE("a file that is replaced keeps its permissions") {
   }
 }
 
-TEST_CASE("two writers of one output do not mix: each writes a file of its own, and the last is kept whole") {
+TEST_CASE("two writers of one output write separate files, and the file of the last one remains") {
   const Folder folder;
   NewFile first(folder / "x"), second(folder / "x");
   first.write("first, which is longer");
@@ -185,7 +185,7 @@ TEST_CASE("two writers of one output do not mix: each writes a file of its own, 
   CHECK(folder.count() == 1);
 }
 
-TEST_CASE("what an interrupted run has left is used again, and what only has its name is left alone") {
+TEST_CASE("the temporary file of an interrupted run is reused; other files of that name stay unchanged") {
   const Folder folder;
   put(folder / "x.part", "left by an interrupted run, and longer");
   check_output(folder / "x");
@@ -220,7 +220,7 @@ TEST_CASE("an output that cannot be written is found by a check that changes not
   CHECK(folder.count() == 1);
 }
 
-TEST_CASE("outputs are the same where they lead to the same place") {
+TEST_CASE("outputs are the same if they lead to the same file") {
   const Folder folder;
   put(folder / "file", "");
   fs::create_symlink("file", folder / "link");
@@ -233,7 +233,7 @@ TEST_CASE("outputs are the same where they lead to the same place") {
   CHECK_FALSE(is_same_file("", ""));
 }
 
-TEST_CASE("reading what is not a readable file is the user's error") {
+TEST_CASE("reading an unreadable file is a UserError") {
   CHECK_THROWS_AS(read_file("/nonexistent/x"), UserError);
   CHECK_THROWS_WITH(read_file("/tmp"), Catch::Contains("folder"));
 }

@@ -6,7 +6,7 @@
 using namespace ballpit;
 
 TEST_CASE("rounding to float and back rounds every component") {
-  // GCC 12.2 returns the unrounded numbers where it vectorises the neighbouring conversions.
+  // GCC 12.2 returns unrounded numbers when it vectorises the neighbouring conversions.
   volatile double tenth = 0.1;  // not known to the compiler
   const Vec3d exact(tenth, 3 * tenth, 7 * tenth);
   const Vec3d rounded = widen(narrow<Vec3>(exact)), converted = Vec3d(Vec3(exact));

@@ -5,7 +5,7 @@
 
 using namespace ballpit;
 
-TEST_CASE("random numbers are SplitMix64's on every platform") {
+TEST_CASE("random numbers are those of SplitMix64 on every platform") {
   // The first outputs of the reference implementation for seed 1234567 (prng.di.unimi.it/splitmix64.c).
   Random random(1234567);
   CHECK(random.bits() == 6457827717110365317u);
@@ -28,7 +28,7 @@ TEST_CASE("uniform numbers stay in their range and fill it") {
   CHECK(sum / 100000 == Approx(0.5).margin(5 * 0.2887 / std::sqrt(100000.0)));
 }
 
-TEST_CASE("directions are unit vectors that favour no side") {
+TEST_CASE("directions are unit vectors without a preferred side") {
   const int dimensions = GENERATE(2, 3);
   Random random(7);
   Vec3d sum(0.0), squares(0.0);

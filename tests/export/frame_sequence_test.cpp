@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An empty folder of its own, removed at the end.
+/// An empty folder that is removed at the end.
 struct Folder {
   fs::path path;
   explicit Folder(const std::string& name) : path(fs::temp_directory_path() / ("ballpit-" + name)) {
@@ -37,7 +37,7 @@ size_t count_files(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("pushed frames lie in the folder, numbered in order and whole") {
+TEST_CASE("pushed frames are in the folder, complete and numbered in order") {
   const Folder folder("sequence");
   FrameSequence sequence(folder.path / "new" / "film");
   for (int i = 0; i < 20; ++i) sequence.push(frame(static_cast<uint8_t>(i)));
@@ -50,7 +50,7 @@ TEST_CASE("pushed frames lie in the folder, numbered in order and whole") {
   CHECK(frame_name(12) == "frame_00012.png");
 }
 
-TEST_CASE("a sequence that is dropped still writes what was pushed") {
+TEST_CASE("a destroyed sequence still writes the pushed frames") {
   const Folder folder("dropped");
   {
     FrameSequence sequence(folder.path);
@@ -59,7 +59,7 @@ TEST_CASE("a sequence that is dropped still writes what was pushed") {
   CHECK(next_frame_index(folder.path) == 3);
 }
 
-TEST_CASE("a sequence resumes after the last whole frame") {
+TEST_CASE("a sequence resumes after the last complete frame") {
   const Folder folder("resume");
   CHECK(next_frame_index(folder.path / "missing") == 0);
   CHECK(next_frame_index(folder.path) == 0);
@@ -86,9 +86,9 @@ TEST_CASE("a sequence resumes after the last whole frame") {
   CHECK(next_frame_index(folder.path) == 5);
 }
 
-TEST_CASE("memory stays bounded: pushing waits while the encoder cannot keep up", "[slow]") {
+TEST_CASE("memory is bounded: pushing waits while the encoder is too slow", "[slow]") {
   const Folder folder("bounded");
-  // Opening a pipe for writing waits until somebody reads: an encoder that is stuck.
+  // Opening a pipe for writing waits for a reader, so the encoder is blocked.
   const fs::path pipe = folder.path / "frame_00000.png";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   FrameSequence sequence(folder.path);
@@ -109,14 +109,14 @@ TEST_CASE("memory stays bounded: pushing waits while the encoder cannot keep up"
   CHECK(count_files(folder.path) == 10);
 }
 
-TEST_CASE("a folder that cannot be made is an error that names it") {
+TEST_CASE("the error of a folder that cannot be made names it") {
   const Folder folder("unwritable");
   std::ofstream(folder.path / "file") << "x";
   CHECK_THROWS_WITH(FrameSequence(folder.path / "file" / "film"), Catch::Contains("unwritable/file/film"));
   CHECK_THROWS_AS(FrameSequence(folder.path / "file" / "film"), RunError);
 }
 
-TEST_CASE("a full disk stops the sequence with the file's name and the reason, and keeps the frames before") {
+TEST_CASE("a full disk stops the sequence with the file's name and the reason, and keeps earlier frames") {
   if (!fs::exists("/dev/full")) return;
   const Folder folder("full");
   fs::create_symlink("/dev/full", folder.path / "frame_00002.png");
@@ -132,7 +132,7 @@ TEST_CASE("a full disk stops the sequence with the file's name and the reason, a
   CHECK(fs::is_symlink(folder.path / "frame_00002.png"));
 }
 
-TEST_CASE("frames that are to be removed are files; a pipe and a link stay, to be written to") {
+TEST_CASE("only files are removed as frames; a pipe and a link remain and are written to") {
   const Folder folder("kept");
   std::ofstream(folder.path / "frame_00000.png") << "x";
   REQUIRE(::mkfifo((folder.path / "frame_00001.png").c_str(), 0600) == 0);
@@ -143,7 +143,7 @@ TEST_CASE("frames that are to be removed are files; a pipe and a link stay, to b
   CHECK(fs::is_symlink(folder.path / "frame_00002.png"));
 }
 
-TEST_CASE("a frame carries its key in front of the same pixels") {
+TEST_CASE("a frame contains its key, without a change of pixels") {
   const Folder folder("key");
   FrameSequence sequence(folder.path, 0, "size 16x9\nscene a\n");
   sequence.push(frame(3));
@@ -161,7 +161,7 @@ TEST_CASE("a frame carries its key in front of the same pixels") {
   CHECK_FALSE(read_png_head(folder.path / frame_name(2)));
 }
 
-TEST_CASE("a folder that vanishes under the sequence is told at the end at the latest") {
+TEST_CASE("a folder that vanishes during a sequence is reported at the end at the latest") {
   const Folder folder("vanished");
   FrameSequence sequence(folder.path / "film");
   fs::remove_all(folder.path / "film");

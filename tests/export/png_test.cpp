@@ -15,7 +15,7 @@ using namespace ballpit;
 
 namespace {
 
-/// Decoded by libpng, which checks every check sum.
+/// Decoded by libpng, which verifies all check sums.
 std::vector<uint8_t> decode_rgba(const std::string& bytes, int& width, int& height) {
   png_image header;
   std::memset(&header, 0, sizeof header);
@@ -55,7 +55,7 @@ TEST_CASE("a PNG file gives back every pixel, at any size") {
   }
 }
 
-TEST_CASE("half a PNG is not a whole one") {
+TEST_CASE("a truncated PNG file is not a whole one") {
   const std::string bytes = encode_png(test_picture(20, 10));
   CHECK_FALSE(is_whole_png(bytes.substr(0, bytes.size() - 1)));
   CHECK_FALSE(is_whole_png(bytes.substr(0, 40)));

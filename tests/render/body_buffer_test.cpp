@@ -9,7 +9,7 @@
 
 using namespace ballpit;
 
-TEST_CASE("the position buffer holds the simulation's floats as they are") {
+TEST_CASE("the position buffer holds the floats of the simulation unchanged") {
   const GlContext context;
   for (const int dimensions : {2, 3}) {
     BodySnapshot bodies;
@@ -43,7 +43,7 @@ TEST_CASE("bodies in a contact are marked, others are not") {
   CHECK(contact_marks(4, {{0, 2}}) == std::vector<Mark>{Mark::contact, Mark::none, Mark::contact, Mark::none});
 }
 
-TEST_CASE("one radius for all draws the same picture as the same radius each") {
+TEST_CASE("one radius for all draws the same picture as equal radii for each") {
   const DomainBox domain;
   const Inspection each = inspect({{{0.3f, 0.3f, 0.5f}, 0.2f}, {{0.7f, 0.6f, 0.4f}, 0.2f}}, domain);
   Inspection equal = each;

@@ -43,7 +43,7 @@ TEST_CASE("a box fills the frame up to the margin, centred, at any shape of box 
   }
 }
 
-TEST_CASE("room below: the same view, smaller, in the upper part of the picture") {
+TEST_CASE("room below keeps the view, smaller, in the upper part of the picture") {
   for (const int dimensions : {2, 3}) {
     const Vec3 max(1, 1, dimensions == 3 ? 1 : 0);
     const Camera whole = frame_box(Vec3(0), max, dimensions, 1.5f);
@@ -56,7 +56,7 @@ TEST_CASE("room below: the same view, smaller, in the upper part of the picture"
   }
 }
 
-TEST_CASE("a planar scene is seen straight on, without perspective") {
+TEST_CASE("a planar scene is shown from the front, without perspective") {
   const Camera camera = frame_box(Vec3(1, 2, 0), Vec3(6, 7, 0), 2, 16.0f / 9);
   CHECK(camera.is_orthographic());
   CHECK(camera.pixel_size(3.0f, 100) == camera.pixel_size(30.0f, 100));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a sphere's colour says.
+// The colours of spheres.
 #include "render/coloring.h"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ Inspection four() {
   grid.head = {3, 2};
   grid.next = {-1, 0, -1, 1};
   inspection.grids = {grid};
-  inspection.work = {2, 0, 8, 0, 4};  // as the sweep's threads: one that has nothing to do among them
+  inspection.work = {2, 0, 8, 0, 4};  // as the sweep's threads, one of them without work
   inspection.worker = {1, 0, 3, -1, 2};
   return inspection;
 }
@@ -38,7 +38,7 @@ std::vector<int> steps(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a quantity's least and largest values have the ends of the scale") {
+TEST_CASE("a quantity's smallest and largest values have the colours at the ends of the scale") {
   CHECK(steps("speed") == std::vector<int>{0, 4, 8, 15});
   CHECK(steps("size") == std::vector<int>{0, 4, 8, 15});
   CHECK(steps("contacts") == std::vector<int>{15, 8, 0, 8});
@@ -60,7 +60,7 @@ TEST_CASE("spheres at rest, of one size, or none at all have a colour") {
   }
 }
 
-TEST_CASE("where a method has no cells or threads, no sphere is coloured by them, and the legend says so") {
+TEST_CASE("a method without cells or threads colours no sphere by them, and the legend gives the reason") {
   Inspection bare = four();
   bare.grids.clear();
   bare.work.clear();
@@ -72,13 +72,13 @@ TEST_CASE("where a method has no cells or threads, no sphere is coloured by them
   }
 }
 
-TEST_CASE("by contact a sphere is marked or not, and there is no scale") {
+TEST_CASE("the colouring by contact marks spheres, and has no scale") {
   const Colored colored = coloring_named("contact").color(four());
   CHECK(colored.marks == std::vector<Mark>{Mark::contact, Mark::contact, Mark::none, Mark::contact});
   CHECK(colored.low.empty());
 }
 
-TEST_CASE("the scale grows lighter from step to step, in both themes") {
+TEST_CASE("the scale becomes lighter from step to step, in both themes") {
   for (const Theme& theme : themes()) {
     float before = -1;
     for (int k = 0; k < kScaleColors; ++k) {
@@ -89,11 +89,11 @@ TEST_CASE("the scale grows lighter from step to step, in both themes") {
   }
 }
 
-TEST_CASE("a colouring that does not exist is refused with those that do") {
+TEST_CASE("an unknown colouring is refused with the names of all") {
   CHECK_THROWS_WITH(coloring_named("mood"), Catch::Contains("contact, speed, size, contacts, cell, list, work"));
 }
 
-TEST_CASE("golden: a cloud coloured by radius, speed and work, with legends, and by what a method does not have") {
+TEST_CASE("golden: a cloud coloured by radius, speed and work, with legends, and by a quantity that the method lacks") {
   const DomainBox box;
   Inspection cloud = inspect(read_spheres(BALLPIT_GOLDEN_FOLDER "/cloud.csv"), box);
   FrameView view = view_of(cloud, box, 16.0f / 9);

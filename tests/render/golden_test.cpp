@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of stored states against tests/golden. After a change that is meant to show:
+// Compares pictures of stored states with tests/golden. After an intended change of pictures:
 //     BALLPIT_BLESS=1 ctest --test-dir build/release -R golden
 // It fails with "blessed: …" for each picture that it replaces. Look at them, and run it again without BALLPIT_BLESS.
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST_CASE("golden: a planar scene with its grid") {
   CHECK(compare_with_golden("plane_grid", draw(view_of(plane, kPlane, kAspect, {"grid"}), kWidth, kHeight)) == "");
 }
 
-TEST_CASE("the comparison of pictures sees a missing sphere, but not rounding") {
+TEST_CASE("the comparison of pictures detects a missing sphere, but ignores rounding") {
   std::vector<Sphere> spheres = read_spheres(BALLPIT_GOLDEN_FOLDER "/cloud.csv");
   const Inspection all = inspect(spheres, kBox);
   const Image whole = draw(view_of(all, kBox, kAspect), kWidth, kHeight);
@@ -63,7 +63,7 @@ TEST_CASE("the comparison of pictures sees a missing sphere, but not rounding") 
   CHECK(worst_block(draw(view_of(fewer, kBox, kAspect), kWidth, kHeight), whole) > 8);
 }
 
-TEST_CASE("the comparison of pictures sees a grid line that is shifted by a twentieth of a cell") {
+TEST_CASE("the comparison of pictures detects a grid line that is shifted by a twentieth of a cell") {
   const Inspection plane = stored("plane", kPlane, 1);
   Inspection shifted = plane;
   shifted.grids[0].origin.x += 0.05f;
@@ -84,7 +84,7 @@ TEST_CASE("blessing replaces golden pictures that differ or are missing, and doe
     CHECK_THAT(compare_with_golden("dot", picture, folder.string()),
                Catch::StartsWith("blessed: " + golden + "; look"));
     CHECK(difference(read_png(golden).pixel(0, 0), picture.pixel(0, 0)) == 0);
-    CHECK(compare_with_golden("dot", picture, folder.string()) == "");  // it is the golden picture
+    CHECK(compare_with_golden("dot", picture, folder.string()) == "");  // it is the golden picture now
   }
   before ? ::setenv("BALLPIT_BLESS", own.c_str(), 1) : ::unsetenv("BALLPIT_BLESS");
   std::filesystem::remove_all(folder);

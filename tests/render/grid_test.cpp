@@ -47,7 +47,7 @@ TEST_CASE("a planar grid tints occupied cells only, fuller ones more") {
   CHECK(tint[1] > tint[0] + 8);  // green
 }
 
-TEST_CASE("a spatial grid draws around occupied cells only, and spheres hide what is behind them") {
+TEST_CASE("a spatial grid draws edges of occupied cells only, and spheres hide lines behind them") {
   const DomainBox box;
   const Inspection with = inspect({{{0.125f, 0.125f, 0.875f}, 0.1f}}, box, 0.25f);
   const Image plain = draw(view_of(with, box, 16.0f / 9), 320, 180);
@@ -73,7 +73,7 @@ TEST_CASE("a spatial grid draws around occupied cells only, and spheres hide wha
   CHECK(difference(image.pixel(center.x, center.y), plain.pixel(center.x, center.y)) == 0);
 }
 
-TEST_CASE("cells that reach beyond the domain are drawn up to its wall") {
+TEST_CASE("cells that extend beyond the domain are drawn up to its wall") {
   // Cells of 2 in a square of 5: three along each axis, the last to 6.
   const Inspection inspection = inspect({{{4.5f, 4.5f, 0}, 0.1f}}, kPlane, 2);
   REQUIRE(inspection.grids.at(0).cells.x == 3);

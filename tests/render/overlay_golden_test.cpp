@@ -19,7 +19,7 @@ constexpr float kAspect = 16.0f / 9;
 const DomainBox kBox;
 const DomainBox kPlane{Vec3(0), Vec3(5, 5, 0), 2, false};
 
-/// Everything that overlays may ask for.
+/// All data that overlays can use.
 Inspection complete(const std::vector<Sphere>& spheres, const DomainBox& domain, float edge, int axis) {
   Inspection inspection = inspect(spheres, domain, edge);
   add_candidates(inspection);
@@ -57,7 +57,7 @@ TEST_CASE("golden: pairs of a cloud, on dark") {
   CHECK(compare("pairs_cloud_dark", stored("cloud", kBox, 0.125f), kBox, {"pairs"}, "dark") == "");
 }
 
-TEST_CASE("golden: few pairs of a cloud, and those that cells too small miss, on both grounds") {
+TEST_CASE("golden: few pairs of a cloud, and those missed by too small cells, on both grounds") {
   CHECK(compare("pairs_cloud", stored("cloud", kBox, 0.07f), kBox, {"pairs"}, "projector") == "");
   CHECK(compare("pairs_cloud_missed", stored("cloud", kBox, 0.03f), kBox, {"pairs"}, "projector") == "");
   CHECK(compare("pairs_cloud_missed_dark", stored("cloud", kBox, 0.03f), kBox, {"pairs"}, "dark") == "");
@@ -116,7 +116,7 @@ TEST_CASE("golden: offsets and sorted bodies of a planar grid, and a hashed tabl
   CHECK(compare("places_plane", eight, kPlane, {"lists"}, "projector") == "");
 }
 
-TEST_CASE("golden: how long the lists of a cloud are") {
+TEST_CASE("golden: the lengths of the lists of a cloud") {
   CHECK(compare("lists_cloud", stored("cloud", kBox, 0.125f), kBox, {"lists"}, "projector") == "");
 }
 
@@ -125,13 +125,13 @@ TEST_CASE("golden: numbers of cells and spheres, on both grounds") {
   CHECK(compare("labels_cloud_dark", stored("cloud", kBox, 0), kBox, {"labels"}, "dark") == "");
 }
 
-TEST_CASE("golden: of thousands of cells the floors alone, on both grounds") {
+TEST_CASE("golden: only the floors of thousands of cells, on both grounds") {
   Random random(5);
   std::vector<Sphere> spheres;
   const auto at = [&] { return static_cast<float>(random.uniform(0.02, 0.98)); };
   for (int k = 0; k < 7000; ++k) spheres.push_back({{at(), at(), at()}, 0.01f});
   const Inspection inspection = inspect(spheres, kBox, 0.05f);
-  const FrameView view = view_of(inspection, kBox, kAspect, {"grid"});  // without text: a small picture does
+  const FrameView view = view_of(inspection, kBox, kAspect, {"grid"});  // without text, a small picture is sufficient
   for (const auto& [name, theme] : {std::pair{"grid_floors", "projector"}, {"grid_floors_dark", "dark"}})
     CHECK(compare_with_golden(name, draw(view, kWidth / 2, kHeight / 2, {theme_named(theme), 1})) == "");
 }
@@ -147,7 +147,7 @@ TEST_CASE("golden: velocities, on both grounds") {
   CHECK(compare("velocity_cloud_dark", stored("cloud", kBox, 0), kBox, {"velocity"}, "dark") == "");
 }
 
-TEST_CASE("golden: swept ways that lead past others, planar and spatial") {
+TEST_CASE("golden: swept ways past other spheres, planar and spatial") {
   const auto compare_swept = [](const std::string& name, const std::vector<Sphere>& spheres, const DomainBox& domain,
                                 const std::vector<float>& velocity, const char* theme) {
     Inspection inspection = inspect(spheres, domain);
@@ -163,7 +163,7 @@ TEST_CASE("golden: swept ways that lead past others, planar and spatial") {
                       {1.2f, 0, 0, 0, 0, 0, 0.2f, -0.9f, 0.4f}, "dark") == "");
 }
 
-TEST_CASE("the comparison of pictures sees a label that is missing or moved, and a shifted line") {
+TEST_CASE("the comparison of pictures detects a missing or moved label, and a shifted line") {
   const Inspection plane = stored("plane", kPlane, 1);
   const FrameView view = view_of(plane, kPlane, kAspect, {"grid", "labels"});
   const Image whole = draw(view, kWidth, kHeight);

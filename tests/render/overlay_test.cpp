@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Facts about overlays on small pictures, and about what they count.
+// Overlays on small pictures, and their counts.
 #include "render/overlays/overlay.h"
 
 #include <catch2/catch.hpp>
 
 #include "render/overlays/interval_list.h"
-#include "render/overlays/selection.h"
 #include "render/painter.h"
 #include "tests/support/test_scenes.h"
 
@@ -17,13 +16,13 @@ const DomainBox kPlane{Vec3(0), Vec3(5, 5, 0), 2, false};
 constexpr int kSize = 400;
 const Theme& kTheme = themes().front();
 
-/// Where a point of the plane lies in a square picture.
+/// The pixel of a point of the plane in a square picture.
 Vec2 place(const FrameView& view, const Vec3& point, int size = kSize) {
   const Vec4 clip = view.camera.projection() * view.camera.view() * Vec4(point, 1);
   return Vec2(1 + clip.x / clip.w, 1 - clip.y / clip.w) / 2.0f * static_cast<float>(size);
 }
 
-/// How near to a colour the picture comes within a few pixels of a place.
+/// The smallest difference from a colour within a few pixels of a position.
 int nearest_difference(const Image& image, Vec2 at, const Vec3& color, int reach) {
   int least = 255;
   for (int y = -reach; y <= reach; ++y) {
@@ -71,7 +70,7 @@ TEST_CASE("candidates apart are candidates without contacts, each once") {
   CHECK(candidates_apart(inspection) == std::vector<Pair>{{0, 1}, {1, 3}});
 }
 
-TEST_CASE("a walk goes from a begin to its end and meets the begins between; an end meets nothing") {
+TEST_CASE("a walk goes from a begin to its end and meets the begins between them") {
   // b0 b1 e0 b2 e2 e1: the thread of body 1 tests 2; that of body 0 tests 1.
   const std::vector<Endpoint> list = {{0, 0, false}, {1, 1, false}, {2, 0, true},
                                       {3, 2, false}, {4, 2, true},  {5, 1, true}};
@@ -79,12 +78,12 @@ TEST_CASE("a walk goes from a begin to its end and meets the begins between; an 
   CHECK(shown_walk(list, 1).met == std::vector<size_t>{3});
   CHECK(shown_walk(list, 2).met.empty());
   CHECK(shown_walk(list, 2).body == 2);
-  CHECK(shown_walk(list, -1).body == 0);  // the first of those that test most
+  CHECK(shown_walk(list, -1).body == 0);  // the first with the most tests
   CHECK(shown_walk(list, 7).body == -1);
   CHECK(shown_walk({}, -1).body == -1);
 }
 
-TEST_CASE("brackets stand on the axis where the intervals end") {
+TEST_CASE("brackets are on the axis at the ends of intervals") {
   Inspection inspection = inspect({{{2, 2.5f, 0}, 1.0f}}, kPlane);
   add_endpoints(inspection, 0);
   const FrameView view = view_of(inspection, kPlane, 1, {"intervals"});
@@ -98,24 +97,24 @@ TEST_CASE("brackets stand on the axis where the intervals end") {
   CHECK(nearest_difference(image, {place(view, {0.4f, 0, 0}).x, staff - 5}, kTheme.begin, 3) > 60);
 }
 
-TEST_CASE("cells are counted by the length of their list; the last class takes longer ones") {
+TEST_CASE("cells are counted by the length of their list; the last class contains longer ones") {
   const Inspection inspection = inspect(
       {{{0.5f, 0.5f, 0}, 0.1f}, {{0.6f, 0.6f, 0}, 0.1f}, {{0.7f, 0.3f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}}, kPlane, 1);
   CHECK(count_lengths(inspection.grids[0], 4) == std::vector<int>{23, 1, 0, 1, 0});
   CHECK(count_lengths(inspection.grids[0], 2) == std::vector<int>{23, 1, 1});
 }
 
-TEST_CASE("of sorted bodies the ranges are counted, of a hashed table the places") {
+TEST_CASE("ranges of sorted bodies and buckets of a hashed table are counted") {
   Inspection inspection =
       inspect({{{0.5f, 0.5f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}, {{4.6f, 1.5f, 0}, 0.1f}}, kPlane, 1);
   GridInspection& grid = inspection.grids[0];
   grid.arrays = CellArrays{true, false, {0, 0, 2, 2, 3}, {1, 2, 0}};
   CHECK(count_lengths(grid, 4) == std::vector<int>{2, 1, 1, 0, 0});
-  grid.arrays = CellArrays{false, true, {-1, 2, -1, -1, -1, -1, -1, -1}, {-1, 0, 1}};  // all share a place
+  grid.arrays = CellArrays{false, true, {-1, 2, -1, -1, -1, -1, -1, -1}, {-1, 0, 1}};  // all share a bucket
   CHECK(count_lengths(grid, 4) == std::vector<int>{7, 0, 0, 1, 0});
 }
 
-TEST_CASE("a grid of too many cells to show is told, and its arrays are drawn all the same") {
+TEST_CASE("a note reports a grid with too many cells, and its arrays are still drawn") {
   Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
   GridInspection& grid = inspection.grids[0];
   grid.head.clear();
@@ -153,7 +152,7 @@ TEST_CASE("the fastest sphere's arrow is a twelfth of the picture long and ends 
   CHECK_FALSE(is_drawn(centre.x - 3));
 }
 
-TEST_CASE("a swept way runs beside the sphere's path, and ends with a ring where the step ends") {
+TEST_CASE("a swept way is drawn beside the sphere's path, with a ring at the end of the step") {
   Inspection inspection = three();
   inspection.contacts.clear();
   inspection.bodies.velocity = {0, 0, 0, 0, -8, 0};
@@ -178,7 +177,7 @@ TEST_CASE("a swept way runs beside the sphere's path, and ends with a ring where
   CHECK_FALSE(is_drawn(0.3f, 4.3f));
 }
 
-TEST_CASE("the block of a sphere are the 3 x 3 cells around its own, as far as the grid goes") {
+TEST_CASE("the block of a sphere is the 3 x 3 cells around its own, within the grid") {
   const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}, {{0.5f, 4.5f, 0}, 0.1f}}, kPlane, 1);
   const GridInspection& grid = inspection.grids[0];
   const auto middle = block_around(grid, inspection.bodies, 0), corner = block_around(grid, inspection.bodies, 1);
@@ -203,13 +202,13 @@ TEST_CASE("the block of a sphere are the 3 x 3 cells around its own, as far as t
   CHECK_FALSE(tinted(4.5f, 3.5f));
 }
 
-TEST_CASE("a block ends with the list: a sphere that no cell lists has none") {
+TEST_CASE("a sphere that no cell lists has no block") {
   Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
   inspection.grids[0].head.assign(25, -1);
   CHECK_FALSE(block_around(inspection.grids[0], inspection.bodies, 0));
 }
 
-TEST_CASE("overlays without their data draw a note in the upper left corner, and nothing else") {
+TEST_CASE("overlays without their data draw only a note in the upper left corner") {
   const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.01f}}, kPlane);
   const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
   for (const char* name : {"intervals", "lists", "velocity", "swept", "grid", "labels"}) {
@@ -226,7 +225,7 @@ TEST_CASE("overlays without their data draw a note in the upper left corner, and
   }
 }
 
-TEST_CASE("the table of overlays says what a broad phase does not give them") {
+TEST_CASE("the table of overlays gives the reason if a broad phase lacks their data") {
   Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane);
   const auto lacks = [&] {
     std::vector<std::string> names;
@@ -242,13 +241,13 @@ TEST_CASE("the table of overlays says what a broad phase does not give them") {
   CHECK(lacks() == std::vector<std::string>{"intervals"});
 }
 
-TEST_CASE("notes and strips stack: none lies over another") {
+TEST_CASE("notes and strips do not cover each other") {
   Inspection inspection = three();
   add_candidates(inspection);
   add_velocities(inspection, kPlane);
   const Image one = draw(view_of(inspection, kPlane, 3, {"pairs"}), 900, 300);
   const Image two = draw(view_of(inspection, kPlane, 3, {"pairs", "velocity"}), 900, 300);
-  // The first line stays as it was; below it, there is a second one.
+  // The first line is unchanged; the second one is below it.
   int first = 0, second = 0;
   for (int x = 0; x < 150; ++x) {
     for (int y = 0; y < 14; ++y) first += difference(one.pixel(x, y), two.pixel(x, y)) > 8;
@@ -268,7 +267,7 @@ TEST_CASE("numbers are grouped by thousands, and nouns follow them") {
   CHECK(counted(0, "contact") == "0 contacts");
 }
 
-TEST_CASE("thirty thousand lines of pairs: only counted, and those of contacts drawn") {
+TEST_CASE("thirty thousand candidates are only counted, but contacts are drawn") {
   Inspection inspection = three();
   for (int k = 0; k < 30000; ++k) inspection.candidates.push_back({k, k + 1});
   const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});

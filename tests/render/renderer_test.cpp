@@ -24,7 +24,7 @@ std::vector<Sphere> some_spheres() {
 
 }  // namespace
 
-TEST_CASE("this machine has a context, and says what it is") {
+TEST_CASE("this machine has a context, and describes it") {
   const GlContext context;
   CHECK(!context.info().renderer.empty());
   CHECK(context.info().version.find("4.") == 0);
@@ -32,7 +32,7 @@ TEST_CASE("this machine has a context, and says what it is") {
   for (const EglDeviceInfo& device : list_egl_devices()) CHECK(!device.name.empty());
 }
 
-TEST_CASE("a context that the driver has reset is told in words") {
+TEST_CASE("a reset of the context by the driver is reported") {
   const GlContext context;
   const Inspection inspection = inspect(some_spheres(), kBox);
   Renderer renderer(64, 36);
@@ -52,7 +52,7 @@ TEST_CASE("a context that the driver has reset is told in words") {
   CHECK_NOTHROW(renderer.draw(view_of(inspection, kBox, 16.0f / 9)));
 }
 
-TEST_CASE("contexts live side by side, and one outlives the other") {
+TEST_CASE("two contexts exist side by side, and one outlives the other") {
   auto first = std::make_unique<GlContext>();
   const GlContext second;
   first.reset();
@@ -84,7 +84,7 @@ TEST_CASE("an OpenGL error becomes a RunError at the next check") {
   CHECK_NOTHROW(check_gl("the test"));
 }
 
-TEST_CASE("a shader that is missing or lacks a uniform is named") {
+TEST_CASE("an error names a shader that is missing or lacks a uniform") {
   const GlContext context;
   CHECK_THROWS_WITH(Shader("none.vert", "face.frag"), Catch::Contains("none.vert"));
   const Shader shader("face.vert", "face.frag");
@@ -103,7 +103,7 @@ TEST_CASE("the same state gives the same pixels, frame after frame and context a
   CHECK(renderer.read_pixels().pixels == first.pixels);
 }
 
-TEST_CASE("a deleted sphere changes the picture, every one of them") {
+TEST_CASE("deleting any sphere changes the picture") {
   const std::vector<Sphere> spheres = some_spheres();
   const Inspection all = inspect(spheres, kBox);
   const Image whole = draw(view_of(all, kBox, 16.0f / 9), 320, 180);
@@ -115,7 +115,7 @@ TEST_CASE("a deleted sphere changes the picture, every one of them") {
   }
 }
 
-TEST_CASE("rows go from top to bottom: what is high in the scene is high in the picture") {
+TEST_CASE("rows go from top to bottom: high spheres are high in the picture") {
   for (const DomainBox& domain : {kPlane, DomainBox{Vec3(0), Vec3(5), 3, true}}) {
     const Inspection inspection = inspect({{{2.5f, 4.2f, 2.5f}, 0.6f}}, domain);
     const Inspection empty = inspect({}, domain);
@@ -131,7 +131,7 @@ TEST_CASE("rows go from top to bottom: what is high in the scene is high in the 
   }
 }
 
-TEST_CASE("a planar scene is flat: a disc has its colour all over, and an outline") {
+TEST_CASE("a disc has one colour, and an outline") {
   const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 1.0f}}, kPlane);
   const Image image = draw(view_of(inspection, kPlane, 1), 200, 200);
   const float radius = 200 * 0.88f / 5;
@@ -145,7 +145,7 @@ TEST_CASE("a planar scene is flat: a disc has its colour all over, and an outlin
   CHECK(difference(image.pixel(100 + static_cast<int>(radius + 3), 100), theme.background) == 0);
 }
 
-TEST_CASE("an open top shows: the edges above are gone") {
+TEST_CASE("an open top has no upper edges") {
   const DomainBox open{Vec3(0), Vec3(1), 3, true};
   const Inspection inspection = inspect({}, kBox);
   const Image closed_box = draw(view_of(inspection, kBox, 16.0f / 9), 320, 180);
@@ -170,7 +170,7 @@ TEST_CASE("frames are opaque") {
   for (size_t i = 3; i < image.pixels.size(); i += 4) REQUIRE(image.pixels[i] == 255);
 }
 
-TEST_CASE("resizing and restyling act on the next frame") {
+TEST_CASE("a new size or style takes effect in the next frame") {
   const GlContext context;
   const Inspection inspection = inspect(some_spheres(), kBox);
   Renderer renderer(64, 36);
@@ -183,7 +183,7 @@ TEST_CASE("resizing and restyling act on the next frame") {
   CHECK(difference(image.pixel(0, 0), dark.theme.background) <= 1);
 }
 
-TEST_CASE("sizes and names that cannot be are the user's errors, which list what can") {
+TEST_CASE("impossible sizes and names are UserErrors that list the valid ones") {
   const GlContext context;
   CHECK_THROWS_AS(Renderer(0, 100), UserError);
   CHECK_THROWS_AS(Renderer(100, -1), UserError);

@@ -16,7 +16,7 @@ namespace {
 constexpr int kWidth = 320, kHeight = 180;
 constexpr float kAspect = 16.0f / 9;
 
-/// What is drawn at scale 1. Velocities are in lengths of the scene a second, so that their numbers stay the same.
+/// The scene at scale 1. Velocities are in lengths of the scene per second, so their numbers stay the same.
 struct Scenery {
   Inspection inspection;
   DomainBox domain;
@@ -79,7 +79,7 @@ void check_every_scale(const Scenery& scenery) {
     const Difference apart = compare(actual, expected);
     INFO("scale " << by << ", overlays " << Catch::StringMaker<std::vector<std::string>>::convert(scenery.overlays)
                   << ", largest difference " << apart.largest);
-    // Coordinates are rounded differently: now and then, a pixel on the border of a line or a face changes sides.
+    // Coordinates are rounded differently, so single pixels on the border of a line or a face may change.
     CHECK(apart.count <= kWidth * kHeight / 1000);
     CHECK(worst_block(actual, expected) <= 1);
     if (scenery.overlays.empty()) CHECK(apart.largest <= 2);
@@ -143,7 +143,7 @@ TEST_CASE("a selected sphere and missed contacts look the same at every length s
   check_every_scale(plane);
 }
 
-TEST_CASE("every camera shows the same at every length scale") {
+TEST_CASE("every camera shows the same picture at every length scale") {
   for (const auto& [azimuth, elevation, zoom] : {std::tuple{0.0f, 0.0f, 1.0f},
                                                  {2.5f, 1.5f, 1.0f},
                                                  {-1.0f, -0.7f, 4.0f},

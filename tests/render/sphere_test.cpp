@@ -28,7 +28,7 @@ Image draw_spheres(const std::vector<Sphere>& spheres) {
   return draw(along_z(inspection), kSize, kSize);
 }
 
-/// Where a viewing angle lands, in pixels from the left.
+/// The pixel of a viewing angle, from the left.
 float column(float angle) { return kSize / 2 * (1 + std::tan(angle) / std::tan(Camera{}.fov / 2)); }
 
 bool is_ground(const uint8_t* pixel) { return difference(pixel, themes().front().background) < 8; }
@@ -51,7 +51,7 @@ Run covered_columns(const Image& image, int row) {
 
 }  // namespace
 
-TEST_CASE("a sphere's outline lies where its tangent cone meets the picture") {
+TEST_CASE("a sphere's outline is the section of its tangent cone with the picture") {
   for (const Sphere& sphere : {Sphere{{0, 0, -3}, 0.5f}, Sphere{{0.5f, 0, -3}, 0.3f}, Sphere{{-0.2f, 0, -1}, 0.1f}}) {
     const Image image = draw_spheres({sphere});
     const float direction = std::atan2(sphere.center.x, -sphere.center.z);
@@ -62,7 +62,7 @@ TEST_CASE("a sphere's outline lies where its tangent cone meets the picture") {
   }
 }
 
-TEST_CASE("an outline is smooth: its pixels are mixed by how much of them is covered") {
+TEST_CASE("an outline is smooth: its pixels are blended by their covered part") {
   const Sphere sphere{{0, 0, -3}, 0.5f};
   const Image image = draw_spheres({sphere});
   int mixed = 0;
@@ -87,11 +87,11 @@ TEST_CASE("a nearer sphere hides a farther one, in whichever order they are draw
 }
 
 TEST_CASE("spheres that overlap meet in the plane between them: depth is that of the surface") {
-  // A large sphere in front; a small one stuck into its side shows a cap, though its centre lies deeper.
+  // A small sphere in the side of a large one shows a cap, although its centre is farther from the viewer.
   Inspection inspection = inspect({{{0, 0, -3}, 0.5f}, {{0.45f, 0, -2.9f}, 0.2f}, {{9, 9, 9}, 0.1f}}, DomainBox{});
-  inspection.contacts = {{1, 2}};  // orange: the small one and one out of sight
+  inspection.contacts = {{1, 2}};  // orange: the small one and an invisible one
   const Image image = draw(along_z(inspection), kSize, kSize);
-  // Along the middle row, the surface seen is the sphere whose near root is smaller.
+  // In the middle row, the sphere with the smaller near root is visible.
   int wrong = 0;
   for (int x = 0; x < kSize; ++x) {
     const float slope = (2 * (static_cast<float>(x) + 0.5f) / kSize - 1) * std::tan(Camera{}.fov / 2);
@@ -112,7 +112,7 @@ TEST_CASE("spheres that overlap meet in the plane between them: depth is that of
   CHECK(wrong <= 2);  // at the seam and the outline
 }
 
-TEST_CASE("a sphere smaller than a pixel is still seen") {
+TEST_CASE("a sphere smaller than a pixel is still visible") {
   for (const float radius : {0.002f, 1e-5f}) {
     const Image alone = draw_spheres({{{0.013f, 0.021f, -3}, radius}});
     int covered = 0;
@@ -121,7 +121,7 @@ TEST_CASE("a sphere smaller than a pixel is still seen") {
     }
     CHECK(covered >= 1);
     CHECK(covered <= 12);
-    // Beside a large one, too, which keeps the renderer from drawing points.
+    // Also beside a large sphere, which prevents drawing as points.
     const Sphere large{{0.4f, 0.4f, -3}, 0.3f};
     CHECK(draw_spheres({large, {{-0.513f, -0.4f, -3}, radius}}).pixels != draw_spheres({large}).pixels);
   }

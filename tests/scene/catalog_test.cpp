@@ -34,7 +34,7 @@ TEST_CASE("the catalog starts with the default scene and describes each in two l
   }
 }
 
-TEST_CASE("every built-in scene loads and says where it starts and what it needs") {
+TEST_CASE("every built-in scene loads, and declares its defaults and needs") {
   for (const SceneInfo& info : built_in_scenes()) {
     CAPTURE(info.name);
     const Scene scene = load_scene(info.name);
@@ -65,7 +65,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the scenes hold what the lecture needs") {
+TEST_CASE("the scenes contain what the lecture needs") {
   CHECK(load_scene("bouncing-balls").bodies.size() == 2000);
   CHECK(load_scene("open-box").domain.boundary == Boundary::open_top);
   CHECK(load_scene("rain").bodies.size() == 20'000);

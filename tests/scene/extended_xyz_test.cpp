@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trajectories read back as a reader of extended XYZ does: by the keys of each frame's second line.
+// Reads trajectories back like a reader of extended XYZ: by the keys in the second line of each frame.
 #include "scene/extended_xyz.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Folder {
   }
   ~Folder() { fs::remove_all(path); }
 
-  /// Whether nothing but `name` is there; nothing at all without a name.
+  /// Whether the folder contains only `name`, or nothing if there is no name.
   bool holds_only(const std::string& name) const {
     for (const auto& entry : fs::directory_iterator(path)) {
       if (entry.path().filename() != name) return false;
@@ -112,7 +112,7 @@ std::map<std::string, std::string> keys_for(const Domain& domain) {
 
 }  // namespace
 
-TEST_CASE("frames of a trajectory read back in their order, every bit as it was") {
+TEST_CASE("frames of a trajectory read back in order, bit-identical") {
   const Folder folder;
   const fs::path path = folder.path / "a.xyz";
   const std::vector<Bodies> states{some_bodies(3, 1), some_bodies(3, 2), some_bodies(3, 3)};
@@ -132,7 +132,7 @@ TEST_CASE("frames of a trajectory read back in their order, every bit as it was"
   CHECK(folder.holds_only("a.xyz"));
 }
 
-TEST_CASE("a frame that no buffer holds reads back whole") {
+TEST_CASE("a frame larger than the buffer reads back completely") {
   const Folder folder;
   const Bodies bodies = some_bodies(20'000, 5);
   ExtendedXyz file(folder.path / "a.xyz", Domain{});
@@ -145,7 +145,7 @@ TEST_CASE("a frame that no buffer holds reads back whole") {
   check_bodies(frames[1], bodies);
 }
 
-TEST_CASE("a frame's keys name the box, the columns, the time and the borders that are periodic") {
+TEST_CASE("a frame's keys give the box, the columns, the time and the periodic borders") {
   const auto keys = keys_for({{-1, 0, 2}, {5, 0.5, 4}, Boundary::walls, 3});
   CHECK(keys == std::map<std::string, std::string>{{"Lattice", "6 0 0 0 0.5 0 0 0 2"},
                                                    {"Origin", "-1 0 2"},
@@ -156,7 +156,7 @@ TEST_CASE("a frame's keys name the box, the columns, the time and the borders th
   CHECK(keys_for({Vec3d(0), Vec3d(1), Boundary::periodic, 3}).at("pbc") == "T T T");
 }
 
-TEST_CASE("a plane is as thick as its largest sphere, and has no period across") {
+TEST_CASE("a planar frame is as thick as its largest sphere, and is not periodic in z") {
   const Folder folder;
   Bodies bodies = some_bodies(2, 1);
   bodies.radius = {0.25, 0.125};
@@ -169,7 +169,7 @@ TEST_CASE("a plane is as thick as its largest sphere, and has no period across")
   CHECK(keys.at("pbc") == "T T F");
 }
 
-TEST_CASE("numbers of a trajectory are written as short as they can be") {
+TEST_CASE("numbers of a trajectory are written as short as possible") {
   const Folder folder;
   Bodies bodies;
   bodies.resize(1);
@@ -184,7 +184,7 @@ TEST_CASE("numbers of a trajectory are written as short as they can be") {
         "Time=0.3 pbc=\"F F F\"\nX 0.1 0.3333333333333333 -2 0.5 0 0 0 1e-09\n");
 }
 
-TEST_CASE("a trajectory that ends without being finished keeps its whole frames; one without frames leaves nothing") {
+TEST_CASE("an unfinished trajectory keeps its complete frames; one without frames leaves no file") {
   const Folder folder;
   { const ExtendedXyz none(folder.path / "none.xyz", Domain{}); }
   CHECK(folder.holds_only(""));

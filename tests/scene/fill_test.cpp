@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filled scenes against a check of all pairs, in float as well, and their bits against stored hashes.
+// Checks all pairs of filled scenes, also in float, and compares the bits with stored hashes.
 #include "scene/fill.h"
 
 #include <bit>
@@ -15,7 +15,7 @@ using namespace ballpit;
 
 namespace {
 
-/// Through memory, since g++ 12 drops the casts double → float → double where it vectorises them.
+/// Through memory, since g++ 12 removes the casts double → float → double when it vectorises them.
 double as_float(double value) {
   const volatile float rounded = static_cast<float>(value);
   return static_cast<double>(rounded);
@@ -127,7 +127,7 @@ TEST_CASE("a region holds its spheres, also above an open top") {
   for (const Vec3d& p : edge.bodies.position) CHECK((p.y >= 0.02 && p.y <= 0.28));
 }
 
-TEST_CASE("generated spheres keep clear of listed ones, and stand in the order of the file") {
+TEST_CASE("generated spheres do not overlap listed ones, and are in the order of the file") {
   const Scene scene = filled(
       "[[spheres]]\nposition = [0.5, 0.5, 0.5]\nradius = 0.4\n"
       "[[fill]]\ncount = 50\nradius = 0.02\n[[fill]]\ncount = 30\nradius = 0.04\n"
@@ -157,7 +157,7 @@ TEST_CASE("a lattice with a range of radii does not overlap") {
   CHECK(smallest_gap(filled("[[fill]]\ncount = 200\nradius = [0.01, 0.06]\narrangement = 'lattice'")) > 0.0);
 }
 
-TEST_CASE("radii fill their range, speeds are as asked and point everywhere") {
+TEST_CASE("radii fill their range; speeds are as given, in all directions") {
   const Scene scene = filled("[[fill]]\ncount = 4000\nradius = [0.005, 0.015]\nspeed = 2");
   double sum = 0.0;
   Vec3d drift(0.0);
@@ -178,7 +178,7 @@ TEST_CASE("radii fill their range, speeds are as asked and point everywhere") {
   CHECK(same.bodies.mass[2] == 5.0);
 }
 
-TEST_CASE("generated positions are what float represents") {
+TEST_CASE("generated positions are exact in float") {
   for (const Vec3d& p : filled("[[fill]]\ncount = 100\nradius = [0.01, 0.02]").bodies.position) {
     CHECK(as_float(p) == p);
   }
@@ -195,13 +195,13 @@ TEST_CASE("the same seed gives the same bits everywhere, another seed others") {
         0x74194B4817B64399u);
 }
 
-TEST_CASE("a fill gives up in bounded time and says how far it came") {
+TEST_CASE("a fill that does not fit stops in bounded time, and gives the number of placed spheres") {
   CHECK_THROWS_WITH(filled("[[fill]]\ncount = 999\nradius = 0.05"),
                     Catch::Contains("999 spheres, but only 5") && Catch::Contains("52.3 %"));
   CHECK_THROWS_WITH(filled("[[fill]]\ncount = 100000000\nradius = [1e-6, 0.01]"), Catch::Contains("random placement"));
 }
 
-TEST_CASE("the order of placing is from large to small, so that wide ranges fit") {
+TEST_CASE("spheres are placed from large to small, so that wide ranges fit") {
   CHECK(filled("[[fill]]\ncount = 3000\nradius = 0.01\n[[fill]]\ncount = 1\nradius = 0.35").bodies.size() == 3001);
 }
 
@@ -216,7 +216,7 @@ std::string error_of(const std::string& text) {
   return "";
 }
 
-/// The number that stands behind these words.
+/// The number after these words.
 std::string number_behind(const std::string& text, const std::string& words) {
   const size_t begin = text.find(words) + words.size();
   std::string number = text.substr(begin, text.find_first_not_of("0123456789.e-", begin) - begin);
@@ -226,7 +226,7 @@ std::string number_behind(const std::string& text, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("who follows the hints of a fill that does not fit has a scene") {
+TEST_CASE("a scene that follows the hints of a failed fill is valid") {
   struct Crowded {
     std::string before;  ///< the fill
     int count;
@@ -283,7 +283,7 @@ TEST_CASE("who follows the hints of a fill that does not fit has a scene") {
   }
 }
 
-TEST_CASE("a lattice is offered where it has room, and only there") {
+TEST_CASE("the message suggests a lattice only if it has room") {
   using Catch::Contains;
   const std::string offer = "arrangement = \"lattice\"";
   CHECK_THAT(error_of("[[fill]]\ncount = 100\nradius = 0.0999\n"), Contains(offer));  // 125 sites

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Damaged scenes and CSV files: either they still read, or a UserError of one line says why not.
+// Damaged scenes and CSV files are either read or refused with a UserError of one line.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -51,7 +51,7 @@ bool behaves(const Read& read) {
 
 }  // namespace
 
-TEST_CASE("a damaged scene is read or refused, never a crash", "[slow]") {
+TEST_CASE("a damaged scene is read or refused, and never crashes", "[slow]") {
   SceneOverrides few;
   few.count = 60;  // so that thousands of scenes take seconds
   for (const EmbeddedFile& file : scene_files()) {
@@ -83,7 +83,7 @@ TEST_CASE("a damaged scene with its own count is read or refused in bounded time
   CHECK(misbehaved == 0);
 }
 
-TEST_CASE("a damaged CSV file is read or refused, never a crash") {
+TEST_CASE("a damaged CSV file is read or refused, and never crashes") {
   const std::string text = "x,y,z,radius,vx,vy,vz,mass\n0.5,1e-3,-2.25,0.1,0,0,-1.5,1\r\n1,2,3,0.25,4,5,6,7\n";
   Random random(3);
   int misbehaved = 0;

@@ -10,7 +10,7 @@
 
 using namespace ballpit;
 
-TEST_CASE("every value of a scene file arrives") {
+TEST_CASE("every value of a scene file is read") {
   const Scene scene = parse_scene(R"(
 title = "T"
 description = "D"
@@ -91,7 +91,7 @@ TEST_CASE("the walls take the spheres' restitution unless they have their own") 
   CHECK(parse_scene("[physics]\nrestitution = 0.3", "a.toml").physics.wall_restitution == 0.3);
 }
 
-TEST_CASE("defaults are kept as they would be typed, with their place") {
+TEST_CASE("defaults are kept as typed, with their place") {
   const Scene scene = parse_scene(
       "[defaults]\nbroadphase = 'sort-and-sweep'\ndt = 0.004166667\nsubsteps = 4\npanel = true\ncell-size = "
       "2.0",
@@ -162,7 +162,7 @@ TEST_CASE("overlaps across the edge of a periodic domain are found") {
 TEST_CASE("a centre on the upper edge of a periodic domain is the same point on the lower") {
   const Scene scene = parse_scene(
       "[domain]\nboundary = 'periodic'\n[[spheres]]\nposition = [1, 0.99999999999, 0.5]\nradius = 0.1", "a.toml");
-  CHECK(scene.bodies.position[0] == Vec3d(0, 0.99999999999, 0.5));  // which double precision tells from 1
+  CHECK(scene.bodies.position[0] == Vec3d(0, 0.99999999999, 0.5));  // differs from 1 in double precision
 }
 
 TEST_CASE("a count from the command line replaces that of the fill, and scales several") {
@@ -180,7 +180,7 @@ TEST_CASE("a count from the command line replaces that of the fill, and scales s
   }
 }
 
-TEST_CASE("seed and count may stand among the defaults; the command line goes first") {
+TEST_CASE("seed and count may be defaults; the command line overrides them") {
   const std::string text = "[[fill]]\ncount = 5\nradius = 0.01\n[defaults]\nseed = 9\ncount = 3";
   CHECK(parse_scene(text, "a.toml").seed == 9);
   CHECK(parse_scene(text, "a.toml").bodies.size() == 3);
@@ -231,7 +231,7 @@ std::string sphere_at(const std::string& position, const std::string& radius) {
 
 }  // namespace
 
-TEST_CASE("what a scene lacks is told") {
+TEST_CASE("a note reports what a scene lacks") {
   const std::string ball = sphere_at("[0.5, 0.5, 0.5]", "0.1");
   const std::string domain = "[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n";
   const std::string no_domain =
@@ -245,7 +245,7 @@ TEST_CASE("what a scene lacks is told") {
   CHECK(notes_of("[domain]\nboundary = 'walls'\n" + ball).empty());  // README names the defaults of min and max
 }
 
-TEST_CASE("spheres outside of a periodic domain are at their images inside, and told in one line") {
+TEST_CASE("spheres outside of a periodic domain move to their images inside, and one note reports them") {
   const std::string domain = periodic("[0, 0, 0]", "[10, 10, 10]");
   const Scene scene = parse_scene(domain + sphere_at("[-1e-9, 5, 5]", "0.5") + sphere_at("[25, -1, 10]", "0.5") +
                                       sphere_at("[2, 2, 2]", "0.5") + sphere_at("[1, 1, 1e6]", "0.5"),
@@ -257,9 +257,9 @@ TEST_CASE("spheres outside of a periodic domain are at their images inside, and 
   CHECK(scene.notes ==
         std::vector<std::string>{
             "a.toml: 3 of 4 spheres were outside of the periodic domain, and are at their images inside"});
-  // The upper edge is the lower one: nobody was outside.
+  // The upper edge equals the lower one, so no sphere was outside.
   CHECK(notes_of(domain + sphere_at("[10, 10, 5]", "0.5")).empty());
-  // So little below the edge that its image is rounded to the other edge.
+  // So close below the edge that its image is rounded to the other edge.
   const Scene hair = parse_scene(domain + sphere_at("[-1e-20, 5, 5]", "0.5"), "a.toml");
   CHECK(hair.bodies.position[0].x >= 0);
   CHECK(hair.bodies.position[0].x < 10);
@@ -272,7 +272,7 @@ TEST_CASE("spheres that overlap across the edge, once wrapped, are refused") {
                   UserError);
 }
 
-TEST_CASE("what single precision wrote of a periodic domain keeps its bits") {
+TEST_CASE("a state of a periodic domain in single precision reads back bit-identical") {
   // The float next to 0.7 is below it.
   const double low = static_cast<double>(0.7f);
   REQUIRE(low < 0.7);
@@ -280,13 +280,13 @@ TEST_CASE("what single precision wrote of a periodic domain keeps its bits") {
       periodic("[0.7, 0.7, 0.7]", "[1.7, 1.7, 1.7]") + sphere_at("[0.699999988079071, 0.8, 0.8]", "0.05"), "a.toml");
   CHECK(scene.bodies.position[0].x == low);
   CHECK(scene.notes.empty());
-  // Double precision keeps what single precision would round to the edge.
+  // Double precision keeps a position that single precision would round to the edge.
   const Scene fine =
       parse_scene(periodic("[0, 0, 0]", "[1, 1, 1]") + sphere_at("[0.999999999, 0.5, 0.5]", "0.05"), "a.toml");
   CHECK(fine.bodies.position[0].x == 0.999999999);
 }
 
-TEST_CASE("an edge of exactly four radii is allowed, whatever rounding makes of it") {
+TEST_CASE("an edge of exactly four radii is allowed in spite of rounding") {
   CHECK_NOTHROW(
       parse_scene(periodic("[0.1, 0.1, 0.1]", "[0.3, 0.3, 0.3]") + sphere_at("[0.2, 0.2, 0.2]", "0.05"), "a.toml"));
   CHECK_NOTHROW(
@@ -304,8 +304,8 @@ TEST_CASE("initial_overlap = 1 allows every overlap, also of concentric spheres 
   CHECK_THROWS_AS(parse_scene(domain + "0.99\n" + spheres, "a.toml"), UserError);
 }
 
-TEST_CASE("spheres that touch as far as single precision can say do not overlap") {
-  // Far from the origin, touching spheres and walls are off by 8e-6 m, once they are rounded.
+TEST_CASE("spheres that touch within single precision do not overlap") {
+  // Far from the origin, rounding moves touching spheres and walls by 8e-6 m.
   const std::string domain = "[domain]\nmin = [100.7, 0, 0]\nmax = [101.7, 1, 1]\n";
   const std::string touching =
       sphere_at("[100.70999908447266, 0.5, 0.5]", "0.01") + sphere_at("[100.72999572753906, 0.5, 0.5]", "0.01");

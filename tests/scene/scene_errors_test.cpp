@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a wrong scene is told: one line with file, line, key, what was found and what is allowed.
+// Errors of wrong scenes: one line with file, line, key, what was found and what is allowed.
 #include <catch2/catch.hpp>
 
 #include "core/error.h"
@@ -207,7 +207,7 @@ TEST_CASE("impossible fills are refused") {
   });
 }
 
-TEST_CASE("overrides that a scene cannot follow are refused") {
+TEST_CASE("impossible overrides are refused") {
   SceneOverrides count;
   count.count = 10;
   CHECK(message_of("title = 'x'", count) == "a.toml:1: --count: found 10, allowed only in a scene with a [[fill]]");

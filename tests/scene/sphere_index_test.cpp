@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The index against brute force.
+// Compares the index with brute force.
 #include "scene/sphere_index.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct World {
   std::vector<Ball> balls;
 };
 
-/// Sizes spread over `decades`, so that all levels are met.
+/// Sizes spread over `decades`, so that all levels are used.
 World random_world(uint64_t seed, int dimensions, Boundary boundary, int decades) {
   World world;
   Random random(seed);
@@ -118,7 +118,7 @@ TEST_CASE("coordinates too large for cells are still searched") {
   check_against_brute_force(world);
 }
 
-TEST_CASE("a place is free when all gaps are at least the one asked for") {
+TEST_CASE("a place is free if all gaps are at least the given one") {
   SphereIndex index(Domain{});
   CHECK(index.is_free({0.5, 0.5, 0.5}, 0.1, 0.0));
   index.insert(0, {0.5, 0.5, 0.5}, 0.125);

@@ -85,7 +85,7 @@ TEST_CASE("Windows line ends, a byte order mark, blanks and a missing last line 
   CHECK(bodies.radius[1] == 8.0);
 }
 
-TEST_CASE("a header alone is a file without spheres") {
+TEST_CASE("a file with only a header has no spheres") {
   CHECK(parse_spheres_csv("x,y,z,radius", "a.csv").size() == 0);
   CHECK(parse_spheres_csv("x,y,z,radius\n", "a.csv").size() == 0);
 }
@@ -116,7 +116,7 @@ void check_dialects(const std::vector<Dialect>& table) {
 
 }  // namespace
 
-TEST_CASE("files of R, numpy, pandas and of spreadsheets are read") {
+TEST_CASE("files of R, numpy, pandas and spreadsheets are read") {
   const std::string ignored = " what these columns hold is ignored: ";
   check_dialects({
       // R: write.csv, with and without the names of rows; write.csv2; write.table
@@ -234,7 +234,7 @@ TEST_CASE("a wrong CSV file is refused with file, line, column, what was found a
   CHECK(message_for(std::string(10'000, 'x')).size() < 300);
 }
 
-TEST_CASE("spheres at rest are refused for the same reasons, but not for a mass that nobody asks for") {
+TEST_CASE("spheres at rest are refused for the same reasons, but not for their mass") {
   const auto message_at_rest = [](std::string_view text) {
     return message_of([&] { parse_resting_spheres(text, "a.csv"); });
   };
@@ -248,7 +248,7 @@ TEST_CASE("spheres at rest are refused for the same reasons, but not for a mass 
   CHECK(message_at_rest(header + "1,2,3,1e15,0\n") == "no error");
 }
 
-TEST_CASE("spheres at rest are those of the bodies, rounded to single precision") {
+TEST_CASE("spheres at rest equal the bodies, rounded to single precision") {
   const std::string text = long_text();
   const Bodies bodies = parse_spheres_csv(text, "a.csv", 1e-6);
   const RestingSpheres spheres = parse_resting_spheres(text, "a.csv");
@@ -262,7 +262,7 @@ TEST_CASE("spheres at rest are those of the bodies, rounded to single precision"
   CHECK(different == 0);
 }
 
-TEST_CASE("a file longer than the buffer is read as its text is") {
+TEST_CASE("a file longer than the buffer is read like its text") {
   const std::string text = long_text();
   for (const std::string& variant : {text, text.substr(0, text.size() - 1)}) {
     const TemporaryFile file(variant);
@@ -283,14 +283,14 @@ TEST_CASE("an error far into a file names the line") {
                                 ": y: found \"oops\", allowed a number, -1e+15 to 1e+15");
 }
 
-TEST_CASE("a line that no buffer holds is refused by its number") {
+TEST_CASE("a line larger than the buffer is refused with its number") {
   const TemporaryFile file("x,y,z,radius\n1,2,3,4\n" + std::string(2'000'000, '1'));
   const auto read = [&] { read_resting_spheres(file.path); };
   CHECK(message_of(read) ==
         file.path.string() + ":3: line: found more than 1048576 bytes, allowed lines of at most so many");
 }
 
-TEST_CASE("a folder is no CSV file") {
+TEST_CASE("a folder is refused as a CSV file") {
   const auto read = [] { read_resting_spheres(fs::temp_directory_path()); };
   CHECK(message_of(read) == fs::temp_directory_path().string() + ": found a folder, allowed a file");
 }
@@ -317,7 +317,7 @@ TEST_CASE("a round trip through a file keeps every bit") {
   fs::remove(path);
 }
 
-TEST_CASE("numbers are written as short as they can be") {
+TEST_CASE("numbers are written as short as possible") {
   Bodies bodies;
   bodies.resize(1);
   bodies.position[0] = {0.1, 1.0 / 3.0, -2.0};
@@ -329,7 +329,7 @@ TEST_CASE("numbers are written as short as they can be") {
   fs::remove(path);
 }
 
-TEST_CASE("a CSV file that is not there is the user's error") {
+TEST_CASE("a missing CSV file is a UserError") {
   CHECK_THROWS_AS(read_spheres_csv("/nonexistent/a.csv"), UserError);
   CHECK_THROWS_AS(read_resting_spheres("/nonexistent/a.csv"), UserError);
 }

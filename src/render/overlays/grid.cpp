@@ -16,7 +16,6 @@
 
 #include "broad_phase/inspection.h"
 #include "render/overlays/overlay.h"
-#include "render/overlays/selection.h"
 #include "render/painter.h"
 #include "render/projection.h"
 

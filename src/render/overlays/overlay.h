@@ -3,6 +3,7 @@
 // its own, and one entry of the table that command line, panel and tests use.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ void draw_labels(const FrameView& view, Painter& painter);
 void draw_lists(const FrameView& view, Painter& painter);
 void draw_intervals(const FrameView& view, Painter& painter);
 
+/// Marks the selected sphere and its cells, if there is one; a part of the grid.
+void draw_selection(const FrameView& view, Painter& painter);
+
 /// The parts of the picture's height that they fill.
 float lists_room(const Inspection& inspection);
 float intervals_room(const Inspection& inspection);
@@ -56,6 +60,14 @@ inline constexpr size_t kMaxCandidates = 20000;
 
 /// The candidates that are not contacts, each once.
 std::vector<Pair> candidates_apart(const Inspection& inspection);
+
+/// Cells from `low` (included) to `high` (excluded).
+struct Block {
+  IVec3 low, high;
+};
+
+/// The cells around the one that lists the body, without those outside of the grid; none if the grid does not list it.
+std::optional<Block> block_around(const GridInspection& grid, const BodySnapshot& bodies, int64_t body);
 
 /// [s] How long a sphere needs for the length of its velocity arrow; 0 if all are at rest.
 float arrow_time(const FrameView& view);

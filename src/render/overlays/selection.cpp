@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlays/selection.h"
-
+// Marks the selected sphere with a ring, and the block of 3 × 3 (× 3) cells that is searched for its contacts (slide 10).
 #include <algorithm>
 #include <cmath>
 
 #include "bodies/body_snapshot.h"
 #include "broad_phase/inspection.h"
+#include "render/overlays/overlay.h"
+#include "render/painter.h"
 #include "render/projection.h"
 
 namespace ballpit {
