@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The CUDA backend: worlds and pair searches on an NVIDIA GPU.
-#include <fmt/format.h>
-
 #include "cuda_executor.h"
 #include "methods/methods.h"
 #include "world/make_world.h"
@@ -26,7 +24,8 @@ std::string why_unavailable() {
 std::string describe_device() {
   cudaDeviceProp properties{};
   BALLPIT_CUDA_CHECK(cudaGetDeviceProperties(&properties, 0));
-  return fmt::format("{}, compute capability {}.{}", properties.name, properties.major, properties.minor);
+  return std::string(properties.name) + ", compute capability " + std::to_string(properties.major) + "." +
+         std::to_string(properties.minor);
 }
 
 }  // namespace

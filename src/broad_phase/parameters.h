@@ -4,7 +4,7 @@
 //     plan(parameters)         resets it for other parameters; keeps its memory
 //     prepare(exec, bodies)    builds its data structure for the present positions
 //     candidates()             a view of it for kernels, of one of two kinds:
-//       lists                  for_each(i, visit) calls visit(j) for the candidates j > i of body i until it returns false
+//       lists                  for_each(i, visit) calls visit(j) for candidates j > i of body i; stops at false
 //       ranges                 slots(), copies of the bodies in an order of its own, and for_each_range(slot, visit),
 //                              which calls visit(range) for ranges of slots. Thread t of threads() works for
 //                              slot_of(t), or does nothing if that is −1. On the CPU for_each_range_of(from, to, visit)

@@ -3,8 +3,8 @@
 //
 //     a periodic row of three cells, and what is around cell 0:
 //
-//         ┆ 2 − L │  0  │  1  │  2  ┆        cell 2 counts twice where there are but two: as the neighbour on the left,
-//            ▲───────█─────▲                 shifted by −L, and as the one on the right
+//         ┆ 2 − L │  0  │  1  │  2  ┆        the left neighbour of cell 0 is cell 2, shifted by −L; in a row of two
+//            ▲───────█─────▲                 cells, cell 1 is both neighbours, on the left shifted by −L
 //
 // In a periodic domain, the block around a cell consists of cells of the domain and of its images, so the same rule
 // holds even for a single cell. The outermost cells of a domain with walls end at the walls; under an open top the

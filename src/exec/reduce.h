@@ -47,9 +47,9 @@ struct ReduceBlock {
   }
 };
 
-/// Map: the i-th partial result of the previous launch.
+/// Map or key: the i-th value of an array.
 template <class T>
-struct ReadPartial {
+struct ReadValue {
   Span<const T> values;
   HOST_DEVICE T operator()(int i) const { return values[i]; }
 };
@@ -66,7 +66,7 @@ T reduce(Exec& exec, const char* name, int64_t n, T identity, Map map, Combine c
   while (current.size() > 1) {
     next = {next.data(), blocks(current.size())};
     exec.parallel_for(name, next.size(),
-                      ReduceBlock<T, ReadPartial<T>, Combine>{{current}, combine, identity, current.size(), next});
+                      ReduceBlock<T, ReadValue<T>, Combine>{{current}, combine, identity, current.size(), next});
     std::swap(current, next);
   }
   return exec.download(current)[0];

@@ -7,8 +7,7 @@
 #pragma once
 
 #include <limits>
-
-#include <fmt/format.h>
+#include <string>
 
 #include "bodies/pair.h"
 #include "core/error.h"
@@ -25,8 +24,8 @@ inline constexpr int kKept = 8;
 /// `count` as an index. Throws RunError if it is too large for one.
 inline int checked_count(int64_t count, const char* what) {
   if (count > std::numeric_limits<int>::max()) {
-    throw RunError(what, fmt::format("too many: {}", count),
-                   fmt::format("at most {} can be held", std::numeric_limits<int>::max()));
+    throw RunError(what, "too many: " + std::to_string(count),
+                   "at most " + std::to_string(std::numeric_limits<int>::max()) + " can be held");
   }
   return static_cast<int>(count);
 }
@@ -67,10 +66,6 @@ struct RowOfPair {
   Span<const Pair> pairs;
   HOST_DEVICE int operator()(int k) const { return pairs[k].i; }
 };
-struct PairAt {
-  Span<const Pair> pairs;
-  HOST_DEVICE Pair operator()(int k) const { return pairs[k]; }
-};
 
 /// Kernel: sorts the pairs of body i by j.
 struct SortRow {
@@ -87,7 +82,7 @@ struct SortRow {
 template <class Exec>
 void put_into_rows(Exec& exec, Span<const Pair> found, int64_t bodies, ContactRows<Exec>& rows) {
   rows.resize(bodies, found.size());
-  exec.bin("sort contacts", RowOfPair{found}, PairAt{found}, rows.first(), rows.pairs());
+  exec.bin("sort contacts", RowOfPair{found}, ReadValue<Pair>{found}, rows.first(), rows.pairs());
   exec.parallel_for("sort rows", bodies, SortRow{rows.first(), rows.pairs()});
 }
 

@@ -65,12 +65,6 @@ struct HasNoColour {
   HOST_DEVICE bool operator()(int c) const { return colour[c] < 0; }
 };
 
-/// Key: the colour of contact c.
-struct ColourOf {
-  Span<const int> colour;
-  HOST_DEVICE int operator()(int c) const { return colour[c]; }
-};
-
 template <class V, class Exec>
 class ContactColours {
  public:
@@ -86,7 +80,7 @@ class ContactColours {
       exec.parallel_for("take colours", m, TakeColour{contacts.pairs, named_.span(), rounds++, colour_.span()});
     }
     offsets_.resize(rounds + 1);
-    exec.bin("sort by colour", ColourOf{colour_.span()}, offsets_.span(), order_.span());
+    exec.bin("sort by colour", ReadValue<int>{colour_.span()}, offsets_.span(), order_.span());
     first_ = exec.download(offsets_.span());
   }
 

@@ -21,7 +21,7 @@ struct ImpulseParameters {
   double slop =
       0.005;  ///< overlap that is kept, so that contacts stay contacts: a fraction of r_i + r_j, or of r at a wall
   int iterations = 4;
-  bool is_by_colour = false;  ///< Gauss–Seidel in place of Jacobi
+  bool is_by_colour = false;  ///< Gauss–Seidel instead of Jacobi
 };
 
 /// The data of a contact that every iteration reads.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled once for each set of instructions: Highway includes this file again and again, and picks at run time. Always four
-// lanes: wider ones gain nothing, since positions come one by one.
+// Highway includes this file once for each instruction set, and selects one when the program runs. Vectors always have
+// four lanes: longer ones gain nothing, since positions are loaded one by one.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "response/ordered_forces.cpp"
 #include "response/ordered_forces.h"
@@ -22,7 +22,7 @@ HWY_INLINE void AddTo(Vec4& sum, const V& force, float sign) {
   for (int axis = 0; axis < kDimensions<V>; ++axis) sum[axis] += sign * force[axis];
 }
 
-/// The box in registers' form: no wall where there is none.
+/// The corners of the box in the layout of registers; infinitely far if there are no walls.
 template <class V>
 void CornersOf(const Box<V>& box, Vec4& low, Vec4& high) {
   low = Vec4(-Box<V>::kFar);
@@ -88,7 +88,7 @@ int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& pa
     return hn::Add(pull, hn::Mul(Load(packed.sum[i]), hn::Broadcast<3>(Load(packed.velocity[i]))));
   };
   for (int i = 0; i + 2 < n; ++i)
-    hn::StoreU(accelerate(i), Lanes(), &acceleration[i][0]);  // the next ones are overwritten
+    hn::StoreU(accelerate(i), Lanes(), &acceleration[i][0]);  // the fourth component is overwritten next
   for (int i = n > 2 ? n - 2 : 0; i < n; ++i) {
     alignas(16) float result[4];
     hn::Store(accelerate(i), Lanes(), result);
@@ -110,7 +110,7 @@ struct Components {
     w = hn::ConcatUpperUpper(Lanes(), zw23, zw01);
   }
 
-  /// Of vectors of three components; in the plane z is 0.
+  /// The dot products of the first three components; in the plane z is 0.
   HWY_INLINE Floats Dot(const Components& other) const {
     return hn::Add(hn::Add(hn::Mul(x, other.x), hn::Mul(y, other.y)), hn::Mul(z, other.z));
   }
@@ -131,7 +131,7 @@ class ForceAdder {
   }
 
   void AddAll(Span<const Pair> pairs) const {
-    const ForceAdder self = *this;  // a copy that nothing else can point to stays in registers
+    const ForceAdder self = *this;  // a local copy, which no pointer can alias, stays in registers
     int64_t k = 0;
     for (; k + 4 <= pairs.size(); k += 4) self.AddFour(pairs.data() + k);
     for (; k < pairs.size(); ++k) self.AddOne(pairs[k]);
@@ -189,7 +189,7 @@ class ForceAdder {
     return hn::Mul(hn::Set(Lanes(), law.damping), hn::Sqrt(hn::Mul(hn::Set(Lanes(), law.stiffness), mass)));
   }
 
-  /// PenaltyLaw::force() of four pairs. Lanes that do not touch hold anything.
+  /// PenaltyLaw::force() of four pairs; undefined for those that do not touch.
   HWY_INLINE Floats ForceAlong(const Pair* pairs, const Components& d, Floats distance, Floats overlap) const {
     const PenaltyLaw<float>& law = force_of_.law;
     Floats force = hn::Mul(hn::Set(Lanes(), law.stiffness), overlap);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Penalty: overlap is answered by a spring and a dashpot along the normal, and by a dashpot across it (shear), as in the
-// course's exercise sheet 2. Contacts last, waves travel, and the step must be well below a contact's duration.
+// Penalty: a spring and a dashpot along the normal oppose overlap, and a dashpot across it opposes sliding (shear), as
+// in the course's exercise sheet 2. Contacts last, waves travel, and the step must be well below a contact's duration.
 //
 //        i ●──/\/\/\──● j      F = k·δ − c·u            linear: c = 2ζ·√(k·m*)
 //          ●───▐█═────●        F = K·δ^1.5 − c·δ^¼·u    Hertz:  c = √5·ζ·√(K·m*)
 //                              δ overlap [m], u speed of parting [m/s], m* reduced mass [kg]
 //
-// For both laws ζ follows from restitution alone: in y = δ^(5/4) and dτ = δ^¼ dt Hertz's contact is a linear oscillator
-// (Antypov and Elliott 2011, doi 10.1209/0295-5075/94/50004). A contact ends where the overlap does, or, if asked for, where
-// the force would begin to pull (Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z). Spheres carry no rotation.
-// Walls follow the same law with m* = m. Cost: O(n + contacts) for each evaluation of the forces: pairs of the candidate list
-// are taken as they are, and those that do not touch exert nothing. One thread of the CPU adds forces to both bodies as it goes
-// along the pairs (ordered_forces.h); elsewhere bodies gather them, in the same order.
-// Source: Cundall and Strack, "A discrete numerical model for granular assemblies" (1979), doi 10.1680/geot.1979.29.1.47.
-// Its siblings: kinematic.h, impulse.h, position_based.h.
+// For both laws restitution alone determines ζ: with y = δ^(5/4) and dτ = δ^¼ dt, a Hertz contact is a linear
+// oscillator (Antypov and Elliott 2011, doi 10.1209/0295-5075/94/50004). A contact ends when the overlap does, or on
+// request when the force would begin to pull (Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z). Spheres do not
+// rotate. Walls follow the same law with m* = m. Cost: O(n + contacts) for each evaluation of the forces. The pairs of
+// a candidate list are used directly; those that do not touch have force 0. A single thread of the CPU goes along the
+// pairs and adds each force to both bodies (ordered_forces.h); otherwise bodies gather their forces, in the same order.
+// Source: Cundall and Strack, "A discrete numerical model for granular assemblies" (1979), doi
+// 10.1680/geot.1979.29.1.47. Its siblings: kinematic.h, impulse.h, position_based.h.
 #pragma once
 
 #include <cmath>
@@ -31,14 +31,14 @@
 
 namespace ballpit {
 
-/// Kernel: the force of pair c on its second body [N], 0 where they do not touch.
+/// Kernel: the force of pair c on its second body [N], 0 if they do not touch.
 template <class V>
 struct StorePairForce {
   using Real = Scalar<V>;
   PairForce<V> force_of;
   Span<const Pair> pairs;
   Span<V> force;
-  Real duration;  ///< [s] that the force acts, for a tally
+  Real duration;  ///< [s] during which the force acts, for a tally
   ImpulseNotes<V> notes;
 
   HOST_DEVICE void operator()(int c) const {
@@ -48,7 +48,7 @@ struct StorePairForce {
   }
 };
 
-/// Kernel: what the pairs of body i exert on it [N].
+/// Kernel: the sum of the pair forces on body i [N].
 template <class V>
 struct GatherForces {
   ContactsView<V> pairs;
@@ -62,14 +62,14 @@ struct GatherForces {
   }
 };
 
-/// Kernel: the acceleration of body i by its contacts, its walls and gravity [m/s²].
+/// Kernel: the acceleration of body i by contacts, walls and gravity [m/s²].
 template <class V, class Sum>
 struct Accelerate {
   using Real = Scalar<V>;
   PenaltyLaw<Real> law;
   BodiesView<V> bodies;
   Box<V> box;
-  Span<const Sum> sum;  ///< of its contacts' forces [N]
+  Span<const Sum> sum;  ///< of each body's pair forces [N]
   V gravity;
   Span<V> acceleration;
   Real duration;
@@ -96,7 +96,7 @@ struct Accelerate {
   }
 };
 
-/// Kernel: the same for the k-th of some bodies.
+/// Kernel: the same for the k-th body of a selection.
 template <class V, class Sum>
 struct AccelerateSome {
   Accelerate<V, Sum> accelerate;
@@ -104,7 +104,7 @@ struct AccelerateSome {
   HOST_DEVICE void operator()(int k) const { accelerate(some[k]); }
 };
 
-/// Map: energy in the spring of contact c.
+/// Map: the energy in the spring of contact c [J].
 template <class V>
 struct ContactEnergy {
   PenaltyLaw<Scalar<V>> law;
@@ -120,7 +120,7 @@ struct ContactEnergy {
   }
 };
 
-/// Map: energy in the springs between body i and walls.
+/// Map: the energy in the springs between body i and walls [J].
 template <class V>
 struct WallEnergy {
   PenaltyLaw<Scalar<V>> law;
@@ -144,7 +144,7 @@ class PenaltyResponse {
   /// `notes_impulses`: impulses will be recorded.
   PenaltyResponse(const PenaltyLaw<Real>& law, bool notes_impulses) : law_(law), notes_impulses_(notes_impulses) {}
 
-  /// Whether velocities matter to the forces.
+  /// Whether the forces depend on velocities.
   bool depends_on_velocity() const { return law_.damping > 0 || law_.wall_damping > 0 || law_.shear > 0; }
 
   /// Whether one thread adds up the forces along the pairs. Otherwise pairs are to be listed by body.
@@ -180,7 +180,7 @@ class PenaltyResponse {
     exec.parallel_for("accelerate", state.count(), acceleration_of(state, sum, duration, notes, acceleration));
   }
 
-  /// [J] in all springs; `pairs` touch.
+  /// [J] in all springs. `pairs` are the contacts.
   double elastic_energy(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs) const {
     return reduce(exec, "sum springs", pairs.size(), 0.0, ContactEnergy<V>{law_, bodies, box, pairs}, Sum{}) +
            reduce(exec, "sum springs", bodies.size(), 0.0, WallEnergy<V>{law_, bodies, box}, Sum{});

@@ -47,21 +47,21 @@ void check_wrap() {
   Random random(3);
   for (const Box<V>& box : periodic_boxes<V>()) {
     const Real low = box.min[0], high = box.max[0], size = high - low;
-    std::vector<Real> places{low,
-                             high,
-                             std::nextafter(low, -kInfinity),
-                             std::nextafter(low, kInfinity),
-                             std::nextafter(high, -kInfinity),
-                             std::nextafter(high, kInfinity),
-                             Real(0),
-                             Real(1e30),
-                             Real(-1e30),
-                             std::numeric_limits<Real>::max(),
-                             std::numeric_limits<Real>::denorm_min()};
-    for (int k = 0; k < 200; ++k) places.push_back(low + size * Real(random.uniform(-3, 3)));
+    std::vector<Real> positions{low,
+                                high,
+                                std::nextafter(low, -kInfinity),
+                                std::nextafter(low, kInfinity),
+                                std::nextafter(high, -kInfinity),
+                                std::nextafter(high, kInfinity),
+                                Real(0),
+                                Real(1e30),
+                                Real(-1e30),
+                                std::numeric_limits<Real>::max(),
+                                std::numeric_limits<Real>::denorm_min()};
+    for (int k = 0; k < 200; ++k) positions.push_back(low + size * Real(random.uniform(-3, 3)));
     for (int k = 0; k < 60; ++k)
-      places.push_back(size * std::pow(Real(10), Real(random.uniform(0, 30))) * (k % 2 == 0 ? 1 : -1));
-    for (const Real x : places) {
+      positions.push_back(size * std::pow(Real(10), Real(random.uniform(0, 30))) * (k % 2 == 0 ? 1 : -1));
+    for (const Real x : positions) {
       if (!std::isfinite(x)) continue;
       CAPTURE(low, high, x);
       const V wrapped = box.wrap(V(x));

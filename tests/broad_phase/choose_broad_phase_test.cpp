@@ -68,7 +68,7 @@ TEST_CASE("many spheres are sorted into a grid") {
         BroadPhase::sorted_grid);
 }
 
-TEST_CASE("worlds and pair searches tell what they chose, and why") {
+TEST_CASE("worlds and pair searches report their choice and its reason") {
   const Scene scene = make_cloud({.count = 20}, 1);
   const Report report = make_cpu_world(scene, automatic())->report();
   CHECK(report.broadphase == "brute-force");

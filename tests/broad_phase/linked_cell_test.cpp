@@ -23,8 +23,8 @@ Grid<Vec2> three_by_three() {
   return grid;
 }
 
-/// LinkBody with a read and a store in place of the exchange: two threads may read the same head, and the one that
-/// stores first has its body overwritten. Wrong on purpose (slide 16).
+/// LinkBody with a read and a store instead of the exchange: two threads may read the same head, and the body of the
+/// one that stores first is overwritten. Wrong on purpose (slide 16).
 template <class V>
 struct LinkBodyInTwoSteps {
   Grid<V> grid;

@@ -75,7 +75,7 @@ TEST_CASE("each list entry is a thread, and half of them return at once") {
   CHECK(std::count(walks.begin(), walks.end(), 0) == 500);
 }
 
-TEST_CASE("spheres that touch exactly meet, since begins stand before ends at the same place") {
+TEST_CASE("spheres that touch exactly are found, since begins precede ends at the same position") {
   for (const float shift : {0.0f, -3.0f, 1000.0f, 0.3f}) {
     const auto search = sweep(with_intervals({{shift, shift + 1}, {shift + 1, shift + 2}}), "x");
     CHECK(search->report().candidates == 1);

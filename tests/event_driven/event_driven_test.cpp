@@ -16,7 +16,7 @@ TEST_CASE("event-driven: a bouncing ball hits the floor at the times of the clos
   const double t_n = t1 * (1 + 2 * e * (1 - std::pow(e, n - 1)) / (1 - e));
   if (n == 2) CHECK(t_n == Approx(1.173961467).margin(1e-9));
   if (n == 5) CHECK(t_n == Approx(2.584160102).margin(1e-9));
-  // What the floor gave after n hits: m·(1 + e)·v0·Σ e^k.
+  // The floor's impulse after n hits: m·(1 + e)·v0·Σ e^k.
   const auto impulse_after = [&](int hits) { return 2.0 * (1 + e) * v0 * (1 - std::pow(e, hits)) / (1 - e); };
   CHECK(world_at(dropped_ball(), t_n - 1e-9)->report().tally.floor_impulse ==
         Approx(impulse_after(n - 1)).epsilon(1e-12));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Event-driven motion by brute force, the oracle of the fast one: all spheres are kept at the same time; before each event
-// every pair, image and wall is asked when it would collide. O(n²) an event, in extended precision, formulas as in
-// textbooks: it has no line in common with what it tests.
+// Event-driven motion by brute force, an oracle for the fast version. All spheres are at the same time; before each
+// event it computes the time of collision for every pair, image and wall. O(n²) an event, in extended precision, with
+// textbook formulas: it shares no line of code with the version that it tests.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ class EventOracle {
   double time() const { return double(time_); }
   Vec3d velocity(int i) const { return {double(v_[i][0]), double(v_[i][1]), double(v_[i][2])}; }
 
-  /// How far sphere i is from p [m], or from its nearest image.
+  /// The distance of sphere i, or its nearest image, from p [m].
   double distance_to(int i, const Vec3d& p) const {
     Real squared = 0;
     for (int a = 0; a < dimensions(); ++a) {
@@ -75,7 +75,7 @@ class EventOracle {
     time_ += t;
   }
 
-  // Spheres fly straight through the images of a periodic domain: there are more of them than neighbours.
+  // Spheres fly straight through the images of a periodic domain, so more images than the neighbours count.
   void find_pair(int i, int j, Event& first) const {
     const int reach = is_periodic() ? 3 : 0, depth = dimensions() == 3 ? reach : 0;
     Vec home{0, 0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Event-driven motion where it is hardest: rounding, touching spheres, and collisions that come ever faster.
+// Hard cases of event-driven motion: rounding, touching spheres, and collisions that follow each other ever faster.
 #include <catch2/catch.hpp>
 
 #include "core/error.h"
@@ -10,7 +10,7 @@
 using namespace ballpit;
 
 TEST_CASE("event-driven: the time of a contact is exact where the textbook's formula is not") {
-  // Head-on across a gap of 1e-12 radii, while b² is 1e24 times larger than what the roots differ by.
+  // Head-on across a gap of 1e-12 radii, where b² is 1e24 times the difference of the roots.
   const double gap = 0x1p-40;
   CHECK(time_to_contact(Vec3d(1 + gap, 0, 0), Vec3d(-0.5, 0, 0), 1.0) == Approx(2 * gap).epsilon(1e-12));
   // The plane likewise, under gravity: distance = approach·t + acceleration·t²/2.
@@ -118,7 +118,7 @@ TEST_CASE("event-driven: spheres that touch and do not approach each other do no
 
 TEST_CASE("event-driven: three balls in a row collapse below e = 7 − 4√3, and the TC model ends it") {
   // McNamara and Young, "Inelastic collapse and clumping in a one-dimensional granular medium" (1992),
-  // doi 10.1063/1.858323: below that restitution the middle ball never stops going to and fro.
+  // doi 10.1063/1.858323: below that restitution the middle ball never stops moving to and fro.
   const auto collisions = [](double e, double contact_duration) {
     Scene scene = empty_box(100.0);
     scene.physics.restitution = e;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Event-driven motion against kinetic theory: what many spheres do on average, whatever their chaotic paths.
+// Event-driven motion against kinetic theory: averages of many spheres, which do not depend on their chaotic paths.
 //
-// Means come with a standard error from averages over blocks, each many collisions long, so that blocks are as good as
-// independent; a test allows three of them, and the numbers below are fixed by the seeds.
+// The standard errors of means follow from averages over blocks of many collisions, which are practically independent.
+// A test allows three standard errors; the seeds fix the numbers below.
 #include <cmath>
 #include <vector>
 
@@ -39,10 +39,9 @@ double reference_rate(double z, double count) {
 }  // namespace
 
 TEST_CASE("event-driven: pressure and collision rate of hard spheres are those of the literature", "[slow]") {
-  // The virial theorem: 3PV = Σ m·v² + W/t, where W is the sum of Δp·d over the time t. In N spheres with total momentum
-  // zero, Σ m·v² = 3(N − 1)·kT; the centre of mass at rest is counted as one more ideal particle, and so
-  // Z_N = PV/(N·kT) = 1 + W/(3·N·kT·t). It differs from Z by size_effect/N, which follows from the fluid's
-  // compressibility.
+  // The virial theorem: 3PV = Σ m·v² + W/t, where W is the sum of Δp·d over the time t. In N spheres with total
+  // momentum zero, Σ m·v² = 3(N − 1)·kT; the centre of mass at rest is counted as one more ideal particle, and so Z_N =
+  // PV/(N·kT) = 1 + W/(3·N·kT·t). It differs from Z by size_effect/N, which follows from the fluid's compressibility.
   struct Point {
     double rho, size_effect;
   };
@@ -111,7 +110,8 @@ TEST_CASE("event-driven: a gas that loses energy cools by Haff's law") {
     world->step();
     late.push_back(world->report().kinetic_energy / energy);
   }
-  // Speeds are no longer quite Maxwell's: the rate differs by less than a percent at e = 0.9, the energy by less than two.
+  // Speeds are no longer quite Maxwell's: the rate differs by less than a percent at e = 0.9, the energy by less than
+  // two.
   INFO("τ = " << tau << ": " << mean_of(early).value << " ± " << mean_of(early).error << " after τ, "
               << mean_of(late).value << " ± " << mean_of(late).error << " after 2τ");
   CHECK(mean_of(early).value == Approx(1.0 / 4).epsilon(0.02));
@@ -119,8 +119,8 @@ TEST_CASE("event-driven: a gas that loses energy cools by Haff's law") {
 }
 
 TEST_CASE("event-driven: the mean force on the floor is N·m·g") {
-  // Momentum balance without a ceiling: what the floor gave is m·g·N·t and what the spheres' momentum has gained, exactly.
-  // The second part is bounded, so the mean force tends to N·m·g.
+  // Momentum balance without a ceiling: what the floor gave is m·g·N·t and what the spheres' momentum has gained,
+  // exactly. The second part is bounded, so the mean force tends to N·m·g.
   Scene scene;
   scene.domain = {Vec3d(0.0), {5, 8, 5}, Boundary::open_top, 3};
   scene.physics.gravity = {0, -2, 0};

@@ -19,7 +19,7 @@ struct Plus {
   }
 };
 
-/// Keeps the order of what it combines.
+/// A combination that shows the order of its operands.
 struct Range {
   int first = 0, last = -1;
   bool is_broken = false;
@@ -81,7 +81,7 @@ TEST_CASE("reductions of different types and lengths follow each other in the sa
   }
 }
 
-TEST_CASE("any tells of one index among many, and of none") {
+TEST_CASE("any finds one index among many, and none") {
   const int threads = GENERATE(1, 2, 8);
   CpuExecutor exec(threads);
   for (const int only : {0, 511, 512, 99999}) {

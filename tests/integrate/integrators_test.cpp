@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integrators of the penalty response, by what theory says of them on springs. Figures that are not derived here were
-// verified by independent experiment.
+// The integrators of the penalty response on springs, against theory. Figures that are not derived here were verified
+// by independent experiment.
 #include <catch2/catch.hpp>
 
 #include "response/damping.h"
@@ -13,7 +13,7 @@ namespace {
 constexpr double kStiffness = 1e4,
                  kGravity = 10;  // m = 1: ω = 100/s, a sphere at rest on the floor overlaps it by 1 mm
 
-/// A sphere that never leaves the floor: an oscillator about its place of rest.
+/// A sphere that never leaves the floor: an oscillator about its position of rest.
 class Oscillator {
  public:
   Oscillator(const std::string& integrator, double omega_dt, double amplitude = 1e-4) {
@@ -101,7 +101,8 @@ TEST_CASE("symplectic Euler and velocity Verlet are stable below ωdt = 2, Runge
 
 namespace {
 
-/// The mean error of restitution, |v'/v − e|, of hits that begin at different parts of a step, n steps a contact.
+/// The mean error of restitution, |v'/v − e|, of hits that begin at different fractions of a step, with n steps a
+/// contact.
 double restitution_error(const std::string& integrator, const std::string& law, double e, int n) {
   const double v = 1.0, stiffness = law == "hertz" ? 1e6 : 1e4;
   const double zeta = damping_of(e, false);

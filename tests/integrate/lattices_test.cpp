@@ -7,8 +7,8 @@
 //     bcc, 8 springs   ω² = 16k/(3m)     √3/2      its two cubes against each other
 //     fcc, 12 springs  ω² = 8k/m         1/√2      planes (001) against each other, at the zone's point X
 //
-// The frequencies follow from ω²·e = (k/m)·Σ_n n·(n·(1 − cos q·r_n))·e over the springs' directions n (Ashcroft and Mermin,
-// "Solid State Physics" (1976), chapter 22).
+// The frequencies follow from ω²·e = (k/m)·Σ_n n·(n·(1 − cos q·r_n))·e over the springs' directions n (Ashcroft and
+// Mermin, "Solid State Physics" (1976), chapter 22).
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -28,8 +28,8 @@ namespace {
 constexpr double kSqueeze = 1e-5;     // of a diameter: how far the spheres of a lattice overlap at rest
 constexpr double kDisturbed = 1e-11;  // [m] from there: so little that a thousandfold growth breaks no contact
 
-/// A periodic crystal of spheres of diameter 1 and mass 1 that overlap a little, so that the springs between them (k = 1)
-/// may pull as well. `basis` in units of the cell's edge; `distance` of neighbours in the same.
+/// A periodic crystal of spheres of diameter 1 and mass 1 that overlap a little, so that the springs between them (k =
+/// 1) may pull as well. `basis` and the neighbours' `distance` are in units of the cell's edge.
 Scene crystal(const IVec3& cells, const std::vector<Vec3d>& basis, double distance, const Vec3d& stretch = Vec3d(1.0)) {
   const double edge = (1 - kSqueeze) / distance;
   Random random(5);
@@ -50,7 +50,8 @@ Scene crystal(const IVec3& cells, const std::vector<Vec3d>& basis, double distan
   return scene;
 }
 
-/// Whether a crystal's spheres leave their places within so many steps: a thousandfold of how far they were at first.
+/// Whether a crystal's spheres leave their positions within this many steps, by a thousand times their first
+/// displacement.
 bool grows(const Scene& scene, double dt) {
   Settings settings = settings_of("penalty", dt, "velocity-verlet");
   settings.max_energy = 1e15;
@@ -81,7 +82,8 @@ std::vector<Crystal> crystals() {
   };
 }
 
-/// A free chain of masses 1 with springs (k = 1) that also pull: what integrators need of a state, and its forces.
+/// A free chain of masses 1 with springs (k = 1) that also pull: the parts of a state that integrators need, and its
+/// forces.
 struct Chain {
   CpuExecutor executor{1};
   Box<Vec2d> domain{Vec2d(-1e9), Vec2d(1e9), Boundary::walls};

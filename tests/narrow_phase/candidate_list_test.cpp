@@ -47,7 +47,7 @@ TEST_CASE("a list is valid as long as every sphere is within its skin, and no lo
     started.bodies.position[body] = start + Vec3(0.004f, 0.004f, 0.0f);
     CHECK_FALSE(started.is_valid());
     started.bodies.position[body] = start;
-    CHECK_FALSE(started.is_valid());  // what was missed then stays missed
+    CHECK_FALSE(started.is_valid());  // once invalid, it stays invalid
     started.list.start(started.exec, started.bodies.view(), started.bodies.box);
     CHECK(started.is_valid());
   }
@@ -113,7 +113,7 @@ TEST_CASE("a list shows that all spheres are inside where no skin reaches out of
 TEST_CASE("a list is checked once for the same positions") {
   Started<Vec3> started(cloud());
   started.bodies.position[3].x += 0.1f;
-  CHECK(started.list.is_valid(started.exec, started.bodies.view(), started.bodies.box));  // nobody told it
+  CHECK(started.list.is_valid(started.exec, started.bodies.view(), started.bodies.box));  // moved() was not called
   CHECK_FALSE(started.is_valid());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a collider counts, and that a candidate list changes what is found in no step.
+// The counts of a collider; and a candidate list never changes the contacts of a step.
 #include "narrow_phase/collider.h"
 
 #include <catch2/catch.hpp>
@@ -41,7 +41,7 @@ Collider<V, CpuExecutor> collider(const Way& way, const BodyArrays<V>& bodies) {
 
 std::vector<Pair> listed(Span<const Pair> pairs) { return {pairs.begin(), pairs.end()}; }
 
-/// Steps a scene, and compares what is found with a skin and without. Returns how often the former searched.
+/// Steps a scene and compares the contacts with and without a skin. Returns the number of searches with a skin.
 template <class V>
 int64_t compare_steps(const Scene& scene, const Way& way, int steps, float dt) {
   Stirred<V> stirred{BodyArrays<V>(scene)};
@@ -187,7 +187,7 @@ TEST_CASE("candidates of each method on four spheres are those counted by hand")
   CHECK(candidates_by_hand(scene, {.broadphase = "linked-cell", .skin = 0.1}) == 1);
 }
 
-TEST_CASE("a collider tells what memory it holds") {
+TEST_CASE("a collider reports its memory") {
   const BodyArrays<Vec3> bodies(make_cloud({.count = 1000}, 1));
   for (const char* const method : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid"}) {
     for (const double skin : {0.0, 0.2}) {

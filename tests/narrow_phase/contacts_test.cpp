@@ -141,9 +141,9 @@ TEST_CASE("cells of half a diameter miss contacts: slide 7's bound is not enough
 }
 
 TEST_CASE("cells of c diameters find 1 − 3(1 − c)²/(2c) of touching pairs, down to c = 1/√2") {
-  // A pair at a distance d is found where no axis has two borders between the centres: with probability
-  // ∏ clamp(2 − |d_i|/c, 0, 1) at a random offset. Over all directions of touching spheres of diameter 1: 0.98333 for c = 0.9,
-  // at most one axis being longer than c; for c = 0.5 by integration 0.2905.
+  // A pair at a distance d is found where no axis has two borders between the centres: with probability ∏ clamp(2 −
+  // |d_i|/c, 0, 1) at a random offset. Over all directions of touching spheres of diameter 1: 0.98333 for c = 0.9, at
+  // most one axis being longer than c; for c = 0.5 by integration 0.2905.
   struct Row {
     double c, recall;
   };

@@ -16,7 +16,7 @@ namespace {
 void check(std::vector<Pair> row) {
   std::vector<Pair> expected = row;
   std::sort(expected.begin(), expected.end(), [](const Pair& a, const Pair& b) { return a.j < b.j; });
-  // Surrounded, so that what is written beside the row shows.
+  // Guard values on both sides show writes beyond the row.
   row.insert(row.begin(), Pair{-1, -1});
   row.push_back({-2, -2});
   sort_row(row.data() + 1, static_cast<int>(row.size()) - 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours of contacts: no two of one colour share a body, and few colours are enough.
+// Colours of contacts: no two contacts of one colour share a body, and few colours suffice.
 #include "response/contact_colours.h"
 
 #include <set>
@@ -15,7 +15,7 @@ using namespace ballpit;
 
 namespace {
 
-/// Contacts of a cloud, and where each body's rows begin.
+/// The contacts of a cloud, and where each body's row starts.
 struct Contacts {
   BodyArrays<Vec3> arrays;
   std::vector<Pair> pairs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How fast the impulse response's solvers converge, and what its ways of correcting overlap do.
+// Convergence of the impulse response's solvers, and its ways to correct overlap.
 #include <catch2/catch.hpp>
 
 #include "core/error.h"
@@ -10,7 +10,7 @@ using namespace ballpit;
 
 namespace {
 
-/// Spheres of these masses at rest one upon the other, so that gravity's kick is all that is to be resolved.
+/// A stack of spheres of these masses at rest: only gravity's kick has to be resolved.
 Scene stack(const std::vector<double>& masses) {
   Scene scene;
   scene.domain.max = {1, 0.1 * static_cast<double>(masses.size()) + 1, 1};
@@ -23,7 +23,7 @@ Scene stack(const std::vector<double>& masses) {
   return scene;
 }
 
-/// The largest speed left after one step of so many iterations, as a fraction of gravity's kick.
+/// The largest speed that remains after one step of this many iterations, as a fraction of gravity's kick.
 double residual(const Scene& scene, const std::string& solver, int iterations) {
   Settings settings = settings_of("impulse", 0.01);
   settings.solver = named<Solver>(solver);
@@ -36,7 +36,7 @@ double residual(const Scene& scene, const std::string& solver, int iterations) {
   return largest / (10 * 0.01);
 }
 
-/// By which factor an iteration shrinks what is left, once the slowest part alone is left.
+/// The factor by which an iteration reduces the rest, once only its slowest component remains.
 double rate(const Scene& scene, const std::string& solver, int iterations) {
   return std::pow(residual(scene, solver, 2 * iterations) / residual(scene, solver, iterations), 1.0 / iterations);
 }
@@ -51,15 +51,16 @@ TEST_CASE("Gauss-Seidel converges in a stack of n by cos²(π/2n) a sweep") {
 }
 
 TEST_CASE("Gauss-Seidel leaves a percent of a stack of n after about 1.866·n² sweeps") {
-  // The figure holds for the error in the impulses; that in the speeds starts elsewhere, by a factor near 1.
+  // The figure holds for the error of the impulses; the error of the speeds starts at another value, by a factor near
+  // 1.
   const int n = 20;
   const double left = residual(stack(std::vector<double>(n, 1.0)), "gauss-seidel", static_cast<int>(1.866 * n * n));
   CHECK(left == Approx(0.01).epsilon(0.3));
 }
 
 TEST_CASE("Jacobi with split masses converges a quarter as fast: by cos²(π/4n) an iteration") {
-  // Two contacts a body, so each iteration goes half of Jacobi's way: 1 − (1 − cos(π/2n))/2. The top body has one contact, which
-  // changes little.
+  // With two contacts a body, each iteration makes half of Jacobi's change: 1 − (1 − cos(π/2n))/2. The top body has one
+  // contact, which makes little difference.
   const int n = GENERATE(10, 20);
   const double theory = std::pow(std::cos(M_PI / (4 * n)), 2);
   const double measured = rate(stack(std::vector<double>(static_cast<size_t>(n), 1.0)), "jacobi", 4 * n * n);

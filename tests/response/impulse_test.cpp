@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the impulse response and symplectic Euler do to spheres, against closed forms.
+// The impulse response with symplectic Euler, against closed formulas.
 #include <catch2/catch.hpp>
 
 #include "tests/support/scenes.h"
@@ -61,8 +61,8 @@ TEST_CASE("the momentum of two free spheres is conserved to rounding through an 
 }
 
 TEST_CASE("a bouncing ball rises to e²ⁿ of its height, within the scheme's error") {
-  // Closed form: h_n = e^(2n)·h0 for the lowest point of the ball. The scheme is first order in dt: an impact is seen up
-  // to dt late, at a speed that is off by up to g·dt, so h_n is off by about n·v·dt.
+  // Closed form: h_n = e^(2n)·h0 for the lowest point of the ball. The scheme is first order in dt: an impact is
+  // noticed up to dt late, at a speed with an error of up to g·dt, so h_n has an error of about n·v·dt.
   const double e = GENERATE(0.8, 1.0), dt = GENERATE(1.0 / 240, 1.0 / 2000);
   const double h0 = 1.0, g = 9.81, r = 0.05;
   Scene scene = empty_box(2.0);
@@ -115,8 +115,8 @@ TEST_CASE("a ball at rest on the floor stays at rest") {
 }
 
 TEST_CASE("a sphere that hits several at once gains no energy") {
-  // A ball falls into the hollow between two heavy ones: answered one by one in full, the two contacts would throw it
-  // back with more than its energy.
+  // A ball falls into the hollow between two heavy ones: if each contact answered in full, both would throw
+  // it back with more than its energy.
   Scene scene = empty_box();
   add_sphere(scene, {4.45, 5, 5}, Vec3d(0.0), 0.5, 1e6);
   add_sphere(scene, {5.55, 5, 5}, Vec3d(0.0), 0.5, 1e6);
@@ -154,7 +154,7 @@ TEST_CASE("without gravity, overlapping spheres are pushed apart without gaining
 }
 
 TEST_CASE("a heap comes to rest with little overlap") {
-  // A column of n = 10 layers, dropped: it must neither sink into itself nor boil. The lowest contact has to pass on
+  // A dropped column of n = 10 layers must neither collapse nor jump. The lowest contact has to transfer
   // n·m·g·dt a step; at an overlap of d it pushes with push·d/dt times the part m/c of the mass, hence
   // d = c/push·n·g·dt², where c = 6 contacts share a sphere and push = 0.8; and the slop of 0.5 % of both radii.
   Scene scene;
@@ -176,7 +176,7 @@ TEST_CASE("a heap comes to rest with little overlap") {
 }
 
 TEST_CASE("a dropped ball that does not bounce stays on the floor") {
-  // What it entered on impact is undone by position: pushed out by velocity it would hop.
+  // The overlap of the impact is removed by moving the ball: pushed out by velocity, it would hop.
   Scene scene = empty_box(3.0);
   scene.physics.gravity = {0, -9.81, 0};
   scene.physics.wall_restitution = 0.0;

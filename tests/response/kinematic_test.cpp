@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kinematic response: back to the last valid position, mirrored at the normal – and nothing exchanged.
+// The kinematic response: back to the last valid position, mirrored at the normal, without exchange of momentum.
 #include <utility>
 
 #include <catch2/catch.hpp>

@@ -9,12 +9,12 @@ using namespace ballpit;
 
 namespace {
 
-/// What a head-on hit shows.
+/// The measured properties of a head-on hit.
 struct Hit {
   double restitution = 0, duration = 0, overlap = 0;
 };
 
-/// One hit that begins `phase` of a step after a step.
+/// One hit that begins a fraction `phase` of a step after a step.
 Hit run_hit(Scene scene, double speed, const std::string& contact_end, double dt, double phase) {
   const double gap = (2 + phase) * speed * dt;
   scene.bodies.position = head_on(speed, gap).bodies.position;
@@ -27,7 +27,7 @@ Hit run_hit(Scene scene, double speed, const std::string& contact_end, double dt
     const Bodies bodies = world->bodies();
     const double overlap = 1 - (bodies.position[1].x - bodies.position[0].x);
     largest = std::max(largest, overlap);
-    // The crossings of zero, on a straight line between the steps around them.
+    // The zeros, by linear interpolation between the steps around them.
     const double crossing = world->time() - dt * overlap / (overlap - last);
     if (begin < 0 && overlap > 0) begin = crossing;
     if (begin >= 0 && overlap <= 0) end = crossing;
@@ -36,8 +36,8 @@ Hit run_hit(Scene scene, double speed, const std::string& contact_end, double dt
   return {parting_speed(*world) / speed, end - begin, largest};
 }
 
-/// The mean over hits that begin at different parts of a step: where a dashpot's force jumps, the error of a single one is of
-/// first order in the step, that of the mean of second.
+/// The mean over hits that begin at different fractions of a step. If a dashpot's force jumps, the error of a single
+/// hit is of first order in the step, and that of the mean of second order.
 Hit run_hits(const Scene& scene, double speed, const std::string& contact_end, double dt) {
   constexpr int kPhases = 16;
   Hit mean;

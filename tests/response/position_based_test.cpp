@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The position-based response: what is left of overlap in a stack, restitution, and what is conserved.
+// The position-based response: the remaining overlap in a stack, restitution, and conserved quantities.
 #include <catch2/catch.hpp>
 
 #include "tests/support/hits.h"
@@ -8,7 +8,7 @@ using namespace ballpit;
 
 namespace {
 
-/// n spheres one upon the other on the floor.
+/// A stack of n spheres on the floor.
 Scene stack(int n, double radius = 0.5) {
   Scene scene;
   scene.domain.min = {-2 * radius, 0, -2 * radius};
@@ -32,9 +32,10 @@ double overlap_at_rest(int n, int substeps, int iterations) {
 }  // namespace
 
 TEST_CASE("a stack of n rests with an overlap of (n − 1)·g·h² to 2(n − 2)·g·h² after one iteration in substeps of h") {
-  // At rest contact k, which carries n − k + 1 spheres, moves each of its two by (n − k + 1)·g·h², and what is solved before its
-  // neighbours keeps what they press into it. Solved from the floor up, as by Macklin et al. 2019, only the floor's contact
-  // keeps something: (n − 1)·g·h². In colours one keeps what both of its neighbours press into it: 2(n − 2)·g·h² at most.
+  // At rest contact k, which carries n − k + 1 spheres, moves each of its two by (n − k + 1)·g·h², and what is solved
+  // before its neighbours keeps what they press into it. Solved from the floor up, as by Macklin et al. 2019, only the
+  // floor's contact keeps something: (n − 1)·g·h². In colours one keeps what both of its neighbours press into it: 2(n
+  // − 2)·g·h² at most.
   const int n = GENERATE(2, 5, 10, 20);
   const int substeps = GENERATE(10, 40);
   const double h = 1.0 / 60 / substeps, unit = 9.81 * h * h, overlap = overlap_at_rest(n, substeps, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Impacts at one moment: edges and corners, one ball that strikes two, two that strike one. The numbers are those of the
-// table in docs/responses.md.
+// Simultaneous impacts: edges and corners, one ball that hits two, two that hit one. The numbers are those of the table
+// in docs/responses.md.
 #include <utility>
 #include <vector>
 
@@ -40,9 +40,9 @@ std::vector<Vec3d> after(const std::vector<Ball>& balls, const std::vector<size_
 
 const std::vector<std::vector<size_t>> kOrders{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 
-/// One ball that strikes two that touch, both at once.
+/// One ball that hits two touching ones at the same time.
 const std::vector<Ball> kBreak{{{-2, 0, 0}, {1, 0, 0}}, {{0, -0.5, 0}, Vec3d(0)}, {{0, 0.5, 0}, Vec3d(0)}};
-/// Two balls that strike one at rest between them.
+/// Two balls that hit one at rest between them.
 const std::vector<Ball> kBetween{{{-2, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, Vec3d(0)}, {{2, 0, 0}, {-1, 0, 0}}};
 
 }  // namespace
