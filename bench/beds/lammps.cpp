@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "lammps.h"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <numbers>
-#include <sstream>
-#include <string_view>
-#include <vector>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/program.h"
 #include "response/damping.h"
 
 namespace ballpit {
@@ -29,67 +22,80 @@ constexpr const char* kData = "bed.data";
 constexpr const char* kInput = "bed.in";
 constexpr const char* kLog = "bed.log";
 
-/// Numbers as written, to the last bit.
-std::ostringstream exact_stream() {
-  std::ostringstream out;
-  out.precision(17);
-  return out;
-}
-
-/// The file that read_data reads, for atom_style sphere.
+/// The file for read_data, in atom_style sphere. Numbers have 17 digits, so that they read back exactly.
 std::string data_file(const Scene& scene) {
   const Bodies& bodies = scene.bodies;
   const Vec3d low = scene.domain.min, high = scene.domain.max;
-  std::ostringstream out = exact_stream();
-  out << "Ballpit: bed " << scene.name << "\n\n" << bodies.size() << " atoms\n1 atom types\n\n";
-  out << low.x << ' ' << high.x << " xlo xhi\n" << low.y << ' ' << high.y << " ylo yhi\n";
-  out << low.z << ' ' << high.z << " zlo zhi\n\nAtoms # sphere: id type diameter density x y z\n\n";
+  std::string text = fmt::format("Ballpit: bed {}\n\n{} atoms\n1 atom types\n\n", scene.name, bodies.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    text += fmt::format("{0:.17g} {1:.17g} {2}lo {2}hi\n", low[axis], high[axis], "xyz"[axis]);
+  }
+  text += "\nAtoms # sphere: id type diameter density x y z\n\n";
   for (size_t i = 0; i < bodies.position.size(); ++i) {
     const double r = bodies.radius[i];
     const Vec3d& p = bodies.position[i];
     const double density = bodies.mass[i] / (4.0 / 3 * std::numbers::pi * r * r * r);
-    out << i + 1 << " 1 " << 2 * r << ' ' << density << ' ' << p.x << ' ' << p.y << ' ' << p.z << '\n';
+    text += fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, 2 * r, density, p.x, p.y, p.z);
   }
-  out << "\nVelocities # id, linear, angular\n\n";
+  text += "\nVelocities # id, linear, angular\n\n";
   for (size_t i = 0; i < bodies.velocity.size(); ++i) {
     const Vec3d& v = bodies.velocity[i];
-    out << i + 1 << ' ' << v.x << ' ' << v.y << ' ' << v.z << " 0 0 0\n";
+    text += fmt::format("{} {:.17g} {:.17g} {:.17g} 0 0 0\n", i + 1, v.x, v.y, v.z);
   }
-  return out.str();
+  return text;
 }
 
 /// "hooke kₙ kₜ γₙ γₜ μ dampflag": arguments of pair_style gran/ and fix wall/gran. No tangential force.
 std::string hooke(double stiffness, double restitution, double effective_mass) {
-  std::ostringstream out = exact_stream();
-  out << "hooke " << stiffness << " 0 " << 2 * damping_of(restitution, false) * std::sqrt(stiffness / effective_mass)
-      << " 0 0 0";
-  return out.str();
+  return fmt::format("hooke {:.17g} 0 {:.17g} 0 0 0", stiffness,
+                     2 * damping_of(restitution, false) * std::sqrt(stiffness / effective_mass));
 }
 
 std::string input_script(const Bed& bed, const LammpsOptions& options, const Stretch& stretch) {
   const Physics& physics = bed.scene.physics;
   const Domain& domain = bed.scene.domain;
   const double mass = bed.scene.bodies.mass.front(), radius = bed.scene.bodies.radius.front();
-  const std::string wall = hooke(physics.stiffness, physics.wall_restitution, mass);
-  std::ostringstream out = exact_stream();
-  out << "# Ballpit: bed " << bed.name << ", written by bench_beds\n"
-      << "units si\natom_style sphere\nboundary f f f\n"
-      << "newton " << (options.newton ? "on" : "off") << "\ncomm_modify vel yes\n"
-      << "read_data " << kData << "\n\n"
-      << "pair_style gran/" << hooke(physics.stiffness, physics.restitution, mass / 2) << "\npair_coeff * *\n"
-      << "neighbor " << options.skin * radius << " bin\nneigh_modify delay 0 every 1 check yes\n\n"
-      << "fix gravity all gravity " << -physics.gravity.y << " vector 0 -1 0\n"
-      << "fix floor all wall/gran " << wall << " yplane " << domain.min.y << " NULL\n"
-      << "fix walls_x all wall/gran " << wall << " xplane " << domain.min.x << ' ' << domain.max.x << '\n'
-      << "fix walls_z all wall/gran " << wall << " zplane " << domain.min.z << ' ' << domain.max.z << '\n'
-      << "fix motion all nve" << (options.rotates ? "/sphere" : "") << '\n'
-      << "timestep " << bed.dt << "\n\n"
-      << "thermo_style custom step ke\nthermo_modify norm no lost error\n"
-      << "run " << stretch.warmup << "\nrun " << stretch.steps << "\n\n"
-      << "compute contact all contact/atom\ncompute contacts all reduce sum c_contact\n"
-      << "thermo_style custom step ke c_contacts\nthermo_modify norm no\nrun 0\n"
-      << "print \"kinetic_energy $(ke:%.12g)\"\nprint \"contacts $(c_contacts/2:%.0f)\"\n";
-  return out.str();
+  constexpr const char* kScript = R"script(# Ballpit: bed {name}, written by bench_beds
+units si
+atom_style sphere
+boundary f f f
+newton {newton}
+comm_modify vel yes
+read_data {data}
+
+pair_style gran/{pair}
+pair_coeff * *
+neighbor {skin:.17g} bin
+neigh_modify delay 0 every 1 check yes
+
+fix gravity all gravity {gravity:.17g} vector 0 -1 0
+fix floor all wall/gran {wall} yplane {floor:.17g} NULL
+fix walls_x all wall/gran {wall} xplane {low_x:.17g} {high_x:.17g}
+fix walls_z all wall/gran {wall} zplane {low_z:.17g} {high_z:.17g}
+fix motion all nve{rotation}
+timestep {dt:.17g}
+
+thermo_style custom step ke
+thermo_modify norm no lost error
+run {warmup}
+run {steps}
+
+compute contact all contact/atom
+compute contacts all reduce sum c_contact
+thermo_style custom step ke c_contacts
+thermo_modify norm no
+run 0
+print "kinetic_energy $(ke:%.12g)"
+print "contacts $(c_contacts/2:%.0f)"
+)script";
+  return fmt::format(kScript, fmt::arg("name", bed.name), fmt::arg("newton", options.newton ? "on" : "off"),
+                     fmt::arg("data", kData), fmt::arg("pair", hooke(physics.stiffness, physics.restitution, mass / 2)),
+                     fmt::arg("skin", options.skin * radius), fmt::arg("gravity", -physics.gravity.y),
+                     fmt::arg("wall", hooke(physics.stiffness, physics.wall_restitution, mass)),
+                     fmt::arg("floor", domain.min.y), fmt::arg("low_x", domain.min.x), fmt::arg("high_x", domain.max.x),
+                     fmt::arg("low_z", domain.min.z), fmt::arg("high_z", domain.max.z),
+                     fmt::arg("rotation", options.rotates ? "/sphere" : ""), fmt::arg("dt", bed.dt),
+                     fmt::arg("warmup", stretch.warmup), fmt::arg("steps", stretch.steps));
 }
 
 /// What follows `key` in the last line of `text` that starts with it, as a number.
@@ -120,42 +126,12 @@ double cpu_share(const std::string& text, const fs::path& log) {
   return 0.01 * std::strtod(text.c_str() + start, nullptr);
 }
 
-/// Runs a program in a folder and returns its exit status; its output is dropped.
-int run_program(const std::string& path, std::vector<std::string> arguments, const fs::path& folder) {
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t process = 0;
-  const int failure = posix_spawn(&process, path.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) throw RunError(path, std::string("cannot run: ") + std::strerror(failure));
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0) {
-    if (errno != EINTR) throw RunError(path, std::string("cannot wait for it: ") + std::strerror(errno));
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-bool is_program(const fs::path& path) { return fs::is_regular_file(path) && access(path.c_str(), X_OK) == 0; }
-
 }  // namespace
 
 std::optional<Lammps> Lammps::find(const std::string& program) {
-  if (program.find('/') != std::string::npos) {
-    if (!is_program(program)) return std::nullopt;
-    return Lammps(fs::absolute(program).string());
-  }
-  const char* variable = std::getenv("PATH");
-  std::istringstream folders(variable ? variable : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path path = fs::path(folder) / program;
-    if (is_program(path)) return Lammps(fs::absolute(path).string());
-  }
-  return std::nullopt;
+  const std::string path = find_program(program);
+  if (path.empty()) return std::nullopt;
+  return Lammps(fs::absolute(path).string());
 }
 
 void Lammps::prepare(const fs::path& folder, const Bed& bed, const LammpsOptions& options, const Stretch& stretch) {
@@ -168,10 +144,11 @@ Measured Lammps::run(const fs::path& folder) {
   setenv("OMP_NUM_THREADS", "1", 1);
   const fs::path log = folder / kLog;
   fs::remove(log);
-  const int status = run_program(path_, {path_, "-in", kInput, "-log", kLog, "-screen", "none", "-nocite"}, folder);
+  const ProgramResult result =
+      run_program({path_, {"-in", kInput, "-log", kLog, "-screen", "none", "-nocite"}, "", folder.string()});
   const std::string text = fs::exists(log) ? read_file(log) : "";
-  if (status != 0) {
-    throw RunError(path_, "ended with status " + std::to_string(status) + ": " + error_line(text));
+  if (result.status != 0) {
+    throw RunError(path_, fmt::format("ended with status {}: {}{}", result.status, error_line(text), result.errors));
   }
   const size_t open = text.find('('), close = text.find(")\n");
   if (open < close && close < 80) version_ = text.substr(open + 1, close - open - 1);

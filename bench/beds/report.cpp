@@ -2,9 +2,8 @@
 #include "report.h"
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace ballpit {
@@ -13,45 +12,35 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// As printf; a line of at most 255 bytes.
-[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  char text[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof(text), format, arguments);
-  va_end(arguments);
-  return text;
-}
-
 double best(const Turns& turns) { return *std::max_element(turns.speed.begin(), turns.speed.end()); }
 
 /// "12.3 (12.9)": median and best.
 std::string speed(const std::optional<Turns>& turns) {
-  return turns ? line("%.3g (%.3g)", spread_of(turns->speed).median, best(*turns)) : "-";
+  return turns ? fmt::format("{:.3g} ({:.3g})", spread_of(turns->speed).median, best(*turns)) : "-";
 }
 
-std::string energy(const std::optional<Turns>& turns) { return turns ? line("%.6g", turns->last.kinetic_energy) : "-"; }
+std::string energy(const std::optional<Turns>& turns) {
+  return turns ? fmt::format("{:.6g}", turns->last.kinetic_energy) : "-";
+}
 
 std::string contacts(const std::optional<Turns>& turns, int64_t count) {
   if (!turns) return "-";
-  return line("%.4f", 2.0 * static_cast<double>(turns->last.contacts) / static_cast<double>(count));
+  return fmt::format("{:.4f}", 2.0 * static_cast<double>(turns->last.contacts) / static_cast<double>(count));
 }
 
-std::string searches(const std::optional<Turns>& turns) {
-  return turns ? line("%lld", static_cast<long long>(turns->last.searches)) : "-";
-}
+std::string searches(const std::optional<Turns>& turns) { return turns ? std::to_string(turns->last.searches) : "-"; }
 
 /// "2.10 (min 2.01)": median and least of the turns.
 std::string ratio(const BedRow& row) {
   if (!row.has_both()) return "-";
   const Spread spread = row.ratio();
-  return line("%.2f (min %.2f)", spread.median, spread.least);
+  return fmt::format("{:.2f} (min {:.2f})", spread.median, spread.least);
 }
 
 std::string csv_of(const std::optional<Turns>& turns) {
   if (!turns) return ",,,,";
-  return line("%.6g,%.6g,%.9g,%lld,%lld", spread_of(turns->speed).median, best(*turns), turns->last.kinetic_energy,
-              static_cast<long long>(turns->last.contacts), static_cast<long long>(turns->last.searches));
+  return fmt::format("{:.6g},{:.6g},{:.9g},{},{}", spread_of(turns->speed).median, best(*turns),
+                     turns->last.kinetic_energy, turns->last.contacts, turns->last.searches);
 }
 
 Json json_of(const Turns& turns) {
@@ -69,19 +58,20 @@ Json json_of(const Turns& turns) {
 }  // namespace
 
 std::string table_head() {
-  return "Speeds are million particle-steps a second, median (best); contacts count for both spheres.\n" +
-         line("%-6s %8s %6s  %-14s %-14s %-17s %21s %9s %17s %9s\n", "bed", "spheres", "volume", "ours", "LAMMPS",
-              "ratio", "kinetic energies [J]", "differ by", "contacts a sphere", "searches");
+  return fmt::format(
+      "Speeds are million particle-steps a second, median (best); contacts count for both spheres.\n"
+      "{:6} {:>8} {:>6}  {:14} {:14} {:17} {:>21} {:>9} {:>17} {:>9}\n",
+      "bed", "spheres", "volume", "ours", "LAMMPS", "ratio", "kinetic energies [J]", "differ by", "contacts a sphere",
+      "searches");
 }
 
 std::string table_line(const BedRow& row) {
-  const std::string energies = energy(row.ours) + " " + energy(row.theirs);
-  const std::string differ = row.has_both() ? line("%.1e", row.energy_difference()) : "-";
-  const std::string touching = contacts(row.ours, row.count) + " " + contacts(row.theirs, row.count);
-  const std::string searching = searches(row.ours) + " " + searches(row.theirs);
-  return line("%-6s %8lld %6.3f  %-14s %-14s %-17s %21s %9s %17s %9s\n", row.bed.c_str(),
-              static_cast<long long>(row.count), row.fraction, speed(row.ours).c_str(), speed(row.theirs).c_str(),
-              ratio(row).c_str(), energies.c_str(), differ.c_str(), touching.c_str(), searching.c_str());
+  return fmt::format("{:6} {:8} {:6.3f}  {:14} {:14} {:17} {:>21} {:>9} {:>17} {:>9}\n", row.bed, row.count,
+                     row.fraction, speed(row.ours), speed(row.theirs), ratio(row),
+                     energy(row.ours) + " " + energy(row.theirs),
+                     row.has_both() ? fmt::format("{:.1e}", row.energy_difference()) : "-",
+                     contacts(row.ours, row.count) + " " + contacts(row.theirs, row.count),
+                     searches(row.ours) + " " + searches(row.theirs));
 }
 
 std::string csv_of(const std::vector<BedRow>& rows, const Stretch& stretch) {
@@ -90,13 +80,12 @@ std::string csv_of(const std::vector<BedRow>& rows, const Stretch& stretch) {
       "lammps_median,lammps_best,lammps_kinetic_energy,lammps_contacts,lammps_searches,ratio_least,ratio_lower,"
       "ratio_median,ratio_upper,energy_difference\n";
   for (const BedRow& row : rows) {
-    text += line("%s,%lld,%.4f,%lld,%lld,", row.bed.c_str(), static_cast<long long>(row.count), row.fraction,
-                 static_cast<long long>(stretch.warmup), static_cast<long long>(stretch.steps));
-    text += csv_of(row.ours) + "," + csv_of(row.theirs);
+    text += fmt::format("{},{},{:.4f},{},{},{},{}", row.bed, row.count, row.fraction, stretch.warmup, stretch.steps,
+                        csv_of(row.ours), csv_of(row.theirs));
     if (row.has_both()) {
       const Spread spread = row.ratio();
-      text += line(",%.6g,%.6g,%.6g,%.6g,%.3g\n", spread.least, spread.lower, spread.median, spread.upper,
-                   row.energy_difference());
+      text += fmt::format(",{:.6g},{:.6g},{:.6g},{:.6g},{:.3g}\n", spread.least, spread.lower, spread.median,
+                          spread.upper, row.energy_difference());
     } else {
       text += ",,,,,\n";
     }

@@ -2,10 +2,13 @@
 #include "compare.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 #include <time.h>
+
+#include "core/random.h"
+#include "measure/exact_pairs.h"
+#include "measure/statistics.h"
 
 namespace ballpit {
 
@@ -24,12 +27,19 @@ double milliseconds(Clock clock, Work work) {
   return 1e3 * (now_in_seconds(clock) - start);
 }
 
-/// Between two values, linearly.
-double quantile(const std::vector<double>& sorted, double q) {
-  const double place = q * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<size_t>(place);
-  const size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - std::floor(place)) * (sorted[above] - sorted[below]);
+Timing timing_of(const std::vector<double>& milliseconds) {
+  const Spread spread = spread_of(milliseconds);
+  return {spread.median, spread.upper - spread.lower};
+}
+
+PairSet pair_set(const std::vector<Pair>& pairs) {
+  PairSet set{static_cast<int64_t>(pairs.size()), 0};
+  for (const Pair& pair : pairs) {
+    const auto low = static_cast<uint64_t>(std::min(pair.i, pair.j));
+    const auto high = static_cast<uint64_t>(std::max(pair.i, pair.j));
+    set.hash += Random(low << 32 | high).bits();
+  }
+  return set;
 }
 
 Row row_of(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const char* mode) {
@@ -44,8 +54,8 @@ Row row_of(const Case& spheres, const PeerInfo& peer, const PeerOptions& options
   return row;
 }
 
-/// Memory that the last search has freed in many small blocks is merged now: malloc would do so at the next one's
-/// expense (after Bullet, 20 ms of it).
+/// Makes malloc merge the small blocks that the last search has freed. Otherwise the next search pays for it (after Bullet,
+/// 20 ms).
 void settle() {
   for (int k = 0; k < 64; ++k) {
     void* volatile block = std::malloc(1 << 20);
@@ -53,7 +63,7 @@ void settle() {
   }
 }
 
-/// Time from bare arrays to pairs; `equal` is cleared where they are not those expected.
+/// Time from bare arrays to pairs; clears `equal` if the pairs are wrong.
 double time_cold(const Case& spheres, Peer& peer, Clock clock, bool& equal) {
   peer.forget();
   settle();
@@ -62,8 +72,8 @@ double time_cold(const Case& spheres, Peer& peer, Clock clock, bool& equal) {
   return time;
 }
 
-/// The mean time of an update, ours and theirs, over a drift that both follow step by step. The first step is not
-/// counted: in it, Bullet widens all its boxes, and never again all at once.
+/// The mean time of an update, ours and theirs, over a drift that both follow step by step. The first step is not counted:
+/// only then does Bullet widen all its boxes at once.
 struct DriftTimes {
   double ours = 0;
   double theirs = 0;
@@ -78,7 +88,7 @@ DriftTimes time_drift(const Case& spheres, const PeerInfo& info, const PeerOptio
   PairSet set;
   Spheres moving = spheres.start;
   for (const Spheres& state : spheres.drift) {
-    moving.position = state.position;  // in the same place, as spheres that someone moves would be
+    moving.position = state.position;  // in the same memory, as moving spheres would be
     const double our_time = milliseconds(clock, [&] { our_search->update(moving); });
     const double their_time = milliseconds(clock, [&] { their_search->update(moving); });
     set = pair_set(our_search->pairs());
@@ -96,16 +106,11 @@ DriftTimes time_drift(const Case& spheres, const PeerInfo& info, const PeerOptio
 
 Case make_case(const std::string& family, int64_t count, uint64_t seed, int64_t steps) {
   Case spheres{family, make_family(family, count, seed), {}, {}, {}};
-  spheres.start_pairs = reference_pairs(spheres.start);
+  spheres.start_pairs = exact_pairs(arrays_of(spheres.start));
   if (steps == 0) return spheres;
   for (int64_t k = 1; k <= steps + 1; ++k) spheres.drift.push_back(drifted(spheres.start, k, seed));
-  spheres.last_set = pair_set(reference_pairs(spheres.drift.back()));
+  spheres.last_set = pair_set(exact_pairs(arrays_of(spheres.drift.back())));
   return spheres;
-}
-
-Timing timing_of(std::vector<double> milliseconds) {
-  std::sort(milliseconds.begin(), milliseconds.end());
-  return {quantile(milliseconds, 0.5), quantile(milliseconds, 0.75) - quantile(milliseconds, 0.25)};
 }
 
 Row compare_cold(const Case& spheres, const PeerInfo& peer, const PeerOptions& options, const Protocol& protocol) {
@@ -113,14 +118,14 @@ Row compare_cold(const Case& spheres, const PeerInfo& peer, const PeerOptions& o
   std::vector<double> our_times;
   std::vector<double> their_times;
   const std::unique_ptr<Peer> ours_made = ours().make(options), theirs_made = peer.make(options);
-  for (int k = -1; k < protocol.cold; ++k) {  // the first of each warms caches and memory up
+  for (int k = -1; k < protocol.cold; ++k) {  // the first turn warms up caches and memory
     const double our_time = time_cold(spheres, *ours_made, protocol.clock, row.equal);
     const double their_time = time_cold(spheres, *theirs_made, protocol.clock, row.equal);
     if (k < 0) continue;
     our_times.push_back(our_time);
     their_times.push_back(their_time);
   }
-  row.equal = row.equal && ours_made->pairs() == spheres.start_pairs;  // ours are promised in order
+  row.equal = row.equal && ours_made->pairs() == spheres.start_pairs;  // ours must be in order
   row.ours = timing_of(our_times);
   row.theirs = timing_of(their_times);
   return row;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two searches on the same spheres, in turn: ours, the other, ours, the other, … so that whatever slows the machine for
-// a while slows both. Every answer is checked, outside the time taken.
+// Two searches on the same spheres, in turns: ours, the other, ours, the other, … so that other load on the machine slows
+// both. Every result is checked against the exact reference (measure/exact_pairs.h), outside the measured time.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,24 @@
 
 #include "families.h"
 #include "peer.h"
-#include "reference.h"
+#include "world/pair_search.h"
 
 namespace ballpit {
 
-/// A family's spheres, at rest and drifting, with what there is to be found.
+/// Views of spheres, for our own search.
+inline SphereArrays arrays_of(const Spheres& spheres) {
+  return {{spheres.position.data(), spheres.count()},
+          {spheres.radius.data(), static_cast<int64_t>(spheres.radius.size())}};
+}
+
+/// A set of pairs in two numbers, which do not depend on order and direction.
+struct PairSet {
+  int64_t count = 0;
+  uint64_t hash = 0;
+  friend bool operator==(const PairSet&, const PairSet&) = default;
+};
+
+/// The spheres of a family, at rest and drifting, with the pairs that searches must find.
 struct Case {
   std::string family;
   Spheres start;
@@ -22,12 +35,12 @@ struct Case {
   PairSet last_set;               ///< exact, after the last step
 };
 
-/// With `steps` updates to be timed, or none.
+/// `steps`: the number of updates to be timed, 0 for none.
 Case make_case(const std::string& family, int64_t count, uint64_t seed, int64_t steps);
 
 enum class Clock {
   wall,
-  cpu,  ///< the process's time on all cores: for one thread on a machine that others use as well
+  cpu,  ///< time of the process on all cores: for one thread on a busy machine
 };
 
 struct Protocol {
@@ -36,14 +49,12 @@ struct Protocol {
   Clock clock = Clock::wall;
 };
 
-/// Milliseconds: per search when cold; per step, averaged over a drift, for updates, so that a structure that is
-/// rebuilt now and then pays for it.
+/// [ms] of a cold search; for updates, of a step, averaged over a drift, which includes the occasional rebuilding of a
+/// structure.
 struct Timing {
   double median = 0;
   double spread = 0;  ///< between the quartiles
 };
-
-Timing timing_of(std::vector<double> milliseconds);
 
 struct Row {
   std::string family;

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Our own search on the CPU. Unlike the others it sorts its pairs.
+#include "compare.h"
 #include "peer.h"
 #include "world/world.h"
 
 namespace ballpit {
 
 namespace {
-
-SphereArrays arrays_of(const Spheres& spheres) {
-  return {{spheres.position.data(), spheres.count()},
-          {spheres.radius.data(), static_cast<int64_t>(spheres.radius.size())}};
-}
 
 class OurPeer : public Peer {
  public:

@@ -21,18 +21,18 @@ struct PeerOptions {
   double skin = 0;                  ///< ours only, as a fraction of the radius
 };
 
-/// A search that has been prepared: memory pools, devices.
+/// A search with its memory pools and devices.
 class Peer {
  public:
   virtual ~Peer() = default;
 
-  /// From bare arrays to the list of pairs, structure and all.
+  /// From bare arrays to the list of pairs, including the making of any structure.
   virtual void find(const Spheres& spheres) = 0;
 
-  /// The same spheres have moved a little: finds their pairs by whatever the structure can keep.
+  /// Finds the pairs after the same spheres have moved a little. The structure may be kept.
   virtual void update(const Spheres& spheres) = 0;
 
-  /// Forgets all spheres before the next find(), but keeps its memory where the library can.
+  /// Removes all spheres before the next find(), but keeps the memory if the library can.
   virtual void forget() {}
 
   /// The pairs found last, each once, in any order and either direction.
@@ -47,13 +47,13 @@ struct PeerInfo {
   std::unique_ptr<Peer> (*make)(const PeerOptions& options);
 };
 
-/// Our own search, to compare with.
+/// Our own search, with which the others are compared.
 PeerInfo ours();
 
-/// The libraries built in.
+/// The libraries of this build.
 std::span<const PeerInfo> peer_table();
 
-/// The test that boxes leave to be done, on two spheres of the same arrays.
+/// The exact test of two spheres of the same arrays, for libraries that find boxes.
 class SphereTest {
  public:
   SphereTest() = default;

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
-#include <fstream>
-#include <thread>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "measure/machine.h"
 
 namespace ballpit {
 
@@ -16,26 +15,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// As printf; a line of at most 255 bytes.
-[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  char text[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof(text), format, arguments);
-  va_end(arguments);
-  return text;
-}
-
-/// "12.3 ± 0.4" with three significant digits or so, the second number being the quartiles' distance.
-std::string with_spread(const Timing& timing) { return line("%9.3g (%.2g)", timing.median, timing.spread); }
-
-std::string cpu_name() {
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string text; std::getline(in, text);) {
-    if (text.rfind("model name", 0) == 0) return text.substr(text.find(':') + 2);
-  }
-  return "unknown";
-}
+/// "12.3 (0.4)": the median and the distance between the quartiles.
+std::string with_spread(const Timing& timing) { return fmt::format("{:9.3g} ({:.2g})", timing.median, timing.spread); }
 
 }  // namespace
 
@@ -63,21 +44,21 @@ std::vector<Summary> summarize(const std::vector<Row>& rows) {
 }
 
 std::string table_head() {
-  return line("%-8s %-7s %-16s %18s %18s %8s %9s  %s\n", "family", "mode", "peer", "ours ms (IQR)", "peer ms (IQR)",
-              "ratio", "pairs", "sets");
+  return fmt::format("{:8} {:7} {:16} {:>18} {:>18} {:>8} {:>9}  {}\n", "family", "mode", "peer", "ours ms (IQR)",
+                     "peer ms (IQR)", "ratio", "pairs", "sets");
 }
 
 std::string table_line(const Row& row) {
-  return line("%-8s %-7s %-16s %18s %18s %8.2f %9lld  %s\n", row.family.c_str(), row.mode.c_str(), row.peer.c_str(),
-              with_spread(row.ours).c_str(), with_spread(row.theirs).c_str(), row.ratio(),
-              static_cast<long long>(row.pairs), row.equal ? "equal" : "DIFFER");
+  return fmt::format("{:8} {:7} {:16} {:>18} {:>18} {:8.2f} {:9}  {}\n", row.family, row.mode, row.peer,
+                     with_spread(row.ours), with_spread(row.theirs), row.ratio(), row.pairs,
+                     row.equal ? "equal" : "DIFFER");
 }
 
 std::string table_foot(const std::vector<Summary>& summaries) {
-  std::string text = line("\n%-16s %-7s %15s %8s\n", "peer", "mode", "geometric mean", "worst");
+  std::string text = fmt::format("\n{:16} {:7} {:>15} {:>8}\n", "peer", "mode", "geometric mean", "worst");
   for (const Summary& s : summaries) {
-    text += line("%-16s %-7s %15.2f %8.2f  (%s)\n", s.peer.c_str(), s.mode.c_str(), s.geometric_mean, s.worst,
-                 s.worst_family.c_str());
+    text +=
+        fmt::format("{:16} {:7} {:15.2f} {:8.2f}  ({})\n", s.peer, s.mode, s.geometric_mean, s.worst, s.worst_family);
   }
   return text;
 }
@@ -85,10 +66,9 @@ std::string table_foot(const std::vector<Summary>& summaries) {
 std::string csv_of(const std::vector<Row>& rows) {
   std::string text = "family,count,threads,peer,mode,ours_ms,ours_iqr_ms,peer_ms,peer_iqr_ms,ratio,pairs,equal\n";
   for (const Row& row : rows) {
-    text += line("%s,%lld,%d,%s,%s,%.6g,%.6g,%.6g,%.6g,%.6g,%lld,%s\n", row.family.c_str(),
-                 static_cast<long long>(row.count), row.threads, row.peer.c_str(), row.mode.c_str(), row.ours.median,
-                 row.ours.spread, row.theirs.median, row.theirs.spread, row.ratio(), static_cast<long long>(row.pairs),
-                 row.equal ? "yes" : "no");
+    text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n", row.family, row.count, row.threads,
+                        row.peer, row.mode, row.ours.median, row.ours.spread, row.theirs.median, row.theirs.spread,
+                        row.ratio(), row.pairs, row.equal ? "yes" : "no");
   }
   return text;
 }
@@ -113,10 +93,11 @@ Json json_of(const std::vector<Row>& rows) {
 }
 
 Json machine() {
-  return {{"cpu", cpu_name()},
-          {"cores", std::thread::hardware_concurrency()},
+  const Json described = describe_machine();
+  return {{"cpu", described["cpu"]},
+          {"cores", described["cores"]},
           {"compiler", __VERSION__},
-          {"build", BALLPIT_BUILD_TYPE}};
+          {"build", described["build_type"]}};
 }
 
 }  // namespace ballpit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of a comparison as a table to read, as CSV and as JSON, and what they come to for each library.
+// The rows of a comparison as a table, as CSV and as JSON, and a summary for each library.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ std::string table_foot(const std::vector<Summary>& summaries);
 std::string csv_of(const std::vector<Row>& rows);
 nlohmann::ordered_json json_of(const std::vector<Row>& rows);
 
-/// CPU, compiler and kind of build that the times depend on.
+/// CPU, compiler and build type, on which the times depend.
 nlohmann::ordered_json machine();
 
 }  // namespace ballpit

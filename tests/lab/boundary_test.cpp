@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Where a map changes sides, and how far from where it should.
-#include "lab/measure/boundary.h"
-
 #include <cmath>
 
 #include <catch2/catch.hpp>
+
+#include "lab/charts/chart_axis.h"
+#include "lab/experiments/stability.h"
 
 using namespace ballpit;
 

@@ -101,7 +101,7 @@ TEST_CASE("labels can be read on either ground: a contrast of 4 and more, whatev
   const auto light = [&](Rgb c) { return 0.2126 * channel(c, 16) + 0.7152 * channel(c, 8) + 0.0722 * channel(c, 0); };
   for (const Ground ground : {Ground::light, Ground::dark}) {
     for (const char* role : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid", "penalty", "second",
-                             "fourth", "fifth", "theory", "failed", "contact"}) {
+                             "fourth", "fifth", "theory", "failed", "impulse"}) {
       const double a = light(text_color_of(role, ground)), b = light(ground_style(ground).background);
       CHECK((std::max(a, b) + 0.05) / (std::min(a, b) + 0.05) >= 4);
     }

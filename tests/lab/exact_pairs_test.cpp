@@ -1,39 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The exact reference against the definition, pair by pair.
+// The two exact references agree: the sweep of `ballpit pairs --check` and the definition that tests use.
 #include "measure/exact_pairs.h"
 
 #include <catch2/catch.hpp>
 
 #include "core/random.h"
+#include "tests/support/oracle.h"
 
 using namespace ballpit;
 
 namespace {
 
-struct Spheres {
-  std::vector<Vec3> position;
-  std::vector<float> radius;
-
-  SphereArrays arrays() const {
-    return {{position.data(), int64_t(position.size())}, {radius.data(), int64_t(radius.size())}};
-  }
-};
-
-/// Every i < j, in order, by the definition.
-std::vector<Pair> by_definition(const Spheres& spheres) {
-  std::vector<Pair> pairs;
-  const auto radius_of = [&](size_t i) { return spheres.radius[spheres.radius.size() == 1 ? 0 : i]; };
-  for (size_t i = 0; i < spheres.position.size(); ++i) {
-    for (size_t j = i + 1; j < spheres.position.size(); ++j) {
-      const Vec3 d = spheres.position[j] - spheres.position[i];
-      const float sum = radius_of(i) + radius_of(j);
-      if (d.x * d.x + d.y * d.y + d.z * d.z <= sum * sum) pairs.push_back({int32_t(i), int32_t(j)});
-    }
-  }
-  return pairs;
-}
-
-/// In a box of this size; with `step` above 0 on a lattice of that width, where many touch exactly.
+/// In a box of this size. A `step` above 0 puts them on a lattice of that width, where many touch exactly.
 Spheres scattered(const Vec3d& box, double least_radius, double largest_radius, double step = 0) {
   Random random(11);
   Spheres spheres;
@@ -48,7 +26,7 @@ Spheres scattered(const Vec3d& box, double least_radius, double largest_radius, 
 
 }  // namespace
 
-TEST_CASE("the exact reference finds what the definition says") {
+TEST_CASE("the sweep finds what the definition says") {
   const std::vector<Spheres> families{
       scattered(Vec3d(1), 0.02, 0.1),      scattered(Vec3d(1), 1e-6, 0.3),        scattered(Vec3d(1, 1, 0), 0.01, 0.05),
       scattered(Vec3d(0, 1e3, 0), 0.5, 1), scattered(Vec3d(0, 0, 1), 0.001, 0.1), scattered(Vec3d(1), 0.05, 0.05, 0.1),
@@ -56,21 +34,21 @@ TEST_CASE("the exact reference finds what the definition says") {
       scattered(Vec3d(1), 2, 3),
   };
   for (const Spheres& spheres : families) {
-    const std::vector<Pair> expected = by_definition(spheres);
+    const std::vector<Pair> expected = pairs_by_definition(scene_of(spheres));
     INFO("family " << &spheres - families.data() << ": " << expected.size() << " pairs");
     CHECK_FALSE(expected.empty());
-    CHECK((exact_pairs(spheres.arrays()) == expected));
+    CHECK((exact_pairs(arrays_of(spheres)) == expected));
   }
 }
 
-TEST_CASE("the exact reference takes one radius for all") {
+TEST_CASE("the sweep takes one radius for all") {
   Spheres spheres = scattered(Vec3d(1), 0.1, 0.2);
   spheres.radius.resize(1);
-  CHECK((exact_pairs(spheres.arrays()) == by_definition(spheres)));
+  CHECK((exact_pairs(arrays_of(spheres)) == pairs_by_definition(scene_of(spheres))));
   CHECK(exact_pairs({}).empty());
 }
 
-TEST_CASE("the exact reference finds pairs across the ends of a period, as the definition says") {
+TEST_CASE("the sweep finds pairs across the ends of a period, as the definition says") {
   struct Family {
     Spheres spheres;
     Vec3 low, high;
@@ -78,30 +56,18 @@ TEST_CASE("the exact reference finds pairs across the ends of a period, as the d
   const std::vector<Family> families{
       {scattered(Vec3d(1), 0.02, 0.1), Vec3(-1), Vec3(1)},
       {scattered(Vec3d(1, 2, 0.5), 0.02, 0.1), Vec3(-1, -2, -0.5f), Vec3(1, 2, 0.5f)},
-      {scattered(Vec3d(1), 0.2, 0.5), Vec3(-1), Vec3(1)},  // of four radii, exactly
+      {scattered(Vec3d(1), 0.2, 0.5), Vec3(-1), Vec3(1)},  // a period of exactly four radii
       {scattered(Vec3d(1), 0.1, 0.1, 0.2), Vec3(-1), Vec3(1)},
       {scattered(Vec3d(1e-9), 1e-11, 1e-10), Vec3(-1e-9f), Vec3(1e-9f)},
   };
   for (const auto& [spheres, low, high] : families) {
-    SphereArrays arrays = spheres.arrays();
+    SphereArrays arrays = arrays_of(spheres);
     arrays.period = Box<Vec3>{low, high, Boundary::periodic};
-    std::vector<Pair> expected;
-    for (size_t i = 0; i < spheres.position.size(); ++i) {
-      for (size_t j = i + 1; j < spheres.position.size(); ++j) {
-        float squared = 0;
-        for (int axis = 0; axis < 3; ++axis) {  // the nearest of three images
-          float nearest = spheres.position[j][axis] - spheres.position[i][axis];
-          for (const float shift : {low[axis] - high[axis], high[axis] - low[axis]}) {
-            const float image = spheres.position[j][axis] - spheres.position[i][axis] + shift;
-            if (std::fabs(image) < std::fabs(nearest)) nearest = image;
-          }
-          squared += nearest * nearest;
-        }
-        const float sum = spheres.radius[i] + spheres.radius[j];
-        if (squared <= sum * sum) expected.push_back({int32_t(i), int32_t(j)});
-      }
-    }
-    CHECK(expected.size() > by_definition(spheres).size());
+    Scene scene = scene_of(spheres);
+    const size_t without_period = pairs_by_definition(scene).size();
+    scene.domain = {widen(low), widen(high), Boundary::periodic, 3};
+    const std::vector<Pair> expected = pairs_by_definition(scene);
+    CHECK(expected.size() > without_period);
     CHECK((exact_pairs(arrays) == expected));
   }
 }

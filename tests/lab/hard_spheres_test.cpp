@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 
 #include "lab/measure/made_scenes.h"
-#include "measure/statistics.h"
 #include "lab/measure/theory.h"
+#include "measure/statistics.h"
 
 using namespace ballpit;
 

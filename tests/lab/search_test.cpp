@@ -8,11 +8,10 @@
 
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/same_error.h"
-#include "measure/statistics.h"
-#include "lab/measure/recall.h"
 #include "lab/measure/search_timing.h"
 #include "lab/measure/winner_map.h"
 #include "measure/exact_pairs.h"
+#include "measure/statistics.h"
 #include "world/world.h"
 
 using namespace ballpit;

@@ -17,7 +17,7 @@ TEST_CASE("cells of a line read back as they were written") {
 }
 
 TEST_CASE("a table is comments, a header with units, and its rows") {
-  const Table table{"times", {{"method"}, {"time", "ms"}}, {{"linked-cell", 1.5}}};
+  const Table table{"times", {"method", "time [ms]"}, {{"linked-cell", 1.5}}};
   CHECK(csv_of(table, {"machine: A, 2 cores", "seed: 1"}) ==
         "# machine: A, 2 cores\n# seed: 1\nmethod,time [ms]\nlinked-cell,1.5\n");
 }

@@ -37,7 +37,7 @@ TEST_CASE("over all impact parameters 1 − s²/12 of hits are seen, and 4/(3s) 
     double mean = 0;
     constexpr int kRings = 20000;
     for (int k = 0; k < kRings; ++k) mean += part_seen(step, std::sqrt((k + 0.5) / kRings)) / kRings;
-    CHECK(mean == Approx(mean_part_seen(step)).epsilon(1e-5));
+    CHECK(mean == Approx(step <= 2 ? 1 - step * step / 12 : 4 / (3 * step)).epsilon(1e-5));
   }
 }
 
@@ -78,7 +78,6 @@ TEST_CASE("the column's height is that of its hydrostatics, to the second order 
 TEST_CASE("springs, sweeps and rounding have their limits") {
   CHECK(contact_duration(1e4, 0.5, 0) == Approx(M_PI * std::sqrt(0.5e-4)));
   CHECK(contact_duration(stiffness_of_duration(0.02, 0.5, 0.3), 0.5, 0.3) == Approx(0.02));
-  CHECK(stable_step_fcc(1, 1) == Approx(0.7071).margin(1e-4));
   CHECK(stack_sweeps(20) == Approx(746.4));
   CHECK(ratio_sweeps(300) == Approx(4.6 * 301).epsilon(0.01));
   CHECK(frozen_step(65536) == Approx(0.00390625));  // 0.2 m/s at 60 steps a second is less

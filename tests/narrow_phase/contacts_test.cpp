@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "measure/exact_pairs.h"
 #include "methods/methods.h"
 #include "tests/support/inputs.h"
 #include "tests/support/oracle.h"
@@ -176,7 +177,7 @@ TEST_CASE("the families' contacts are found by worlds and by pair searches, few 
       const bool is_flat = family.name == "floor";
       const Scene scene = scene_of(spheres);
       const std::vector<Pair> expected = pairs_by_definition(scene);
-      REQUIRE(pairs_by_sweep(spheres) == expected);
+      REQUIRE(exact_pairs(arrays_of(spheres)) == expected);
       if (count == 2000) REQUIRE(expected.size() > 30);
       for (const Way& way : ways(3)) {
         INFO(family.name << ", " << count << " spheres, " << way);
@@ -266,7 +267,7 @@ TEST_CASE("a few spheres in a vast domain need little memory and are found") {
 TEST_CASE("every method but brute force finds the contacts of 100 000 spheres of each family", "[slow]") {
   for (const FamilyInfo& family : families()) {
     const Spheres spheres = make_family(family.name, 100000, 1);
-    const std::vector<Pair> expected = pairs_by_sweep(spheres);
+    const std::vector<Pair> expected = exact_pairs(arrays_of(spheres));
     CHECK(expected.size() > 4000);
     std::vector<Way> many{
         {.broadphase = "sorted-grid", .threads = 2},     {.broadphase = "sorted-grid", .table = "hashed"},
@@ -290,5 +291,5 @@ TEST_CASE("worlds find the contacts of 100 000 spheres", "[slow]") {
   const Spheres spheres = make_family(row.family, 100000, 2);
   INFO(row.family << ", " << row.method);
   CHECK(difference(contacts_in_world(scene_of(spheres), {.broadphase = row.method, .threads = 2}),
-                   pairs_by_sweep(spheres)) == "");
+                   exact_pairs(arrays_of(spheres))) == "");
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -13,8 +12,6 @@
 namespace ballpit {
 
 namespace {
-
-bool comes_before(const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
 
 template <class Real>
 std::vector<Pair> pairs_in(const Scene& scene) {
@@ -47,53 +44,13 @@ std::vector<Pair> pairs_by_definition(const Scene& scene) { return pairs_in<floa
 
 std::vector<Pair> pairs_by_definition_in_double(const Scene& scene) { return pairs_in<double>(scene); }
 
-std::vector<Pair> pairs_by_sweep(const Spheres& spheres) {
-  std::vector<Pair> pairs;
-  if (spheres.position.empty()) return pairs;
-  Vec3 low = spheres.position[0], high = low;
-  for (const Vec3& p : spheres.position) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const Vec3 size = high - low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  std::vector<int> order(spheres.position.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return spheres.position[static_cast<size_t>(a)][axis] < spheres.position[static_cast<size_t>(b)][axis];
-  });
-  struct Sphere {
-    double x, y, z, radius;
-    int body;
-  };
-  std::vector<Sphere> sorted;
-  double largest = 0;
-  for (const int body : order) {
-    const Vec3d p(spheres.position[static_cast<size_t>(body)]);
-    sorted.push_back({p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3], spheres.radius_of(body), body});
-    largest = std::max(largest, sorted.back().radius);
-  }
-  for (size_t a = 0; a < sorted.size(); ++a) {
-    const Sphere& s = sorted[a];
-    for (size_t b = a + 1; b < sorted.size() && sorted[b].x - s.x <= s.radius + largest; ++b) {
-      const Sphere& t = sorted[b];
-      const double dx = t.x - s.x, dy = t.y - s.y, dz = t.z - s.z, radii = s.radius + t.radius;
-      if (dx * dx + dy * dy + dz * dz <= radii * radii) {
-        pairs.push_back({std::min(s.body, t.body), std::max(s.body, t.body)});
-      }
-    }
-  }
-  std::sort(pairs.begin(), pairs.end(), comes_before);
-  return pairs;
-}
-
 std::string difference(const std::vector<Pair>& found, const std::vector<Pair>& expected) {
   if (found == expected) return "";
   std::vector<Pair> a = found, b = expected, missing, extra;
-  std::sort(a.begin(), a.end(), comes_before);
-  std::sort(b.begin(), b.end(), comes_before);
-  std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(missing), comes_before);
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(extra), comes_before);
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(missing));
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(extra));
   std::ostringstream text;
   text << "of " << expected.size() << " pairs, ";
   for (const auto& [what, pairs] : {std::pair{"missing", &missing}, std::pair{"too many", &extra}}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pairs in contact by definition, written independently of the simulation: what every search is held against.
+// Pairs in contact by definition, written independently of the simulation: the reference for every search. For many spheres
+// tests use the other independent reference, measure/exact_pairs.h, which is checked against this one.
 #pragma once
 
 #include <string>
@@ -17,10 +18,6 @@ std::vector<Pair> pairs_by_definition(const Scene& scene);
 
 /// The same for a simulation in double precision.
 std::vector<Pair> pairs_by_definition_in_double(const Scene& scene);
-
-/// All pairs of a family's spheres, tested in double precision: by a sort along the longest axis and a sweep. Exact
-/// where no pair is nearer to touching than float can tell, as in the families.
-std::vector<Pair> pairs_by_sweep(const Spheres& spheres);
 
 /// What `found` lacks of `expected`, has beyond it, or has in another order; empty where they are equal.
 std::string difference(const std::vector<Pair>& found, const std::vector<Pair>& expected);

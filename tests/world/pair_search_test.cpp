@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "measure/exact_pairs.h"
 #include "tests/support/inputs.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
@@ -19,7 +20,7 @@ std::unique_ptr<PairSearch> make_search(const Way& way) { return cpu_backend().m
 /// What the search finds, held against the sweep in double precision.
 std::string fault(PairSearch& search, const Spheres& spheres) {
   search.find(arrays_of(spheres));
-  return difference(search.pairs(), pairs_by_sweep(spheres));
+  return difference(search.pairs(), exact_pairs(arrays_of(spheres)));
 }
 
 const std::vector<std::string> kMethods{"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid"};

@@ -7,7 +7,6 @@
 
 #include "lab/charts/chart_map.h"
 #include "lab/charts/chart_script.h"
-#include "lab/charts/table.h"
 
 namespace ballpit {
 
@@ -92,9 +91,8 @@ class ChartWriter {
     draw_axis("y", script_.y());
     if (!chart_.map) script_.line("set grid xtics ytics linetype 1 linewidth 1 linecolor {}", rgb(style_.faint));
     script_.write_text(0.02, 0.945, chart_.title, style_.text, "left", 24);
-    script_.write_text(0.02, 0.865, with_unit(chart_.y.label, chart_.y.unit), style_.text);
-    script_.write_text((kPlotLeft + kPlotRight) / 2, 0.03, with_unit(chart_.x.label, chart_.x.unit), style_.text,
-                       "center");
+    script_.write_text(0.02, 0.865, title_of(chart_.y), style_.text);
+    script_.write_text((kPlotLeft + kPlotRight) / 2, 0.03, title_of(chart_.x), style_.text, "center");
   }
 
   void draw_axis(const std::string& name, const Range& range) {

@@ -24,6 +24,11 @@ struct Axis {
   std::optional<double> low = {}, high = {};  ///< the range shown; empty: that of the data
 };
 
+/// "time [ms]"
+inline std::string title_of(const Axis& axis) {
+  return axis.unit.empty() ? axis.label : axis.label + " [" + axis.unit + ']';
+}
+
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// A point. `low` and `high` are the ends of its error bar in y, `left` and `right` in x; kNoNumber: it has none.
@@ -40,7 +45,7 @@ enum class Stroke { line, points, line_and_points };
 struct Series {
   std::string label;  ///< empty: none is drawn
   std::string role;   ///< a method's name, "theory", "front", "failed", or one of "first" to "sixth"
-  std::vector<Point> points;
+  std::vector<Point> points = {};
   Stroke stroke = Stroke::line_and_points;
   bool is_dashed = false;  ///< the second of two kinds
   bool is_thin = false;    ///< less important than the others
@@ -78,10 +83,7 @@ struct Map {
   std::vector<double> x, y;  ///< centres of the cells, ascending
   std::vector<std::vector<double>> values;
   std::vector<Category> categories = {};
-  std::string label = "";  ///< of the values, with their unit; without categories
-  bool is_log = false;     ///< colours follow the values' logarithm
-  std::optional<double> low = {},
-                        high = {};  ///< values of the first and the last colour; empty: the least and the largest
+  Axis colors = {""};  ///< of the values; without categories
 };
 
 /// A vertical line across the whole chart, with a label at its upper end.
@@ -94,7 +96,7 @@ struct Chart {
   std::string name;  ///< the file's stem: "time"
   std::string title;
   Axis x, y;
-  std::vector<Series> series;
+  std::vector<Series> series = {};
   std::optional<Map> map = {};  ///< drawn below the series
   std::vector<Bound> bounds = {};
 };

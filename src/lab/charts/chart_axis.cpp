@@ -80,6 +80,16 @@ Range range_of(const Axis& axis, const std::vector<double>& values, bool is_wide
   return {axis.low.value_or(low), axis.high.value_or(high), axis.scale};
 }
 
+double between(double low, double high, double share, Scale scale) {
+  return scale == Scale::log ? std::exp(std::lerp(std::log(low), std::log(high), share)) : std::lerp(low, high, share);
+}
+
+std::vector<double> spaced(double low, double high, int count, Scale scale) {
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(between(low, high, k / (count - 1.0), scale));
+  return values;
+}
+
 std::vector<Tick> ticks_of(const Range& range) {
   return range.scale == Scale::log ? log_ticks(range) : linear_ticks(range);
 }

@@ -27,6 +27,12 @@ struct Range {
 /// The range that the axis asks for; else that of all values, with a margin if `is_wide`.
 Range range_of(const Axis& axis, const std::vector<double>& values, bool is_wide);
 
+/// The number with this share of the way from `low` to `high`, on a linear or a logarithmic scale.
+double between(double low, double high, double share, Scale scale);
+
+/// `count` such numbers from `low` to `high`, both included.
+std::vector<double> spaced(double low, double high, int count, Scale scale);
+
 /// About eight round numbers at most.
 std::vector<Tick> ticks_of(const Range& range);
 

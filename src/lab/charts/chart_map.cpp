@@ -60,7 +60,7 @@ void draw_color_bar(ChartScript& script, const Map& map, const Range& colors) {
     script.write_text(kBarRight + 0.012, kPlotBottom + (kBarTop - kPlotBottom) * colors.share_of(tick.at), tick.text,
                       script.style().text);
   }
-  script.write_text(kBarLeft, kBarTop + 0.05, map.label, script.style().text);
+  script.write_text(kBarLeft, kBarTop + 0.05, map.colors.label, script.style().text);
 }
 
 /// Marker and name of each category, the first at the top.
@@ -89,7 +89,7 @@ std::vector<double> edges_of(const std::vector<double>& centers, Scale scale) {
 void draw_map(ChartScript& script, const Map& map) {
   std::vector<double> values;
   for (const std::vector<double>& row : map.values) values.insert(values.end(), row.begin(), row.end());
-  const Range colors = range_of({"", "", map.is_log ? Scale::log : Scale::linear, map.low, map.high}, values, false);
+  const Range colors = range_of(map.colors, values, false);
   draw_cells(script, map, colors);
   if (map.categories.empty()) {
     draw_color_bar(script, map, colors);

@@ -35,10 +35,6 @@ std::string short_text(const Cell& cell) {
   return is_count ? grouped(static_cast<int64_t>(number)) : three_digits(number);
 }
 
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : name + " [" + unit + ']';
-}
-
 std::string csv_line(const std::vector<Cell>& cells) {
   std::string line;
   for (const Cell& cell : cells) {
@@ -73,9 +69,7 @@ std::vector<std::string> split_csv_line(std::string_view line) {
 std::string csv_of(const Table& table, const std::vector<std::string>& comments) {
   std::string text;
   for (const std::string& comment : comments) text += "# " + comment + '\n';
-  std::vector<Cell> header;
-  for (const Column& column : table.columns) header.emplace_back(with_unit(column.name, column.unit));
-  text += csv_line(header);
+  text += csv_line({table.columns.begin(), table.columns.end()});
   for (const std::vector<Cell>& row : table.rows) {
     assert(row.size() == table.columns.size());
     text += csv_line(row);

@@ -10,11 +10,6 @@
 
 namespace ballpit {
 
-struct Column {
-  std::string name;
-  std::string unit = "";  ///< "s"; empty: none
-};
-
 /// A number or a text. NaN is written as an empty cell.
 using Cell = std::variant<double, std::string>;
 
@@ -31,10 +26,10 @@ Cell cell_of(const Value& value) {
 }
 
 struct Table {
-  std::string name;  ///< the file's stem: "times"
-  std::vector<Column> columns;
-  std::vector<std::vector<Cell>> rows;  ///< each as long as `columns`
-  bool is_shown = false;                ///< in the report too, not only in its file
+  std::string name;                          ///< the file's stem: "times"
+  std::vector<std::string> columns;          ///< headers: "time [ms]"
+  std::vector<std::vector<Cell>> rows = {};  ///< each as long as `columns`
+  bool is_shown = false;                     ///< in the report too, not only in its file
 
   template <class... Values>
   void add_row(const Values&... values) {
@@ -44,9 +39,6 @@ struct Table {
 
 /// For readers: "1 234", "0.0123", "–" for NaN.
 std::string short_text(const Cell& cell);
-
-/// "time [ms]": of a column or an axis.
-std::string with_unit(const std::string& name, const std::string& unit);
 
 /// One line, with its end. Texts that contain commas or quotes are quoted; numbers read back as the same doubles.
 std::string csv_line(const std::vector<Cell>& cells);

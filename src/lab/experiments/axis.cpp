@@ -26,11 +26,8 @@ std::vector<double> aspects(bool is_quick) {
 }
 
 WinnerPlan plan_of(bool is_quick) {
-  return {"aspect",
-          {"height of the box over its width", "", Scale::log},
-          aspects(is_quick),
-          winner_counts(is_quick),
-          [](int64_t count, double aspect, uint64_t seed) {
+  return {"aspect", Axis{"height of the box over its width", "", Scale::log}, aspects(is_quick),
+          winner_counts(is_quick), [](int64_t count, double aspect, uint64_t seed) {
             return uniform_spheres({count, 0.3, 1, aspect}, seed);
           }};
 }
@@ -81,7 +78,7 @@ Chart sweep_chart(const WinnerPlan& plan, const std::vector<Sweep>& sweeps, int6
   return {"candidates",
           fmt::format("Candidates of sort and sweep, {} spheres", grouped(count)),
           plan.axis,
-          {"candidates a sphere", "", Scale::log},
+          Axis{"candidates a sphere", "", Scale::log},
           {make_series("", "theory", sweeps, against_aspect([](const Sweep& s) { return s.expected_x; }), Stroke::line),
            make_series("", "theory", sweeps, against_aspect([](const Sweep& s) { return s.expected_z; }), Stroke::line),
            make_series("along x", "second", sweeps, along(0), Stroke::points),
@@ -91,14 +88,8 @@ Chart sweep_chart(const WinnerPlan& plan, const std::vector<Sweep>& sweeps, int6
 
 Table sweep_table(const std::vector<Sweep>& sweeps, int64_t count) {
   Table table{"sweeps",
-              {{"spheres"},
-               {"height over width"},
-               {"candidates along x"},
-               {"expected along x"},
-               {"candidates along z"},
-               {"expected along z"},
-               {"candidates by auto"}},
-              {}};
+              {"spheres", "height over width", "candidates along x", "expected along x", "candidates along z",
+               "expected along z", "candidates by auto"}};
   for (const Sweep& s : sweeps) {
     table.add_row(count, s.aspect, s.candidates[0], s.expected_x, s.candidates[1], s.expected_z, s.candidates[2]);
   }

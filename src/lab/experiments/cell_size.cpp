@@ -88,7 +88,7 @@ std::vector<Row> measure_all(Lab& lab) {
 
 Chart time_chart(const std::vector<Row>& rows, int64_t count) {
   Chart chart{"time", fmt::format("Time of a search against cell size, {} spheres", grouped(count)),
-              kCells, {"time of a search", "ms", Scale::log},
+              kCells, Axis{"time of a search", "ms", Scale::log},
               {},     {},
               kBounds};
   for (size_t k = 0; k < kGrids.size(); ++k) {
@@ -118,21 +118,19 @@ Chart recall_chart(const std::vector<Row>& rows) {
 }
 
 Table table_of(const std::vector<Row>& rows) {
-  Table table{"cells", {{"edge of a cell", "2·r_max"}, {"recall expected"}, {"standard error"}}, {}};
+  Table table{"cells", {"edge of a cell [2·r_max]", "recall expected", "standard error"}};
   for (const std::string& grid : kGrids) {
-    for (const Column& column : {Column{"recall by "}, Column{"candidates by "}, Column{"time by ", "ms"},
-                                 Column{"lower quartile by ", "ms"}, Column{"upper quartile by ", "ms"}}) {
-      table.columns.push_back({column.name + grid, column.unit});
+    for (const char* column : {"recall by {}", "candidates by {}", "time by {} [ms]", "lower quartile by {} [ms]",
+                               "upper quartile by {} [ms]"}) {
+      table.columns.push_back(fmt::format(fmt::runtime(column), grid));
     }
   }
   for (const Row& row : rows) {
     std::vector<Cell> cells{row.size, row.recall[2], row.recall[3]};
     for (size_t k = 0; k < kGrids.size(); ++k) {
       const Spread spread = row.timings[k].spread();
-      for (const double value :
-           {row.recall[k], row.timings[k].candidates, 1e3 * spread.median, 1e3 * spread.lower, 1e3 * spread.upper}) {
-        cells.emplace_back(value);
-      }
+      cells.insert(cells.end(), {row.recall[k], row.timings[k].candidates, 1e3 * spread.median, 1e3 * spread.lower,
+                                 1e3 * spread.upper});
     }
     table.rows.push_back(std::move(cells));
   }

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "core/numbers.h"
+#include "lab/charts/chart_axis.h"
 #include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/hard_spheres.h"
-#include "lab/measure/boundary.h"
 #include "lab/measure/points.h"
 
 namespace ballpit {
@@ -56,7 +56,7 @@ Course course_of(Lab& lab, double restitution) {
 double haff(double time) { return std::pow(1 + time, -2); }
 
 Table table_of(const std::vector<Course>& courses) {
-  Table table{"temperature", {{"restitution"}, {"time", "τ"}, {"T/T₀"}, {"standard error"}, {"Haff's law"}}, {}};
+  Table table{"temperature", {"restitution", "time [τ]", "T/T₀", "standard error", "Haff's law"}};
   const std::vector<double> at = times();
   for (const Course& course : courses) {
     for (size_t t = 0; t < at.size(); ++t) {
@@ -68,7 +68,7 @@ Table table_of(const std::vector<Course>& courses) {
 }
 
 Table tau_table(const std::vector<Course>& courses) {
-  Table table{"tau", {{"restitution"}, {"τ, of Haff's"}, {"standard error"}}, {}, true};
+  Table table{"tau", {"restitution", "τ, of Haff's", "standard error"}, {}, true};
   for (const Course& course : courses) table.add_row(course.restitution, course.tau.value, course.tau.error);
   return table;
 }
@@ -79,8 +79,8 @@ std::vector<Chart> charts_of(const std::vector<Course>& courses) {
   constexpr const char* kRoles[] = {"first", "second", "third"};
   const std::vector<double> at = times(), xs = spaced(at.front(), at.back(), 60, Scale::log);
   const Axis time{"time t/τ", "", Scale::log};
-  Chart whole{"temperature", "A gas cools by (1 + t/τ)⁻²", time, {"T/T₀", "", Scale::log}, {}};
-  Chart detail{"deviation", "How far the temperature is from Haff's law", time, {"deviation of T", "%"}, {}};
+  Chart whole{"temperature", "A gas cools by (1 + t/τ)⁻²", time, Axis{"T/T₀", "", Scale::log}};
+  Chart detail{"deviation", "How far the temperature is from Haff's law", time, {"deviation of T", "%"}};
   whole.series = {theory_line("Haff's law", xs, haff)};
   detail.series = {theory_line("Haff's law", xs, [](double) { return 0.0; })};
   for (size_t k = 0; k < courses.size(); ++k) {

@@ -91,11 +91,8 @@ void measure_times(Lab& lab, std::vector<Entry>& entries) {
 }
 
 Chart time_chart(const std::vector<Entry>& entries) {
-  Chart chart{"time",
-              "Time of a dense gas, 2 % off in its pressure at most",
-              {"spheres", "", Scale::log},
-              {"time for a unit of time, √(mD²/kT)", "s", Scale::log},
-              {}};
+  Chart chart{"time", "Time of a dense gas, 2 % off in its pressure at most", Axis{"spheres", "", Scale::log},
+              Axis{"time for a unit of time, √(mD²/kT)", "s", Scale::log}};
   for (const Entry& entry : entries) {
     if (entry.points.empty()) continue;
     chart.series.push_back(
@@ -105,11 +102,8 @@ Chart time_chart(const std::vector<Entry>& entries) {
 }
 
 Chart error_chart(const std::vector<Entry>& entries) {
-  Chart chart{"error",
-              "Error in the pressure against the step",
-              {"step", "√(mD²/kT)", Scale::log},
-              {"error of Z", "%", Scale::linear, -30, 10},
-              {}};
+  Chart chart{"error", "Error in the pressure against the step", Axis{"step", "√(mD²/kT)", Scale::log},
+              Axis{"error of Z", "%", Scale::linear, -30, 10}};
   double finest = kCoarsestStep;
   for (const Entry& entry : entries) {
     if (!entry.errors.empty()) finest = std::min(finest, entry.errors.back().dt);
@@ -139,11 +133,9 @@ std::string stops_from(const Entry& entry) {
 }
 
 std::vector<Table> tables_of(const std::vector<Entry>& entries) {
-  Table errors{"errors", {{"response"}, {"step"}, {"error of Z", "%"}, {"standard error", "%"}}, {}};
-  Table times{"times",
-              {{"response"}, {"step"}, {"spheres"}, {"time", "s"}, {"lower quartile", "s"}, {"upper quartile", "s"}},
-              {}};
-  Table steps{"steps", {{"response"}, {"largest step that holds 2 %"}, {"time for the most spheres", "s"}}, {}, true};
+  Table errors{"errors", {"response", "step", "error of Z [%]", "standard error [%]"}};
+  Table times{"times", {"response", "step", "spheres", "time [s]", "lower quartile [s]", "upper quartile [s]"}};
+  Table steps{"steps", {"response", "largest step that holds 2 %", "time for the most spheres [s]"}, {}, true};
   for (const Entry& entry : entries) {
     const std::string& who = entry.who->label;
     for (const PressureError& e : entry.errors) errors.add_row(who, e.dt, 100 * e.off.value, 100 * e.off.error);

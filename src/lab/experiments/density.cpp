@@ -13,12 +13,10 @@ namespace ballpit {
 namespace {
 
 WinnerPlan plan_of(bool is_quick) {
-  return {"volume fraction",
-          {"volume of the spheres over that of the box", "", Scale::log},
+  return {"volume fraction", Axis{"volume of the spheres over that of the box", "", Scale::log},
           is_quick ? std::vector<double>{0.001, 0.01, 0.1, 0.5}
                    : std::vector<double>{0.0001, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.2, 0.4, 0.8},
-          winner_counts(is_quick),
-          [](int64_t count, double fraction, uint64_t seed) {
+          winner_counts(is_quick), [](int64_t count, double fraction, uint64_t seed) {
             return uniform_spheres({count, fraction}, seed);
           }};
 }

@@ -57,7 +57,7 @@ int64_t measurements(bool) { return static_cast<int64_t>(arrangements().size() *
 
 /// The share of the threads by their work, at the middle of each bin; no work is drawn at a half.
 Series histogram(const std::string& broadphase, const std::vector<double>& values) {
-  Series series{label_of(broadphase), broadphase, {}};
+  Series series{label_of(broadphase), broadphase};
   const auto end = static_cast<size_t>(std::log2(std::max(1.0, values[2]))) + 2;  // after the bin of the most work
   for (size_t bin = 0; bin < end; ++bin) {
     const double low = std::exp2(static_cast<double>(bin) - 1);
@@ -68,15 +68,12 @@ Series histogram(const std::string& broadphase, const std::vector<double>& value
 
 Findings run(Lab& lab) {
   const int64_t count = count_of(lab.is_quick());
-  Table table{"work",
-              {{"arrangement"}, {"broad phase"}, {"threads"}, {"mean work"}, {"most work"}, {"SIMD efficiency", "%"}},
-              {},
-              true};
+  Table table{
+      "work", {"arrangement", "broad phase", "threads", "mean work", "most work", "SIMD efficiency [%]"}, {}, true};
   Chart chart{"work",
               fmt::format("Threads by their work, {} equal spheres", grouped(count)),
-              {"work of a thread: candidates, or entries walked", "", Scale::log},
-              {"share of the threads", "%"},
-              {}};
+              Axis{"work of a thread: candidates, or entries walked", "", Scale::log},
+              {"share of the threads", "%"}};
   double least = 1, most = 0;
   std::string worst, best;
   for (const Arrangement& arrangement : arrangements()) {

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "core/numbers.h"
+#include "lab/charts/chart_axis.h"
 #include "lab/charts/table.h"
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/long_runs.h"
-#include "lab/measure/boundary.h"
 #include "lab/measure/made_scenes.h"
 
 namespace ballpit {
@@ -63,7 +63,7 @@ Course gas_drift(Lab& lab, const ContactMethod& method) {
 }
 
 Table table_of(const std::vector<Course>& courses, const std::vector<double>& at) {
-  Table table{"gas", {{"method"}, {"time", "D/√(kT/m)"}, {"energy change"}, {"momentum change"}}, {}};
+  Table table{"gas", {"method", "time [D/√(kT/m)]", "energy change", "momentum change"}};
   for (const Course& course : courses) {
     for (size_t k = 0; k < at.size(); ++k) {
       table.add_row(course.method.name, at[k], course.drifts[k].energy, course.drifts[k].momentum);
@@ -74,11 +74,8 @@ Table table_of(const std::vector<Course>& courses, const std::vector<double>& at
 
 Chart chart_of(const std::string& name, const std::string& title, const std::vector<Course>& courses,
                const std::vector<double>& at, double LargestDrift::*what) {
-  Chart chart{name,
-              title,
-              {"time", "D/√(kT/m)", Scale::log},
-              {name + ": largest change so far", "", Scale::log, kLeast / 3, 100},
-              {}};
+  Chart chart{name, title, Axis{"time", "D/√(kT/m)", Scale::log},
+              Axis{name + ": largest change so far", "", Scale::log, kLeast / 3, 100}};
   for (const Course& course : courses) {
     Series series = series_of(course.method);
     if (series.is_dashed && !is_float_of_main(course.method)) continue;  // the others are in the table
@@ -94,12 +91,9 @@ Chart chart_of(const std::string& name, const std::string& title, const std::vec
 
 /// A mass on a spring: the energy of each integrator against theory.
 void add_oscillator(Lab& lab, Findings& findings) {
-  Table table{"oscillator", {{"integrator"}, {"steps"}, {"largest energy change"}, {"theory"}}, {}};
-  Chart chart{"oscillator",
-              "On a spring only explicit Euler's energy grows without end",
-              {"steps", "", Scale::log},
-              {"energy: largest change so far", "", Scale::log},
-              {}};
+  Table table{"oscillator", {"integrator", "steps", "largest energy change", "theory"}};
+  Chart chart{"oscillator", "On a spring only explicit Euler's energy grows without end", Axis{"steps", "", Scale::log},
+              Axis{"energy: largest change so far", "", Scale::log}};
   constexpr const char* kRoles[] = {"first", "second", "third", "fourth"};
   int role = 0;
   for (const std::string& name : integrators()) {

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "core/numbers.h"
+#include "lab/charts/chart_axis.h"
 #include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/hard_spheres.h"
-#include "lab/measure/boundary.h"
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/points.h"
 #include "lab/measure/theory.h"
@@ -53,12 +53,8 @@ struct ExactPoint {
 
 Table table_of(const std::vector<ExactPoint>& points) {
   Table table{"z",
-              {{"density"},
-               {"Z measured"},
-               {"standard error"},
-               {"Z expected of so many spheres"},
-               {"Z of Carnahan and Starling"},
-               {"off", "standard errors"}},
+              {"density", "Z measured", "standard error", "Z expected of so many spheres", "Z of Carnahan and Starling",
+               "off [standard errors]"},
               {},
               true};
   for (const ExactPoint& p : points) {
@@ -75,12 +71,12 @@ std::vector<Chart> charts_of(const std::vector<ExactPoint>& points) {
     const double z = p.z.value + (reference_z(p.rho) - p.expected);  // without the effect of the number of spheres
     return Point{p.rho, percent(z, p.rho), percent(z - p.z.error, p.rho), percent(z + p.z.error, p.rho)};
   };
-  Chart whole{"z", "The pressure of hard spheres, over that of an ideal gas", density, {"Z = PV/NkT"}, {}};
+  Chart whole{"z", "The pressure of hard spheres, over that of an ideal gas", density, {"Z = PV/NkT"}};
   whole.series = {
       theory_line("reference", xs, reference_z),
       make_series(
           "event-driven", "first", points, [](const ExactPoint& p) { return point_of(p.rho, p.z); }, Stroke::points)};
-  Chart detail{"deviation", "How far the pressure is from the reference", density, {"deviation of Z", "%"}, {}};
+  Chart detail{"deviation", "How far the pressure is from the reference", density, {"deviation of Z", "%"}};
   detail.series = {
       theory_line("Carnahan–Starling", xs, [&](double rho) { return percent(carnahan_starling_z(rho), rho); }),
       theory_line("reference", xs, [](double) { return 0.0; }),
@@ -96,15 +92,11 @@ struct SteppedPoint {
 };
 
 Table table_of(const std::vector<SteppedPoint>& points) {
-  Table table{"late-contacts",
-              {{"step"},
-               {"bias measured"},
-               {"standard error"},
-               {"bias expected"},
-               {"bias of swept contacts"},
-               {"its standard error"}},
-              {},
-              true};
+  Table table{
+      "late-contacts",
+      {"step", "bias measured", "standard error", "bias expected", "bias of swept contacts", "its standard error"},
+      {},
+      true};
   for (const SteppedPoint& p : points) {
     table.add_row(p.dt, p.discrete.value, p.discrete.error, p.expected, p.swept.value, p.swept.error);
   }

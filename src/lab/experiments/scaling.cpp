@@ -149,11 +149,8 @@ std::vector<Chart> charts_of(const std::vector<Curve>& curves) {
     const std::string where = which.threads == 0   ? "CUDA"
                               : which.threads == 1 ? "one thread"
                                                    : threads_text(which.threads);
-    Chart chart{"time-" + name,
-                "Time a step against spheres, " + where,
-                {"spheres", "", Scale::log},
-                {"time a step", "ms", Scale::log},
-                guides(chosen)};
+    Chart chart{"time-" + name, "Time a step against spheres, " + where, Axis{"spheres", "", Scale::log},
+                Axis{"time a step", "ms", Scale::log}, guides(chosen)};
     for (const Curve* curve : chosen) {
       chart.series.push_back({label_of(curve->which.method), curve->which.method, curve->points,
                               Stroke::line_and_points, which.backend.name != "cpu"});
@@ -165,15 +162,8 @@ std::vector<Chart> charts_of(const std::vector<Curve>& curves) {
 
 Table times_of(const std::vector<Curve>& curves) {
   Table table{"times",
-              {{"broad phase"},
-               {"backend"},
-               {"threads"},
-               {"spheres"},
-               {"time a step", "ms"},
-               {"lower quartile", "ms"},
-               {"upper quartile", "ms"},
-               {"candidates"}},
-              {}};
+              {"broad phase", "backend", "threads", "spheres", "time a step [ms]", "lower quartile [ms]",
+               "upper quartile [ms]", "candidates"}};
   for (const Curve& curve : curves) {
     const StepCase& which = curve.which;
     for (size_t k = 0; k < curve.points.size(); ++k) {
@@ -186,12 +176,8 @@ Table times_of(const std::vector<Curve>& curves) {
 
 Table exponents_of(const std::vector<Curve>& curves) {
   Table table{"exponents",
-              {{"broad phase"},
-               {"exponent of time"},
-               {"standard error"},
-               {"exponent of candidates"},
-               {"most spheres"},
-               {"time a step", "ms"}},
+              {"broad phase", "exponent of time", "standard error", "exponent of candidates", "most spheres",
+               "time a step [ms]"},
               {},
               true};
   for (const Curve& curve : curves) {

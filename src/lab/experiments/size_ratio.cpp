@@ -15,11 +15,9 @@ namespace {
 
 WinnerPlan plan_of(bool is_quick) {
   WinnerPlan plan{
-      "size ratio",
-      {"largest over smallest radius", "", Scale::log},
+      "size ratio", Axis{"largest over smallest radius", "", Scale::log},
       is_quick ? std::vector<double>{1, 2, 4, 8, 16} : std::vector<double>{1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32},
-      winner_counts(is_quick),
-      [](int64_t count, double ratio, uint64_t seed) {
+      winner_counts(is_quick), [](int64_t count, double ratio, uint64_t seed) {
         return uniform_spheres({count, 0.3, ratio}, seed);
       }};
   if (!is_quick) plan.counts.pop_back();  // a million spheres in a single grid take longer than all other cases
@@ -30,9 +28,8 @@ int64_t measurements(bool is_quick) { return winner_measurements(plan_of(is_quic
 
 Chart candidates_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
   return {"candidates",
-          fmt::format("Candidates a sphere, {} spheres", grouped(static_cast<int64_t>(plan.counts.back()))),
-          plan.axis,
-          {"candidates a sphere", "", Scale::log},
+          fmt::format("Candidates a sphere, {} spheres", grouped(static_cast<int64_t>(plan.counts.back()))), plan.axis,
+          Axis{"candidates a sphere", "", Scale::log},
           series_of(plan, cells, [](const WinnerCell& cell, const SearchTiming& timing) {
             return Point{cell.value, timing.candidates / cell.count};
           })};

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/numbers.h"
+#include "lab/charts/chart_axis.h"
 #include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/failures.h"
@@ -28,10 +29,17 @@ std::vector<double> centres_of(const MapAxis& axis, bool is_quick) {
   return spaced(axis.low, axis.high, cells_of(axis, is_quick), axis.axis.scale);
 }
 
+/// The place of a value among evenly spaced cells: 0 in the first, 1 in the second; at most half a cell outside.
+double place_among(const std::vector<double>& cells, double value, Scale scale) {
+  const double last = static_cast<double>(cells.size() - 1);
+  if (scale == Scale::log && value <= 0) return -0.5;
+  const auto scaled = [&](double y) { return scale == Scale::log ? std::log(y) : y; };
+  const double low = scaled(cells.front()), high = scaled(cells.back());
+  return std::clamp((scaled(value) - low) / (high - low) * last, -0.5, last + 0.5);
+}
+
 Table table_of(const FailureMap& which, const Map& map) {
-  Table table{which.name,
-              {{which.x.axis.label, which.x.axis.unit}, {which.y.axis.label, which.y.axis.unit}, {which.label}},
-              {}};
+  Table table{which.name, {title_of(which.x.axis), title_of(which.y.axis), which.colors.label}};
   for (size_t column = 0; column < map.x.size(); ++column) {
     for (size_t row = 0; row < map.y.size(); ++row) {
       table.add_row(map.x[column], map.y[row], map.values[row][column]);
@@ -63,7 +71,7 @@ Table broken(Lab& lab) {
   const double gained = lab.measure_number(key_of("broken explicit Euler", kOmegaStep),
                                            [] { return oscillator_drift("explicit-euler", kOmegaStep, 7).back(); });
   const auto yes_or_no = [](double value) { return value > 0 ? "yes" : "no"; };
-  Table table{"broken", {{"method"}, {"what is seen"}, {"measured"}, {"theory"}}, {}, true};
+  Table table{"broken", {"method", "what is seen", "measured", "theory"}, {}, true};
   table.add_row("cells of half a diameter", "recall", recall, cell_recall(0.5));
   table.add_row("contacts at the end of a step of 0.42 m", "the bullet passes through 0.2 m", yes_or_no(bullet[0]),
                 "yes");
@@ -81,7 +89,7 @@ int64_t measurements(bool is_quick) {
 
 Findings run(Lab& lab) {
   Findings findings;
-  Table lines{"boundaries", {{"map"}, {"formula"}, {"columns that cross"}, {"largest distance", "cells"}}, {}};
+  Table lines{"boundaries", {"map", "formula", "columns that cross", "largest distance [cells]"}};
   double farthest = 0;
   int within = 0;  // a distance of one cell
   for (const FailureMap& which : failure_maps()) {
@@ -120,11 +128,26 @@ Map measure_map(Lab& lab, const FailureMap& which) {
     const auto values = lab.measure(key, [&] { return which.column(x, map.y, lab.seed()); });
     for (size_t row = 0; row < map.y.size(); ++row) map.values[row][column] = values[row];
   }
-  map.label = which.label;
-  map.is_log = which.is_log;
-  map.low = which.low;
-  map.high = which.high;
+  map.colors = which.colors;
   return map;
+}
+
+MapBoundary find_boundary(const Map& map, Scale y_scale, const std::function<bool(double)>& has_crossed,
+                          const std::function<double(double)>& theory) {
+  MapBoundary boundary;
+  const size_t rows = map.y.size();
+  for (size_t column = 0; column < map.x.size(); ++column) {
+    size_t row = 0;
+    while (row < rows && !has_crossed(map.values[row][column])) ++row;
+    const double place = static_cast<double>(row) - 0.5;
+    const bool crosses = row > 0 && row < rows;
+    boundary.columns += crosses;
+    const double share = place / static_cast<double>(rows - 1);
+    boundary.y.push_back(crosses ? between(map.y.front(), map.y.back(), share, y_scale) : kNoNumber);
+    const double expected = place_among(map.y, theory(map.x[column]), y_scale);
+    boundary.distance = std::max(boundary.distance, std::fabs(place - expected));
+  }
+  return boundary;
 }
 
 MapBoundary boundary_of(const FailureMap& which, const Map& map) {

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "lab/charts/chart.h"
-#include "lab/measure/boundary.h"
 #include "lab/measure/lab.h"
 
 namespace ballpit {
@@ -24,9 +24,7 @@ struct FailureMap {
   std::string name;   ///< the chart's file: "springs"
   std::string title;  ///< a sentence
   MapAxis x, y;
-  std::string label;    ///< of what is measured
-  double low, high;     ///< values of the first and the last colour
-  bool is_log;          ///< colours follow the logarithm
+  Axis colors;          ///< of what is measured
   std::string formula;  ///< label of the line
   std::string where;    ///< what changes at the line
   /// Measures a column: a value for each y.
@@ -39,6 +37,17 @@ const std::vector<FailureMap>& failure_maps();
 
 /// One measurement per column.
 Map measure_map(Lab& lab, const FailureMap& which);
+
+/// The boundary of a map: in each column the lowest y at which `has_crossed` is true.
+struct MapBoundary {
+  std::vector<double> y;  ///< half way between two cells; kNoNumber in columns without a crossing
+  double distance = 0;    ///< the largest of any column between measurement and theory [cells along y]
+  int columns = 0;        ///< with a crossing
+};
+
+/// `theory` gives y for x. A y outside the map counts as its edge, and so does a column without a crossing.
+MapBoundary find_boundary(const Map& map, Scale y_scale, const std::function<bool(double)>& has_crossed,
+                          const std::function<double(double)>& theory);
 
 MapBoundary boundary_of(const FailureMap& which, const Map& map);
 

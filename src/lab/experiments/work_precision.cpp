@@ -22,14 +22,8 @@ constexpr double kTolerances[] = {0.1, 0.01, 0.001};
 
 Table table_of(const Task& task, const std::vector<Result>& results) {
   Table table{task.name,
-              {{"method"},
-               {"step", "s"},
-               {task.error},
-               {"standard error"},
-               {"time per simulated second", "s"},
-               {"lower quartile", "s"},
-               {"upper quartile", "s"}},
-              {}};
+              {"method", "step [s]", task.error, "standard error", "time per simulated second [s]",
+               "lower quartile [s]", "upper quartile [s]"}};
   for (const Result& r : results) {
     const Cell step = has_steps(*r.method) ? Cell(r.dt) : Cell("none"),
                error = r.has_failed() ? Cell("failed") : Cell(r.error);
@@ -54,7 +48,8 @@ bool differs(const std::vector<Result>& results, size_t first, double floor) {
 
 Chart chart_of(const Task& task, const std::vector<Result>& results) {
   const double floor = floor_of(task, results);
-  Chart chart{task.name, task.title, {"time per simulated second", "s", Scale::log}, {task.error, "", Scale::log}, {}};
+  Chart chart{task.name, task.title, Axis{"time per simulated second", "s", Scale::log},
+              Axis{task.error, "", Scale::log}};
   double least = INFINITY, most = 0;  // [s] of results that did not fail
   for (const Result& r : results) {
     if (r.has_failed()) continue;
@@ -100,7 +95,7 @@ std::vector<Order> orders() {
 }
 
 Table order_table(Lab& lab) {
-  Table table{"orders", {{"integrator"}, {"law"}, {"restitution"}, {"order measured"}, {"order expected"}}, {}, true};
+  Table table{"orders", {"integrator", "law", "restitution", "order measured", "order expected"}, {}, true};
   for (const Order& order : orders()) {
     const double measured = lab.measure_number(key_of("order", order.integrator, order.law, order.restitution), [&] {
       return order_of_restitution(order.integrator, order.law, order.restitution);
@@ -159,8 +154,8 @@ std::string counts_of(const std::vector<std::string>& names, size_t scenes) {
 
 Findings run(Lab& lab) {
   Findings findings;
-  Table best{"fastest", {{"scene"}, {"within 10 %"}, {"within 1 %"}, {"within 0.1 %"}}, {}, true};
-  Table scenes{"scenes", {{"scene"}, {"what is off"}, {"against"}, {"nothing came of"}}, {}, true};
+  Table best{"fastest", {"scene", "within 10 %", "within 1 %", "within 0.1 %"}, {}, true};
+  Table scenes{"scenes", {"scene", "what is off", "against", "nothing came of"}, {}, true};
   std::vector<std::string> winners;  // at a percent
   for (const Task& task : tasks()) {
     const std::vector<Result> results = results_of(lab, task);

@@ -98,14 +98,14 @@ Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells,
     const auto column = std::find(plan.counts.begin(), plan.counts.end(), cell.count) - plan.counts.begin();
     map.values[static_cast<size_t>(row)][static_cast<size_t>(column)] = cell.winner == kTie ? tie : cell.winner;
   }
-  return {"winner", title, {"spheres", "", Scale::log}, plan.axis, {}, std::move(map)};
+  return {"winner", title, Axis{"spheres", "", Scale::log}, plan.axis, {}, std::move(map)};
 }
 
 std::vector<Series> series_of(const WinnerPlan& plan, const std::vector<WinnerCell>& cells,
                               const std::function<Point(const WinnerCell&, const SearchTiming&)>& to_point) {
   std::vector<Series> all;
   for (size_t k = 0; k < broad_phases().size(); ++k) {
-    Series series{label_of(broad_phases()[k]), broad_phases()[k], {}};
+    Series series{label_of(broad_phases()[k]), broad_phases()[k]};
     for (const WinnerCell& cell : cells) {
       if (cell.count != plan.counts.back() || cell.timings[k].seconds.empty()) continue;
       series.points.push_back(to_point(cell, cell.timings[k]));
@@ -116,22 +116,20 @@ std::vector<Series> series_of(const WinnerPlan& plan, const std::vector<WinnerCe
 }
 
 Chart time_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
-  return {"time",
-          fmt::format("Time of a search, {} spheres", grouped(static_cast<int64_t>(plan.counts.back()))),
-          plan.axis,
-          {"time of a search", "ms", Scale::log},
+  return {"time", fmt::format("Time of a search, {} spheres", grouped(static_cast<int64_t>(plan.counts.back()))),
+          plan.axis, Axis{"time of a search", "ms", Scale::log},
           series_of(plan, cells, [](const WinnerCell& cell, const SearchTiming& timing) {
             return point_of(cell.value, timing.spread(), 1e3);
           })};
 }
 
 Table winner_table(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
-  Table table{"searches", {{"spheres"}, {plan.axis.label, plan.axis.unit}, {"fastest"}}, {}};
+  Table table{"searches", {"spheres", title_of(plan.axis), "fastest"}};
   for (const std::string& name : broad_phases()) {
-    for (const char* what : {"time by ", "lower quartile by ", "upper quartile by "}) {
-      table.columns.push_back({what + name, "ms"});
+    for (const char* column :
+         {"time by {} [ms]", "lower quartile by {} [ms]", "upper quartile by {} [ms]", "candidates by {}"}) {
+      table.columns.push_back(fmt::format(fmt::runtime(column), name));
     }
-    table.columns.push_back({"candidates by " + name});
   }
   for (const WinnerCell& cell : cells) {
     const std::string fastest =

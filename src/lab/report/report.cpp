@@ -116,7 +116,7 @@ std::string text_of(const Format& format, const Table& table) {
   std::string header, rules, rows;
   for (size_t k = 0; k < table.columns.size(); ++k) {
     const bool is_number = !table.rows.empty() && std::holds_alternative<double>(table.rows[0][k]);
-    header += fill(format.header[is_number], format.escape(with_unit(table.columns[k].name, table.columns[k].unit)));
+    header += fill(format.header[is_number], format.escape(table.columns[k]));
     rules += format.rule[is_number];
   }
   for (const std::vector<Cell>& row : table.rows) {
