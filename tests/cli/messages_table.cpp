@@ -3,13 +3,13 @@
 
 namespace ballpit {
 
-namespace {
-
 Arguments render(const Arguments& more) {
   Arguments arguments = kRender;
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
+
+namespace {
 
 Row scene(const std::string& site, const std::string& said, const std::string& text, const Arguments& more = {}) {
   Arguments arguments{"simulate", "a.toml", "--time", "1"};

@@ -28,6 +28,10 @@ struct Unreached {
 };
 
 const Arguments kRender{"render", "two-spheres", "--size", "64x36", "--frames", "1", "--out", "film"};
+
+/// kRender with more options.
+Arguments render(const Arguments& more);
+
 const std::string kBox = "[domain]\nmin = [0, 0, 0]\nmax = [10, 10, 10]\n";
 const std::string kSphere = "[[spheres]]\nposition = [5, 5, 5]\nradius = 1\n";
 

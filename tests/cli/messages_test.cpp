@@ -223,7 +223,7 @@ TEST_CASE("what is remembered wrongly is told in a note, with the place in its f
   const std::string file = remembered_file().string();
   Remembered good;
   good.scene = "rain";
-  good.size = "1280x720";
+  good.size = {1280, 720};
   write_remembered(file, good);
   const std::string text = read_text(file);
   const auto with = [&](const std::string& what, const std::string& instead) {
