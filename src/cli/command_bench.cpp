@@ -2,6 +2,7 @@
 // ballpit bench: time per step by method, backend, threads and number of spheres, on a gas of elastic spheres.
 #include <algorithm>
 #include <array>
+#include <iostream>
 #include <optional>
 
 #include <fmt/format.h>
@@ -108,17 +109,17 @@ Json json_of(const StepTiming& timing, const std::vector<StepTiming>& all) {
 
 void print_row(const StepTiming& timing, const std::vector<StepTiming>& all) {
   const StepCase& which = timing.which;
-  fmt::print("{:9}  {:<15} {:<7} {:>7}  ", timing.count, which.method, which.backend.name,
-             which.threads > 0 ? std::to_string(which.threads) : "-");
+  std::cout << fmt::format("{:9}  {:<15} {:<7} {:>7}  ", timing.count, which.method, which.backend.name,
+                           which.threads > 0 ? std::to_string(which.threads) : "-");
   if (!timing.skipped.empty()) {
-    fmt::print("skipped: {}\n", timing.skipped);
+    std::cout << fmt::format("skipped: {}\n", timing.skipped);
     return;
   }
   const Spread spread = spread_of(timing.seconds);
-  fmt::print("{:10.4f}  {:9.4f} to {:9.4f}  {:11.1f}", 1e3 * spread.median, 1e3 * spread.lower, 1e3 * spread.upper,
-             1e9 * spread.median / static_cast<double>(timing.count));
-  if (const std::optional<double> speedup = speedup_of(timing, all)) fmt::print("  {:7.1f}", *speedup);
-  fmt::print("\n");
+  std::cout << fmt::format("{:10.4f}  {:9.4f} to {:9.4f}  {:11.1f}", 1e3 * spread.median, 1e3 * spread.lower,
+                           1e3 * spread.upper, 1e9 * spread.median / static_cast<double>(timing.count));
+  if (const std::optional<double> speedup = speedup_of(timing, all)) std::cout << fmt::format("  {:7.1f}", *speedup);
+  std::cout << "\n";
 }
 
 /// The stages that take at least a hundredth of a step.
@@ -126,7 +127,8 @@ void print_stages(const StepTiming& timing) {
   if (timing.seconds.empty()) return;
   const double least = 0.01 * spread_of(timing.seconds).median;
   for (const StepStage& stage : timing.stages) {
-    if (stage.seconds >= least) fmt::print("{:9}    {:<22} {:14.4f}\n", "", stage.name, 1e3 * stage.seconds);
+    if (stage.seconds >= least)
+      std::cout << fmt::format("{:9}    {:<22} {:14.4f}\n", "", stage.name, 1e3 * stage.seconds);
   }
 }
 
@@ -141,13 +143,14 @@ Json json_of(const TimingPlan& plan, const std::vector<StepTiming>& timings) {
 void print_table(const TimingPlan& plan, const std::vector<StepTiming>& timings, bool with_stages) {
   const Json machine = describe_machine();
   const auto text = [&](const char* key) { return machine[key].get<std::string>(); };
-  fmt::print("{}, {} cores{}; {}, {}\n", text("cpu"), machine["cores"].dump(),
-             machine.contains("cuda") ? "; " + text("cuda") : "", text("compiler"), text("build_type"));
-  fmt::print("a gas of equal elastic spheres, {:.0f} % of the volume; medians and quartiles of {} blocks of steps\n",
-             100 * kGasVolumeFraction, plan.blocks);
-  fmt::print("speedup: against {} on the same processor\n\n", plan.cases.front().method);
-  fmt::print("{:>9}  {:<15} {:<7} {:>7}  {:>10}  {:>22}  {:>11}  {:>7}\n", "spheres", "method", "backend", "threads",
-             "ms a step", "quartiles", "ns a sphere", "speedup");
+  std::cout << fmt::format("{}, {} cores{}; {}, {}\n", text("cpu"), machine["cores"].dump(),
+                           machine.contains("cuda") ? "; " + text("cuda") : "", text("compiler"), text("build_type"));
+  std::cout << fmt::format(
+      "a gas of equal elastic spheres, {:.0f} % of the volume; medians and quartiles of {} blocks of steps\n",
+      100 * kGasVolumeFraction, plan.blocks);
+  std::cout << fmt::format("speedup: against {} on the same processor\n\n", plan.cases.front().method);
+  std::cout << fmt::format("{:>9}  {:<15} {:<7} {:>7}  {:>10}  {:>22}  {:>11}  {:>7}\n", "spheres", "method", "backend",
+                           "threads", "ms a step", "quartiles", "ns a sphere", "speedup");
   for (const StepTiming& timing : timings) {
     print_row(timing, timings);
     if (with_stages) print_stages(timing);

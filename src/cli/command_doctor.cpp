@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ballpit doctor: what this machine offers, and what is missing.
+#include <iostream>
 #include <optional>
 #include <string>
 #include <thread>
@@ -73,7 +74,9 @@ Json json_of(const Machine& machine) {
 }
 
 void print_text(const Machine& machine) {
-  const auto line = [](const std::string& name, const std::string& text) { fmt::print("{:<13} {}\n", name, text); };
+  const auto line = [](const std::string& name, const std::string& text) {
+    std::cout << fmt::format("{:<13} {}\n", name, text);
+  };
   line("ballpit", fmt::format("{}, {}, {}", kVersion, kCompiler, kBuildType));
   line("CPU threads", std::to_string(machine.threads));
   const std::string& reason = machine.cuda.unavailable_reason;

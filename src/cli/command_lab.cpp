@@ -37,8 +37,8 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", std::ceil(seconds / 360) / 10);
 }
 
-/// The bar over all experiments. The time left is predicted from the times in their table, scaled by the pace of this machine
-/// so far. Measurements taken from the cache count as done but do not count for the pace.
+/// The bar over all experiments. The time left is predicted from the times in their table, scaled by the pace of this
+/// machine so far. Measurements taken from the cache count as done but do not count for the pace.
 class LabProgress {
  public:
   LabProgress(const std::vector<const Experiment*>& chosen, bool is_quick) : is_quick_(is_quick) {
@@ -53,7 +53,7 @@ class LabProgress {
     show();
   }
 
-  void tell(bool was_kept) {
+  void count(bool was_kept) {
     const Clock::time_point now = Clock::now();
     done_ = std::min(done_ + part_, end_);
     if (!was_kept) {
@@ -78,7 +78,7 @@ class LabProgress {
   ProgressBar bar_;
   bool is_quick_;
   double total_ = 0, done_ = 0, end_ = 0, part_ = 0;  // [s] by the table
-  double expected_ = 0, spent_ = 0;                   // [s] of what was measured: by the table, and in truth
+  double expected_ = 0, spent_ = 0;                   // [s] of what was measured: by the table, and measured
   std::string name_;
   Clock::time_point last_;
 };
@@ -144,7 +144,7 @@ class LabCommand final : public Command {
     lack_ =
         "No charts: gnuplot is not on the PATH (Debian: gnuplot-nox). The same command draws them later, without "
         "measuring again.";
-    tell_notes({lack_});
+    print_warnings({lack_});
   }
 
   /// Writes the report after each experiment, so that an interrupted run leaves what it has.
@@ -170,7 +170,7 @@ class LabCommand final : public Command {
     options.is_quick = is_quick_;
     options.seed = seed_;
     options.cache = folder_ / "cache" / (std::string(experiment.name) + ".csv");
-    options.tell = [&](bool was_kept) { progress.tell(was_kept); };
+    options.tell = [&](bool was_kept) { progress.count(was_kept); };
     options.name = experiment.name;
     options.stop = was_interrupted;
     Lab lab(options);

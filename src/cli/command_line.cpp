@@ -40,14 +40,13 @@ UserError extra_words(const CLI::App& command) {
   return UserError(command.get_name(), "unknown option " + found, join(names), see_help(command));
 }
 
-/// A failure that is none of those above and below.
+/// Any other failure of the parsing.
 UserError other_failure(const std::string& message, const CLI::App& command) {
   return UserError(command.get_name(), "what cannot be parsed (" + message + ")", "a command and its options",
                    see_help(command));
 }
 
-/// An option that has too few or too many values: CLI11's message starts with its name, a flag's without
-/// dashes.
+/// An option with too few or too many values. CLI11's message starts with its name, a flag's without dashes.
 UserError value_mismatch(const std::string& message, const CLI::App& command) {
   const std::string first = message.substr(0, message.find_first_of(": "));
   const std::string name = first.starts_with('-') ? first : "--" + first;
@@ -77,7 +76,7 @@ UserError user_error(const CLI::ParseError& error, const CLI::App& app) {
   return other_failure(error.what(), command);
 }
 
-/// CLI11 asks for "a subcommand" where it finds a word that is none; this says which word, and what there is.
+/// Throws UserError for a word that is no command. CLI11 would not name the word, nor the commands.
 void check_command(int argc, char** argv, std::span<const CommandEntry> commands) {
   const std::string_view found = argc < 2 ? "" : argv[1];
   if (found.starts_with("-h") || found.starts_with("--help") || found.starts_with("--version")) return;

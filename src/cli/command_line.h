@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The options that a command declares, and the parsing of a command line. CLI11 splits the words and prints the help; values
-// are read by our own code. Only command_line.cpp includes CLI11, which takes seconds to compile.
+// The options that a command declares, and the parsing of a command line. CLI11 splits the words and prints the help;
+// values are read by our own code. Only command_line.cpp includes CLI11, which takes seconds to compile.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ struct OptionText {
   std::string name;  ///< "--time"; an argument has no dashes: "SCENE"
   std::string type;  ///< of its value: "SECONDS"
   std::string help;
-  std::string preset = {};  ///< the value where the option is not given; empty: --help shows none
+  std::string preset = {};  ///< the default; empty: --help shows none
   bool is_required = false;
   std::string group = {};  ///< heading in --help
 };
@@ -64,8 +64,8 @@ class CommandOptions {
   std::vector<std::unique_ptr<Declared>> options_;
 };
 
-/// Parses the command line and runs the command that it names. Throws UserError if the command line is wrong, and what the
-/// command throws.
+/// Parses the command line and runs the command that it names. Throws UserError if the command line is wrong, and what
+/// the command throws.
 void run_command_line(int argc, char** argv, std::span<const CommandEntry> commands);
 
 }  // namespace ballpit

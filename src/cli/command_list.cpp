@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ballpit list: all scenes, methods and other choices, from the tables that the rest of the program uses.
 #include <array>
+#include <iostream>
 #include <span>
 
 #include <fmt/format.h>
@@ -109,27 +110,27 @@ std::string label_with_unit(const Observable& observable) {
   return fmt::format("{} [{}{}]", label, unit, planar == unit ? "" : fmt::format("; in the plane {}", planar));
 }
 
-void print_line(std::string_view name, std::string_view text) { fmt::print("  {:<22} {}\n", name, text); }
+void print_line(std::string_view name, std::string_view text) { std::cout << fmt::format("  {:<22} {}\n", name, text); }
 
 template <class Table>
 void print_labels(const char* heading, const Table& table) {
-  fmt::print("{}\n", heading);
+  std::cout << fmt::format("{}\n", heading);
   for (const auto& entry : table) print_line(entry.name, entry.label);
 }
 
 void print_text(std::span<const Backend> backends) {
-  fmt::print("Scenes\n");
+  std::cout << "Scenes\n";
   for (const SceneInfo& scene : built_in_scenes()) print_line(scene.name, scene.description);
   std::string_view family;
   for (const Method& method : methods()) {
     if (method.family == Family::backend) continue;
     if (family != name_of(method.family)) {
       family = name_of(method.family);
-      fmt::print("--{}\n", family);
+      std::cout << fmt::format("--{}\n", family);
     }
     print_line(method.name, fmt::format("{}: {}", method.label, method.cost));
   }
-  fmt::print("--backend\n");
+  std::cout << "--backend\n";
   for (const Backend& backend : backends) {
     const std::string& reason = backend.unavailable_reason;
     print_line(backend.name, reason.empty() ? backend.description : "not here: " + reason);
@@ -137,11 +138,11 @@ void print_text(std::span<const Backend> backends) {
   print_labels("--overlay", overlay_table());
   print_labels("--color", coloring_table());
   print_labels("--theme", themes());
-  fmt::print("--observe\n");
+  std::cout << "--observe\n";
   for (const Observable& observable : observables()) {
     print_line(observable.name, fmt::format("{}: {}", label_with_unit(observable), observable.estimator));
   }
-  if (!experiments().empty()) fmt::print("Experiments of lab\n");
+  if (!experiments().empty()) std::cout << "Experiments of lab\n";
   for (const Experiment& experiment : experiments()) print_line(experiment.name, experiment.question);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ballpit pairs: the overlapping pairs among spheres in a CSV file or a scene, and what it takes to find them.
+// ballpit pairs: finds the overlapping pairs among spheres in a CSV file or a scene.
 #include <algorithm>
 #include <array>
 #include <chrono>

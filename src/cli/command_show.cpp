@@ -233,7 +233,7 @@ class ShowCommand final : public Command {
       }
       try {
         demo = std::make_unique<Demo>(last->scene, given);
-      } catch (const UserError& error) {  // a file that is gone, or an option that goes with nothing given now
+      } catch (const UserError& error) {  // the file is missing, or an option does not fit
         note_ignored(error);
       }
     }

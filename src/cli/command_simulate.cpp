@@ -42,7 +42,8 @@ class Trajectory {
     file_.finish();
   }
 
-  /// For a run that ended early: moves the file to its destination and returns where the frames are. Empty without frames.
+  /// For a run that ended early: moves the file to its destination and returns where the frames are. Empty without
+  /// frames.
   std::string finish_early() {
     if (file_.frames() == 0) return "";
     const std::string frames =
@@ -64,7 +65,8 @@ class Trajectory {
 class SimulateCommand final : public Command {
  public:
   void add_options(CommandOptions& command) override {
-    command.add_number({"--time", "SECONDS", "simulated time; default: the scene's duration"}, time_, Range{0.0, 1e9});
+    command.add_number({"--time", "SECONDS", "simulated time, by default the scene's duration"}, time_,
+                       Range{0.0, 1e9});
     command.add_path({"--out", "FILE", "write the final state there, as CSV"}, out_);
     command.add({"--observe", "A,B,…", "what to measure at the end: all, or some of " + join(names_in(observables()))},
                 [this](const std::string& text) { observables_ = parse_observables(text); });

@@ -57,8 +57,8 @@ void flush_output() {
 
 int main(int argc, char** argv) {
   const std::string command = argc < 2 ? "" : argv[1];  // named by errors that name no other place
-  // Frames take megabytes and are allocated and freed all the time. With these limits the program keeps the memory, and the
-  // system need not map and clear it again. This saves a twentieth of the time of a frame.
+  // Frames take megabytes and are allocated and freed all the time. With these limits the program keeps the memory, and
+  // the system need not map and clear it again. This saves a twentieth of the time of a frame.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is reported as a full disk is

@@ -17,8 +17,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// The contacts of the present state by another method, so that no mistake is made twice. It has the same precision, so that
-/// rounding makes no difference, and it chooses its own cells or axis, with which it misses no contact.
+/// The contacts of the present state by another method, so that no mistake is made twice. It has the same precision, so
+/// that rounding makes no difference, and it chooses its own cells or axis, with which it misses no contact.
 std::vector<Pair> contacts_by_other_method(Session& session) {
   Settings settings;
   const bool is_sorted_grid = session.world().report().broadphase == name_of(BroadPhase::sorted_grid);

@@ -27,10 +27,10 @@ struct Observed {
 
 std::vector<Observed> observe(Session& session, std::span<const Observable> wanted);
 
-/// Value and unit of each by its name; null where there is no value.
+/// Value and unit of each by name; null if there is no value.
 nlohmann::ordered_json json_of(std::span<const Observed> observed);
 
-/// Aligned lines, "-" where there is no value.
+/// Aligned lines, with "-" if there is no value.
 std::string text_of(std::span<const Observed> observed);
 
 }  // namespace ballpit

@@ -32,7 +32,7 @@ bool is_scene(const std::string& file) {
 /// Spheres and domain, rounded as a world in single precision rounds them.
 PairInput from_scene(const std::string& file) {
   const Scene scene = load_scene(file);
-  tell_notes(scene.notes);
+  print_warnings(scene.notes);
   PairInput input;
   for (const Vec3d& p : scene.bodies.position) input.spheres.position.push_back(narrow<Vec3>(p));
   input.spheres.radius.assign(scene.bodies.radius.begin(), scene.bodies.radius.end());
@@ -116,7 +116,7 @@ PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& p
     input = from_scene(file);
   } else {
     input.spheres = read_resting_spheres(file);
-    if (!input.spheres.note.empty()) tell_notes({input.spheres.note});
+    if (!input.spheres.note.empty()) print_warnings({input.spheres.note});
     if (period && *period != Vec3d(0.0)) {
       input.period = period;
       input.box = Box<Vec3>{{}, {}, Boundary::periodic};

@@ -22,7 +22,7 @@ void ProgressBar::show(double share, const std::string& text) {
   last_ = now;
   constexpr int kWidth = 30;
   const auto filled = static_cast<size_t>(kWidth * std::clamp(share, 0.0, 1.0));
-  fmt::print(stderr, "\r\033[K[{:<{}}] {}", std::string(filled, '#'), kWidth, text);
+  std::fputs(fmt::format("\r\033[K[{:<{}}] {}", std::string(filled, '#'), kWidth, text).c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The settings that are chosen by name: an enum each, followed by its names on the command line, in the same order. These
-// tables are the only places that map a value to a name, or back.
+// The settings that are chosen by name: an enum each, followed by its names on the command line, in the same order.
+// These tables are the only places that map a value to a name, or back.
 #pragma once
 
 #include <algorithm>
@@ -81,7 +81,7 @@ constexpr std::optional<Enum> find_named(std::string_view name) {
   return static_cast<Enum>(found - kNames<Enum>.begin());
 }
 
-/// The value of this name. Throws UserError where there is none.
+/// The value of this name. Throws UserError if there is none.
 template <class Enum>
 Enum named(std::string_view name) {
   if (const std::optional<Enum> value = find_named<Enum>(name)) return *value;

@@ -28,13 +28,19 @@ std::string typed(T value) {
   return result;
 }
 
+/// Empty without a value.
+template <class T>
+std::string typed(const std::optional<T>& value) {
+  return value ? typed(*value) : "";
+}
+
 /// "0 to 10".
 template <class T>
 std::string text_of(const Range<T>& range) {
   return typed(range.low) + " to " + typed(range.high);
 }
 
-/// The number that makes up the whole text; empty where there is none, or where it is outside of the range.
+/// The number that makes up the whole text; empty if there is none, or if it is outside of the range.
 template <class T>
 std::optional<T> number_in(const Range<T>& range, std::string_view text) {
   T value{};

@@ -13,15 +13,6 @@ namespace ballpit {
 
 namespace {
 
-template <class T>
-std::string typed(const std::optional<T>& value) {
-  return value ? ballpit::typed(*value) : "";
-}
-template <class T>
-std::string typed(T value) {
-  return ballpit::typed(value);
-}
-
 /// What the table says of a setting in words. Without a preset, the default is the value in Settings{}.
 struct Words {
   std::string_view name, value_name, help, preset = "";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The settings: how a scene is simulated. One table of them feeds the command line, its help, the [defaults] of scene files
-// and the panel. A test compares the README with it.
+// The settings: how a scene is simulated. One table of them feeds the command line, its help, the [defaults] of scene
+// files and the panel. A test compares the README with it.
 #pragma once
 
 #include <cstdint>
@@ -33,13 +33,13 @@ struct Settings {
   Precision precision = Precision::float32;
   BackendName backend = BackendName::automatic;
   double dt = 1.0 / 240;         ///< [s]
-  int substeps = 1;              ///< parts of dt, each detected and responded to by itself
+  int substeps = 1;              ///< equal parts of dt, each with its own detection and response
   int threads = 0;               ///< 0: all cores
   std::optional<int64_t> count;  ///< spheres generated, in place of the scene's own number
   std::optional<uint64_t> seed;
   double max_overlap = 1;    ///< of the smaller radius; more stops the run
   double max_energy = 10;    ///< of the energy at the start; more stops the run
-  bool keeps_tally = false;  ///< whether Report::tally is wanted; no option, follows from what is to be observed
+  bool keeps_tally = false;  ///< fill Report::tally; not an option, set if observables need it
 };
 
 /// The skin of the candidate list. If none is set: a tenth if the program chooses the broad phase, else 0, so that the
@@ -79,14 +79,14 @@ struct SettingInfo {
   std::span<const std::string_view> choices{};  ///< of a setting with names; empty for numbers
   std::optional<SettingSlider> slider{};
   std::function<bool(Settings&, std::string_view)> set{};  ///< stores a value; false if it is not allowed
-  std::function<double(const Settings&)> in_use{};         ///< of a setting with a slider: the value that counts
-  std::function<std::string(const Settings&)> get{};       ///< as it would be typed; empty if it is left to the program
+  std::function<double(const Settings&)> in_use{};         ///< of a setting with a slider: the value in use
+  std::function<std::string(const Settings&)> get{};       ///< as typed; empty if none is set
 };
 
 const std::vector<SettingInfo>& setting_table();
 
-/// Sets the setting `name`. `where` is the place of the value: "--dt", or "file.toml:12: [defaults] dt". Throws UserError if
-/// there is no such setting, or if the value is not allowed.
+/// Sets the setting `name`. `where` is the place of the value: "--dt", or "file.toml:12: [defaults] dt". Throws
+/// UserError if there is no such setting, or if the value is not allowed.
 void apply_setting(Settings& settings, std::string_view name, std::string_view value, std::string_view where);
 
 }  // namespace ballpit

@@ -6,8 +6,8 @@
 
 namespace ballpit {
 
-/// The backend of this name; automatic takes CUDA where a device answers and the response runs there, else the CPU.
-/// Throws UserError with the reason where the one asked for cannot serve.
+/// The backend of this name. Automatic: CUDA if there is a device and the response runs on it, else the CPU. Throws
+/// UserError with the reason if the backend is not available.
 Backend select_backend(BackendName name, Response response = Response::impulse);
 
 }  // namespace ballpit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A demonstration: a session, a player, a view, and the actions of panel, keys and mouse. A mistake of the user becomes a
-// message, and the demonstration goes on as before.
+// A demonstration: a session, a player, a view, and the actions of panel, keys and mouse. A mistake of the user becomes
+// a message, and the demonstration goes on as before.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ namespace ballpit {
 /// The accuracy of the run at a step.
 struct Moment {
   int64_t step = 0;
-  float energy_drift = 0;  ///< of the energy at the start of this world; 0 where that is 0
+  float energy_drift = 0;  ///< as a fraction of the energy at the start of this world; 0 if that is 0
   float max_overlap = 0;   ///< of the smaller radius
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws a demonstration, in a window or headless. The world writes its bodies into the renderer's buffer; overlays read an
-// inspection.
+// Draws a demonstration, in a window or headless. The world writes its bodies into the renderer's buffer; overlays read
+// an inspection.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ class DemoRenderer {
   /// See Renderer.
   DemoRenderer(int width, int height, const RenderOptions& options);
 
-  /// Draws the present state and view, in the view's theme. If a GPU cannot share its memory with OpenGL, copies are drawn, and
-  /// the demonstration's message reports this once.
+  /// Draws the present state and view, in the view's theme. If a GPU cannot share its memory with OpenGL, copies are
+  /// drawn, and the demonstration's message reports this once.
   void draw(Demo& demo, RenderOptions options);
 
   /// From now on the bodies are copied to the host and uploaded, as if the GPU could not share its memory with OpenGL.
@@ -26,7 +26,8 @@ class DemoRenderer {
 
   Renderer& renderer() { return renderer_; }
 
-  /// How bodies got into the picture: "written by cuda", "written by cpu", "copied: REASON", or "copied" after copy_bodies().
+  /// How bodies got into the picture: "written by cuda", "written by cpu", "copied: REASON", or "copied" after
+  /// copy_bodies().
   const std::string& path() const { return path_; }
 
  private:

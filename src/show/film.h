@@ -31,8 +31,8 @@ class Film {
   int next() const { return frames_.next_index(); }  ///< the number of the frame that the next push takes
   const FilmPlan& plan() const { return plan_; }
 
-  /// Steps to the state of the next frame, or until stop() is true; returns whether it is there. Throws RunError as World::step()
-  /// does.
+  /// Steps to the state of the next frame, or until stop() is true; returns whether it is there. Throws RunError as
+  /// World::step() does.
   bool advance(const std::function<bool()>& stop);
 
   /// Whether the world is already beyond the next frame.

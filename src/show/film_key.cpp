@@ -17,8 +17,6 @@ namespace ballpit {
 
 namespace {
 
-std::string joined(const std::vector<double>& numbers) { return fmt::format("{}", fmt::join(numbers, " ")); }
-
 /// Adds a line. A text chunk of a PNG file holds printable ASCII only, so other characters become "?".
 void append_line(std::string& key, std::string_view name, std::string_view value) {
   key.append(name) += ' ';
@@ -28,6 +26,12 @@ void append_line(std::string& key, std::string_view name, std::string_view value
 
 void append_numbers(std::string& text, const std::vector<double>& values) {
   for (const double value : values) append_number(text += ' ', value);
+}
+
+std::string joined(const std::vector<double>& values) {
+  std::string text;
+  append_numbers(text, values);
+  return text.substr(1);
 }
 
 void append_vectors(std::string& text, const std::vector<Vec3d>& values) {

@@ -22,8 +22,8 @@ struct FilmLook {
   std::string clicks = {};  ///< on the panel
 };
 
-/// The key of a film that begins with the present state. It leaves out options that change no picture: threads, backend, limits
-/// that stop a run.
+/// The key of a film that begins with the present state. It leaves out options that change no picture: threads,
+/// backend, limits that stop a run.
 std::string film_key(Demo& demo, const FilmPlan& plan, const FilmLook& look);
 
 /// Throws UserError if one of the first `count` frames in a folder has another key, or, without a key, another size.

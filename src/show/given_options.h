@@ -22,8 +22,8 @@ void apply_given(Settings& settings, const std::vector<GivenOption>& given);
 /// Throws UserError if an option does not fit the response.
 void check_given(const Settings& settings, const std::vector<GivenOption>& given);
 
-/// The scene's defaults, overridden by the options given. If these choose another response, defaults that do not fit it are
-/// left out. Throws UserError naming the option, or file and line.
+/// The scene's defaults, overridden by the options given. If these choose another response, defaults that do not fit it
+/// are left out. Throws UserError naming the option, or file and line.
 Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<GivenOption>& given);
 
 /// Warns of cells smaller than a diameter. They are allowed because a lecture shows what they do.

@@ -21,7 +21,7 @@ void warn(std::string_view where, std::string_view what) { print("warning", fmt:
 
 void note(std::string_view where, std::string_view what) { print("note", fmt::format("{}: {}", where, what)); }
 
-void tell_notes(const std::vector<std::string>& notes) {
+void print_warnings(const std::vector<std::string>& notes) {
   for (const std::string& text : notes) print("warning", text);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Warnings and notes on standard error: "ballpit: warning: WHERE: WHAT". Errors, which end the program, are in core/error.h.
+// Warnings and notes on standard error: "ballpit: warning: WHERE: WHAT". Errors, which end the program, are in
+// core/error.h.
 #pragma once
 
 #include <string>
@@ -15,6 +16,6 @@ void warn(std::string_view where, std::string_view what);
 void note(std::string_view where, std::string_view what);
 
 /// Warns of each of Scene::notes: "FILE: WHAT".
-void tell_notes(const std::vector<std::string>& notes);
+void print_warnings(const std::vector<std::string>& notes);
 
 }  // namespace ballpit

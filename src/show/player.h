@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plays a world in time, with steps of constant length at any frame rate.
 //
-//     elapsed × speed ──▶ owed time ──▶ one step for each dt, until the frame's share of time is used up; the rest is dropped
+//     elapsed × speed ──▶ owed time ──▶ one step for each dt, until the frame's share of time is used; the rest is dropped
 //
 // So a slow scene runs slower than the clock, and its delay does not grow.
 #pragma once
@@ -18,8 +18,8 @@ class Player {
   bool is_running = true;
   double speed = 1;  ///< simulated seconds a second
 
-  /// Makes the steps that are due after `elapsed` [s], for at most `share` [s] but at least one. Returns the number of steps.
-  /// A run that fails is paused, and failure() gives the reason.
+  /// Makes the steps that are due after `elapsed` [s], for at most `share` [s] but at least one. Returns the number of
+  /// steps. A run that fails is paused, and failure() gives the reason.
   int advance(Timeline& timeline, double elapsed, double share);
 
   /// Pauses and makes one step.

@@ -41,7 +41,7 @@ void Session::start(std::string name, std::vector<GivenOption> given) {
   const Settings settings = combine(scene.defaults, given);
   const std::vector<std::string> notes = std::exchange(scene.notes, {});
   use(std::move(scene), settings);
-  if (name != scene_name_) tell_notes(notes);  // not again when the scene is filled again
+  if (name != scene_name_) print_warnings(notes);  // not again when the scene is filled again
   scene_name_ = std::move(name);
   given_ = std::move(given);
   time_before_ = 0;

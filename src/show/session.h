@@ -22,9 +22,10 @@ class Session {
   /// defaults. `keeps_tally`: the world counts collisions. Throws UserError for anything that is not allowed.
   Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally = false);
 
-  /// Sets an option, or resets it to the default if `value` is empty. Options of the detection change in the same world. With
-  /// any other option a new world goes on from the present state; count and seed fill the scene again. A new response drops
-  /// the options that do not fit it. Throws UserError if the value is not allowed; then nothing changes.
+  /// Sets an option, or resets it to the default if `value` is empty. Options of the detection change in the same
+  /// world. With any other option a new world goes on from the present state; count and seed fill the scene again. A
+  /// new response drops the options that do not fit it. Throws UserError if the value is not allowed; then nothing
+  /// changes.
   void set(const std::string& name, const std::string& value);
 
   /// The same for the scene's physics.
@@ -76,8 +77,8 @@ class Session {
   std::unique_ptr<World> world_;
 };
 
-/// Writes the last good state of a run that failed to `path`. Returns "the last good state, of t = 0.32 s, is in FILE", or why
-/// it could not be written.
+/// Writes the last good state of a run that failed to `path`. Returns "the last good state, of t = 0.32 s, is in FILE",
+/// or why it could not be written.
 std::string rescue(Session& session, const std::string& path);
 
 }  // namespace ballpit

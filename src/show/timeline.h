@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The past states of a world, for the window: goes one step forward or back, or to any step, with bit-identical states.
 //
-//     keyframes   0 ······ 16 ······ 32 ······ 48 ······ 64       every 16th step; if they take too much memory, every second
-//     recent                                    59 60 61 62 63    one is dropped: every 32nd, 64th, … is left
+//     keyframes   0 ······ 16 ······ 32 ······ 48 ······ 64       every 16th step; if memory is short, every second one
+//     recent                                    59 60 61 62 63    is dropped, so that every 32nd, 64th, … is left
 //                                      ◂── go_to(61): restored
 //                             ◂── go_to(35): 32 restored, then three steps
 //
-// States between two snapshots are computed again, bit-identical, so the memory is bounded however long the run is. Going back
-// takes at most as many steps as keyframes are apart. If snapshots are small, the latest steps and those passed on the way back
-// have one each, so that single steps back are instant. Measured times of a step, its snapshot and one step back: 3 000 spheres
-// 1 ms, 0.02 ms, 0.02 ms; 100 000 spheres 17 ms, 0.8 ms, and 300 ms, then 0.5 ms.
+// States between two snapshots are computed again, bit-identical, so the memory is bounded however long the run is.
+// Going back takes at most as many steps as keyframes are apart. If snapshots are small, the latest steps and those
+// passed on the way back have one each, so that single steps back are instant. Measured times of a step, its snapshot
+// and one step back: 3 000 spheres 1 ms, 0.02 ms, 0.02 ms; 100 000 spheres 17 ms, 0.8 ms, and 300 ms, then 0.5 ms.
 #pragma once
 
 #include <cstdint>
@@ -25,16 +25,16 @@ class Timeline {
  public:
   static constexpr int64_t kBudget = int64_t(256) << 20;  // [bytes]
 
-  /// Begins at the world's present state. The world must outlive the timeline, and only the timeline may step it. `dt` [s] is
-  /// its step, `budget` [bytes] the limit of all snapshots; the first one is kept even if it is larger.
+  /// Begins at the world's present state. The world must outlive the timeline, and only the timeline may step it. `dt`
+  /// [s] is its step, `budget` [bytes] the limit of all snapshots; the first one is kept even if it is larger.
   Timeline(World& world, double dt, int64_t budget = kBudget);
 
-  /// One step forward. Throws RunError as World::step() does, and restores the world to the state before the step. Interrupted
-  /// is thrown without restoring.
+  /// One step forward. Throws RunError as World::step() does, and restores the world to the state before the step.
+  /// Interrupted is thrown without restoring.
   void step();
 
-  /// Goes to a step, or to the nearest one from first() to furthest(), with a bit-identical state. Calls stop() before each
-  /// step that is computed again; if it returns true, go_to() returns false, and the next call goes on from there.
+  /// Goes to a step, or to the nearest one from first() to furthest(), with a bit-identical state. Calls stop() before
+  /// each step that is computed again; if it returns true, go_to() returns false, and the next call goes on from there.
   bool go_to(int64_t step, const std::function<bool()>& stop = {});
 
   int64_t step_now() const { return world_.steps(); }

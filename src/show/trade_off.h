@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Speed against accuracy, live: all settings that were played are trials with a cost and errors, so that the panel can chart the
-// effect of a change. The numbers are those of `ballpit simulate --json`.
+// Speed against accuracy, live: all settings that were played are trials with a cost and errors, so that the panel can
+// chart the effect of a change. The numbers are those of `ballpit simulate --json`.
 //
 //     error │ ×            × trials so far, ● the present one, which moves during play
 //           │    ●         front: trials that no other trial beats in both
@@ -49,7 +49,8 @@ class TradeOff {
  public:
   static constexpr int64_t kMinSteps = 10;  ///< steps of a trial that is kept
 
-  /// Starts a trial, or resumes the one of the same settings. Drops the one before if it has fewer than kMinSteps steps.
+  /// Starts a trial, or resumes the one of the same settings. Drops the one before if it has fewer than kMinSteps
+  /// steps.
   void begin(const std::vector<GivenOption>& given, const Physics& physics);
 
   /// Adds the time from the last observed state to this later one to the present trial.

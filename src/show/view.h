@@ -35,7 +35,8 @@ struct View {
 /// The camera of a view on a domain, in a picture of this width by height.
 Camera camera_of(const View& view, const DomainBox& domain, float aspect);
 
-/// The body at a place in the picture, or −1. The place is measured from the middle, x to the right and y up, from −1 to 1.
+/// The body at a place in the picture, or −1. The place is measured from the middle, x to the right and y up, from −1
+/// to 1.
 int64_t body_at(const Camera& camera, const BodySnapshot& bodies, Vec2 place);
 
 }  // namespace ballpit

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The panel beside the picture, by Dear ImGui: scene and time, detection, overlays, the picked sphere, cost, accuracy, response,
-// export. Its choices come from the same tables as those of the command line; settings that a method does not use are not
-// shown. The panel is drawn into the framebuffer that is bound, in a window or headless. It records the rectangle of each item
-// by name, so that tests can click on items.
+// The panel beside the picture, by Dear ImGui: scene and time, detection, overlays, the picked sphere, cost, accuracy,
+// response, export. Its choices come from the same tables as those of the command line; settings that a method does not
+// use are not shown. The panel is drawn into the framebuffer that is bound, in a window or headless. It records the
+// rectangle of each item by name, so that tests can click on items.
 #pragma once
 
 #include <functional>

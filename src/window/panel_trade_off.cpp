@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The panel's chart of speed against accuracy: a point for each trial (filled for the present one), and the front as a line.
+// The panel's chart of speed against accuracy: a point for each trial (filled for the present one), and the front as a
+// line.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -23,8 +23,8 @@ struct Remembered {
 /// $XDG_CONFIG_HOME/ballpit/show.json, or ~/.config/ballpit/show.json. Throws UserError if neither is known.
 std::filesystem::path remembered_file();
 
-/// Empty if there is no such file yet. Throws UserError naming the file if it cannot be read, or if this version does not
-/// write such files.
+/// Empty if there is no such file yet. Throws UserError naming the file if it cannot be read, or if this version does
+/// not write such files.
 std::optional<Remembered> read_remembered(const std::filesystem::path& file);
 
 /// Throws RunError if write_remembered() would; changes nothing.

@@ -23,8 +23,8 @@ class Saver {
   /// In the format of `ballpit simulate --out`.
   void save_state();
 
-  /// Pauses, and makes frames of the present world from now on, sixty a simulated second, as `ballpit render` draws them: one with
-  /// each advance().
+  /// Pauses, and makes frames of the present world from now on, sixty a simulated second, as `ballpit render` draws
+  /// them: one with each advance().
   void start_film(PictureSize size, int frames);
   void advance();
   void stop_film();

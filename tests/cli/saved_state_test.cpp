@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A state that the program wrote is read again, and goes on by the same bits: whatever the domain, its border, precision
-// and response are.
+// A state that the program wrote is read again, and goes on by the same bits: whatever the domain, its border,
+// precision and response are.
 #include <cmath>
 
 #include <catch2/catch.hpp>

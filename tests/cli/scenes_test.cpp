@@ -200,8 +200,8 @@ TEST_CASE("the bullet meets the wall where contacts are swept, and else flies th
 }
 
 TEST_CASE("the gases have the pressure and the collision rate of hard spheres") {
-  // Z and Γ of 800 and 500 spheres (Kolafa, Labík, Malijevský 2004, corrected for their number; model.md). The bounds are
-  // four standard errors.
+  // Z and Γ of 800 and 500 spheres (Kolafa, Labík, Malijevský 2004, corrected for their number; model.md). The bounds
+  // are four standard errors.
   Session thin = at_its_end("gas-thin"), dense = at_its_end("gas-dense");
   CHECK(observed(thin, "compressibility") == Approx(1.23946).margin(0.006));
   CHECK(observed(dense, "compressibility") == Approx(3.26737).margin(0.034));

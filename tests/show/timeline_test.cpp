@@ -30,7 +30,8 @@ TEST_CASE("by every response, in both precisions, what was is there again to the
 }
 
 TEST_CASE("so many spheres that they are sorted in memory are there again in their order") {
-  // Sorted before steps 1 and 65. Between, positions and velocities alone would not do: forces are summed in their order.
+  // Sorted before steps 1 and 65. Between, positions and velocities alone would not do: forces are summed in their
+  // order.
   int turn = 0;
   for (const Kind& kind : keepers()) {
     const Scene scene = crowd(2, 65, kind);

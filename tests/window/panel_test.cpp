@@ -17,7 +17,7 @@ TEST_CASE("a click on a method's name switches to it, and shows its options alon
   CHECK(desk.has("cell-size"));
   CHECK_FALSE(desk.has("axis"));
   desk.click("broadphase sort-and-sweep");
-  CHECK(desk.demo.session.settings().broadphase == "sort-and-sweep");
+  CHECK(desk.demo.session.settings().broadphase == BroadPhase::sort_and_sweep);
   CHECK(desk.has("axis"));
   CHECK_FALSE(desk.has("cell-size"));
   desk.click("broadphase brute-force");
@@ -61,7 +61,7 @@ TEST_CASE("a list offers what goes with the response, and nothing else") {
   desk.click_at({800, 600});  // beside it
   desk.click("response");
   desk.click("response penalty");
-  CHECK(desk.demo.session.settings().response == "penalty");
+  CHECK(desk.demo.session.settings().response == Response::penalty);
   CHECK(desk.has("stiffness"));
   desk.click("integrator");
   CHECK(desk.has("integrator rk4"));
@@ -151,7 +151,7 @@ TEST_CASE("the panel grows with its scale, and leaves half of a picture to the s
   desk.rest();
   CHECK(height() == Approx(2 * before).epsilon(0.1));
   desk.click("broadphase brute-force");  // items lie where they are drawn
-  CHECK(desk.demo.session.settings().broadphase == "brute-force");
+  CHECK(desk.demo.session.settings().broadphase == BroadPhase::brute_force);
   desk.demo.view.ui_scale = 0.5f;
   desk.rest();
   CHECK(height() < 0.8f * before);
@@ -209,9 +209,9 @@ TEST_CASE("a click on a point of the chart returns to its settings") {
   play();
   desk.rest();
   REQUIRE(desk.has("trial 1"));
-  CHECK(desk.demo.session.settings().response == "penalty");
+  CHECK(desk.demo.session.settings().response == Response::penalty);
   desk.click("trial 0");
-  CHECK(desk.demo.session.settings().response == "position-based");
+  CHECK(desk.demo.session.settings().response == Response::position_based);
   CHECK(desk.demo.trade_off.current() == 0);
   const Vec2 before = desk.panel.items().at("trial 1").middle();
   desk.click("error drift");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Thousands of keys, clicks, drags, turns of the wheel, letters and sizes at random: whatever hands do, the demonstration goes on. The
-// acts are the same each time; how many steps a world makes between them depends on the machine, as it does in a window.
+// Thousands of keys, clicks, drags, turns of the wheel, letters and sizes at random: whatever hands do, the
+// demonstration goes on. The acts are the same each time; how many steps a world makes between them depends on the
+// machine, as it does in a window.
 #include <algorithm>
 #include <array>
 #include <ctime>
