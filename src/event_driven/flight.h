@@ -18,8 +18,8 @@
 
 namespace ballpit {
 
-inline constexpr double kNever =
-    std::numeric_limits<double>::infinity();  ///< [s] the time of an event that does not happen
+/// [s] The time of an event that does not happen.
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// A sphere since its latest event: all data that forecasts of other spheres read, in one cache line.
 template <class V>

@@ -17,9 +17,8 @@ struct ImpulseParameters {
   double push_limit = 0.0;        ///< [m/s] … at most at this speed
   double entered = 1.0;           ///< fraction of the entered overlap that a step removes by moving bodies
   double correction = 0.0;        ///< the same for the old overlap
-  double foresight = 1.0;  ///< fraction of the overlap removed by the new velocity that need not be removed otherwise
-  double slop =
-      0.005;  ///< overlap that is kept, so that contacts stay contacts: a fraction of r_i + r_j, or of r at a wall
+  double foresight = 1.0;         ///< fraction of the overlap removed by the new velocity that is left to it
+  double slop = 0.005;            ///< overlap kept so that contacts persist: a fraction of r_i + r_j, or of r at a wall
   int iterations = 4;
   bool is_by_colour = false;  ///< Gauss–Seidel instead of Jacobi
 };

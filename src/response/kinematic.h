@@ -131,10 +131,8 @@ struct MirrorVelocity {
 
  private:
   static constexpr Real kSlow = Real(1e-3);  // fraction of the kick: a sphere that approaches no faster is at rest
-  static constexpr Real kSlop =
-      Real(0.001);  // fraction of the radius: overlap that a resting sphere keeps, so that it stays in contact
-  static constexpr Real kEpsilon =
-      std::numeric_limits<Real>::epsilon();  // a constant, since devices cannot call the function
+  static constexpr Real kSlop = Real(1e-3);  // fraction of the radius: overlap that a resting sphere keeps
+  static constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();  // devices cannot call the function
   static constexpr int kMaxRounds = 12;
 
   template <class Visit>

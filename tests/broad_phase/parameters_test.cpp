@@ -7,6 +7,7 @@
 #include "broad_phase/size_class_grids.h"
 #include "tests/support/body_arrays.h"
 #include "tests/support/inputs.h"
+#include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
 
 using namespace ballpit;
