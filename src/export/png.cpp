@@ -7,7 +7,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -30,7 +29,9 @@ unsigned char* compress(const unsigned char* data, int size, int* compressed_siz
   auto* const bytes = static_cast<unsigned char*>(std::malloc(bound));
   if (bytes == nullptr) return nullptr;
   *compressed_size = static_cast<int>(libdeflate_zlib_compress(compressor.get(), data, length, bytes, bound));
-  return bytes;
+  if (*compressed_size > 0) return bytes;
+  std::free(bytes);
+  return nullptr;
 }
 
 }  // namespace
@@ -59,6 +60,7 @@ using namespace std::string_view_literals;
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n"sv;
 constexpr std::string_view kEnd = "\0\0\0\0IEND\xAE\x42\x60\x82"sv;
 constexpr std::string_view kKeyword = "Ballpit\0"sv;  // of the chunk that holds the key
+constexpr size_t kMaxBytes = 2'000'000'000;           // stb_image_write counts bytes in int
 constexpr size_t kHeader = 33;                        // [byte] signature, and the chunk with the size
 
 std::vector<uint8_t> without_alpha(const Image& image) {
@@ -96,7 +98,7 @@ std::string encode_png(const Image& image, std::string_view key) {
   const std::vector<uint8_t> rgb = without_alpha(image);
   int size = 0;
   std::unique_ptr<unsigned char, decltype(&std::free)> png(nullptr, std::free);
-  if (rgb.size() < size_t{std::numeric_limits<int>::max()} / 2) {  // the library counts bytes in int
+  if (rgb.size() < kMaxBytes) {
     png.reset(stbi_write_png_to_mem(rgb.data(), image.width * 3, image.width, image.height, 3, &size));
   }
   if (!png) throw RunError("PNG", fmt::format("cannot encode {}x{} pixels", image.width, image.height));
