@@ -113,7 +113,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "print one JSON object in place of the table");
 }
 
-/// A folder for LAMMPS' files: kept where the user names one, else removed at the end.
+/// A folder for the files of LAMMPS. It is removed at the end unless the user has named it.
 class Folder {
  public:
   explicit Folder(const std::string& keep) : path_(keep), is_kept_(!keep.empty()) {
@@ -138,7 +138,7 @@ class Folder {
   bool is_kept_;
 };
 
-/// Empty where it was not asked for or is absent, which is said.
+/// Empty if it is not wanted or missing. Reports if it is missing.
 std::optional<Lammps> find_lammps(const Options& options) {
   if (options.only == "ours") return std::nullopt;
   std::optional<Lammps> lammps = Lammps::find(options.lammps);

@@ -185,7 +185,7 @@ int fail(int status, const char* message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Memory that is given back is kept for the next search: otherwise every one would pay for the system's clearing it.
+  // Keeps freed memory for the next search. Otherwise each search would wait for the system to clear new memory.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   CLI::App app("Times our pair search against those of other libraries.", "bench_peers");

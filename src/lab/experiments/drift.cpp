@@ -139,12 +139,13 @@ Findings run(Lab& lab) {
       change(end_of(courses, "impulse, gauss-seidel").energy),
       change(end_of(courses, "penalty, explicit-euler").energy));
   findings.see =
-      "Each line is the largest change up to then, of an elastic gas of 108 spheres at the density 0.3, all with "
-      "the same step; springs are such that a contact lasts 30 steps. What is below 1e-14 is drawn there. Explicit "
-      "Euler gains energy in every contact until the run is stopped (×). Averaging among contacts (Jacobi) and "
-      "moving apart by position take energy away. Only the kinematic response loses momentum; all others keep it "
-      "to rounding, single precision (dashed) to its own. Thin lines without a label end like their response's "
-      "own. The third chart is one mass on a spring, with what theory says of each integrator.";
+      "Each line is the largest change so far, of an elastic gas of 108 spheres with density 0.3, always "
+      "with the same step; a contact of springs lasts 30 steps. Changes below 1e-14 are drawn there. "
+      "Explicit Euler gains energy in every contact until the guard ends the run (×). Averaging over "
+      "contacts (Jacobi) and moving spheres apart by position remove energy. Only the kinematic response "
+      "changes momentum; all others keep it up to rounding, in single precision (dashed) up to that "
+      "precision. Thin lines without a label end like the main line of their response. The third chart "
+      "is one mass on a spring, with the theory of each integrator.";
   return findings;
 }
 
