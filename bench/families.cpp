@@ -94,9 +94,7 @@ Draft make_clus(int64_t count, Random& random) {
   Draft draft;
   for (int64_t i = 0; i < count; ++i) {
     const Vec3d centre = clouds.position[random.bits() % clouds.position.size()];
-    const double x = gaussian(random);
-    const double y = gaussian(random);
-    const double z = gaussian(random);
+    const double x = gaussian(random), y = gaussian(random), z = gaussian(random);
     draft.position.push_back(centre + kSigma * Vec3d(x, y, z));
   }
   return draft;
@@ -149,9 +147,7 @@ void shuffle(std::vector<T>& values, uint64_t seed) {
 /// The finest step with which every x ± r and every difference of coordinates is at most 2²³ steps.
 double step_for(const std::vector<Vec3d>& position, double largest_radius) {
   double reach = 0;
-  for (const Vec3d& p : position) {
-    reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
+  for (const Vec3d& p : position) reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   double step = kFinestStep;
   while (2 * (reach + 2 * largest_radius) > step * 0x1p23) step *= 2;
   return step;
@@ -187,8 +183,7 @@ struct CellList {
 
 CellList sort_into_cells(const Spheres& spheres) {
   const double edge = 2.001 * *std::max_element(spheres.radius.begin(), spheres.radius.end());
-  Vec3 low = spheres.position.front();
-  Vec3 high = low;
+  Vec3 low = spheres.position.front(), high = low;
   for (const Vec3& p : spheres.position) {
     low = glm::min(low, p);
     high = glm::max(high, p);
@@ -224,9 +219,7 @@ std::vector<int32_t> find_nearly_touching(const Spheres& spheres) {
   const std::vector<Entry>& entries = list.entries;
   std::vector<int32_t> found;
   for (size_t run = 0; run < list.first.size(); ++run) {
-    size_t begin = 0;
-    size_t end = 0;
-    for (size_t k = 0; k < entries.size(); ++k) {
+    for (size_t k = 0, begin = 0, end = 0; k < entries.size(); ++k) {
       while (begin < entries.size() && entries[begin].cell < entries[k].cell + list.first[run]) ++begin;
       while (end < entries.size() && entries[end].cell <= entries[k].cell + list.last[run]) ++end;
       for (size_t m = std::max(begin, k + 1); m < end; ++m) {

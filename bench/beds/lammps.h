@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Steps a bed with LAMMPS (https://www.lammps.org), a widely used program for discrete elements, which is found at run time
-// (Debian package lammps, program lmp). It reads the bed from a data file and an input script, runs on one thread, and writes
-// its measurements to a log.
+// Steps a bed with LAMMPS (https://www.lammps.org), a widely used program for discrete elements, which is found at run
+// time (Debian package lammps, program lmp). It reads the bed from a data file and an input script, runs on one thread,
+// and writes its measurements to a log.
 //
 // The same model: pair_style gran/hooke without tangential force, F = kₙ·δ − m_eff·γₙ·vₙ, where ours is
 // F = k·δ − 2ζ·√(k·m_eff)·vₙ. So kₙ = k and γₙ = 2ζ·√(k/m_eff), with m_eff = m/2 for two spheres and m at a wall: the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// nanoflann: a k-d tree of the centres, and a search within a radius around each. Only the larger sphere of a pair searches
-// for the other, which is then within twice its radius; so small spheres need no large radius. Spheres search in the order
-// of the tree's leaves, so that the nodes are in the cache already.
+// nanoflann: a k-d tree of the centres, and a search within a radius around each. Only the larger sphere of a pair
+// searches for the other, which is then within twice its radius; so small spheres need no large radius. Spheres search
+// in the order of the tree's leaves, so that the nodes are in the cache already.
 #include <nanoflann.hpp>
 
 #include "peer.h"

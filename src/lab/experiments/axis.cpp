@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The axis of sort and sweep: along the height of a tall box few intervals overlap, along that of a flat box nearly all.
-// Candidates for each axis against the formula, and the fastest broad phase for each shape of the box.
+// The axis of sort and sweep: along the height of a tall box few intervals overlap, along that of a flat box nearly
+// all. Candidates for each axis against the formula, and the fastest broad phase for each shape of the box.
 #include <algorithm>
 #include <cmath>
 #include <memory>

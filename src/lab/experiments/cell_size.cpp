@@ -2,10 +2,10 @@
 // Slide 7: the size of the cells determines the run time, and cells that are too small miss contacts. Time and recall
 // against the edge of the cells, with the bound on slide 7 (r) and the one from which nothing is missed (2·r_max).
 //
-//     c = 1      c = .5          A search tests two spheres if their cells are neighbours: along each axis, the indices differ
-//    ┌───┬───┐  ┌─┬─┬─┬─┐        by one at most. For centres at a distance d along it this is certain if d ≤ c and impossible
-//    │ ● │ ● │  │●│ │ │●│        if d > 2·c. Between, it has the probability 2 − d/c, since the grid has a random place.
-//    └───┴───┘  └─┴─┴─┴─┘
+//     c = 1      c = .5          A search tests two spheres if their cells are neighbours: along each axis, the indices
+//    ┌───┬───┐  ┌─┬─┬─┬─┐        differ by one at most. For centres at a distance d along it this is certain if d ≤ c
+//    │ ● │ ● │  │●│ │ │●│        and impossible if d > 2·c. Between, it has the probability 2 − d/c, since the grid has
+//    └───┴───┘  └─┴─┴─┴─┘        a random place.
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -29,7 +29,8 @@ std::vector<double> times() {
 
 int seeds(bool is_quick) { return is_quick ? 20 : 200; }
 
-/// The results of one restitution: T/T₀ at each time, and τ over that of Haff's law, from the time at which T is a quarter.
+/// The results of one restitution: T/T₀ at each time, and τ over that of Haff's law, from the time at which T is a
+/// quarter.
 struct Course {
   double restitution;
   std::vector<Mean> temperature;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which response is fastest: the time of a dense gas against its number of spheres. Each response takes the largest step with
-// which its error in the pressure stays within the same tolerance.
+// Which response is fastest: the time of a dense gas against its number of spheres. Each response takes the largest
+// step with which its error in the pressure stays within the same tolerance.
 #include <algorithm>
 #include <cmath>
 #include <utility>

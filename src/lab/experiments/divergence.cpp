@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How evenly a search distributes its work over threads, and how busy that keeps a GPU, whose threads run in lockstep. The
-// walks of slide 4 differ in length, and half of them end at once; the lists of slides 12 to 15 differ as cells do.
+// How evenly a search distributes its work over threads, and how busy that keeps a GPU, whose threads run in lockstep.
+// The walks of slide 4 differ in length, and half of them end at once; the lists of slides 12 to 15 differ as cells do.
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -20,8 +20,8 @@ namespace {
 constexpr int kCells = 3;  // 108 spheres
 constexpr double kRho = 0.3, kStep = 0.004, kStepsOfContact = 30;
 constexpr double kOmegaStep = 0.1;
-constexpr int kDoublings = 14;    // of the number of steps
-constexpr double kLeast = 1e-14;  // smaller changes are drawn there
+constexpr int kDoublings = 14;       // of the number of steps
+constexpr double kMinDrawn = 1e-14;  // smaller changes are drawn there
 
 double duration(bool is_quick) { return is_quick ? 40 : 400; }
 
@@ -75,12 +75,12 @@ Table table_of(const std::vector<Course>& courses, const std::vector<double>& at
 Chart chart_of(const std::string& name, const std::string& title, const std::vector<Course>& courses,
                const std::vector<double>& at, double LargestDrift::*what) {
   Chart chart{name, title, Axis{"time", "D/√(kT/m)", Scale::log},
-              Axis{name + ": largest change so far", "", Scale::log, kLeast / 3, 100}};
+              Axis{name + ": largest change so far", "", Scale::log, kMinDrawn / 3, 100}};
   for (const Course& course : courses) {
     Series series = series_of(course.method);
     if (series.is_dashed && !is_float_of_main(course.method)) continue;  // the others are in the table
     for (size_t k = 0; k < at.size(); ++k) {
-      series.points.push_back({at[k], std::max(kLeast, course.drifts[k].*what)});
+      series.points.push_back({at[k], std::max(kMinDrawn, course.drifts[k].*what)});
       if (std::isinf(course.drifts[k].*what)) break;  // one cross for each failed run
     }
     chart.series.push_back(series);

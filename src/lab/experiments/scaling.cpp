@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The diagram of exercise sheet 3: the time of a step against the number of spheres, for each broad phase, backend and number
-// of threads, with exponents of growth fitted to the upper part.
+// The diagram of exercise sheet 3: the time of a step against the number of spheres, for each broad phase, backend and
+// number of threads, with exponents of growth fitted to the upper part.
 #include <algorithm>
 #include <cmath>
 #include <string>

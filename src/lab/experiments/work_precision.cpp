@@ -66,7 +66,7 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
         series.points.push_back({std::clamp(r.seconds.median, least, most), r.error});
       } else {
         series.points.push_back(
-            {r.seconds.median, std::max(r.error, kLeastError), kNoNumber, kNoNumber, r.seconds.lower, r.seconds.upper});
+            {r.seconds.median, std::max(r.error, kMinError), kNoNumber, kNoNumber, r.seconds.lower, r.seconds.upper});
       }
     }
     if (is_shown) chart.series.push_back(series);
@@ -79,7 +79,8 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
   return chart;
 }
 
-/// The order with which restitution converges. It is low because the force does not start smoothly; a dashpot's force jumps.
+/// The order with which restitution converges. It is low because the force does not start smoothly; a dashpot's force
+/// jumps.
 struct Order {
   const char *integrator, *law;
   double restitution, expected;
@@ -136,7 +137,8 @@ std::string text_of(const Result* result, bool is_chance) {
          (micro < 1000 ? three_digits(micro) + " µs" : three_digits(micro / 1000) + " ms");
 }
 
-/// How often each name occurs: "impulse in 5 of 19 scenes, penalty in 3; in 11 nobody comes that close, or chance is larger".
+/// How often each name occurs: "impulse in 5 of 19 scenes, penalty in 3; in 11 nobody comes that close, or chance is
+/// larger".
 std::string counts_of(const std::vector<std::string>& names, size_t scenes) {
   std::vector<std::pair<std::string, int>> counts;
   for (const std::string& name : names) {
