@@ -16,13 +16,13 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kRadius = 0.5;                                          // of equal spheres
 constexpr double kVolume = 4.0 / 3 * kPi * kRadius * kRadius * kRadius;  // of one of them
-constexpr double kGap = 4e-6;  // least |d² − R²| of a pair, as a fraction of R², R being the sum of radii
+constexpr double kGap = 4e-6;  // least |d² − R²| of a pair, as a fraction of R², where R is the sum of radii
 constexpr double kFinestStep = 0x1p-18;  // between coordinates
 constexpr double kRadiusStep = 0x1p-12;  // between radii; a multiple of that between coordinates
 constexpr double kDriftPerStep = 0.01;   // in radii
-constexpr double kNudge = 1.0 / 64;      // in radii; moves a sphere that nearly touches another one
+constexpr double kNudge = 1.0 / 64;      // in radii; moves apart spheres that nearly touch
 
-/// By Newton's iteration from above: only operations that are exact to the last bit everywhere, unlike std::cbrt.
+/// By Newton's iteration from above. Unlike std::cbrt, its operations have the same result on every platform.
 double cube_root(double a) {
   double x = std::max(a, 1.0);
   for (;;) {
@@ -32,7 +32,7 @@ double cube_root(double a) {
   }
 }
 
-/// Gaussian with variance 1, as the sum of twelve uniform numbers: no logarithm, no cosine, no tail beyond 6.
+/// Gaussian with variance 1, as the sum of twelve uniform numbers: without logarithm and cosine, and within ±6.
 double gaussian(Random& random) {
   double sum = -6;
   for (int k = 0; k < 12; ++k) sum += random.uniform();
@@ -86,7 +86,7 @@ Draft make_poly(int64_t count, Random& random) {
   return draft;
 }
 
-/// Gaussian clouds, whose centres are uniform in a cube of which all spheres fill a hundredth.
+/// Gaussian clouds with uniform centres in a cube; all spheres fill a hundredth of it.
 Draft make_clus(int64_t count, Random& random) {
   constexpr double kSigma = 3.5;
   const Vec3d box(cube_root(kVolume * static_cast<double>(count) / 0.01));
@@ -94,9 +94,7 @@ Draft make_clus(int64_t count, Random& random) {
   Draft draft;
   for (int64_t i = 0; i < count; ++i) {
     const Vec3d centre = clouds.position[random.bits() % clouds.position.size()];
-    const double x = gaussian(random);
-    const double y = gaussian(random);
-    const double z = gaussian(random);
+    const double x = gaussian(random), y = gaussian(random), z = gaussian(random);
     draft.position.push_back(centre + kSigma * Vec3d(x, y, z));
   }
   return draft;
@@ -146,12 +144,10 @@ void shuffle(std::vector<T>& values, uint64_t seed) {
   for (size_t k = values.size(); k > 1; --k) std::swap(values[k - 1], values[random.bits() % k]);
 }
 
-/// The finest step that leaves every x ± r and every difference of coordinates at most 2²³ steps.
+/// The finest step with which every x ± r and every difference of coordinates is at most 2²³ steps.
 double step_for(const std::vector<Vec3d>& position, double largest_radius) {
   double reach = 0;
-  for (const Vec3d& p : position) {
-    reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
+  for (const Vec3d& p : position) reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   double step = kFinestStep;
   while (2 * (reach + 2 * largest_radius) > step * 0x1p23) step *= 2;
   return step;
@@ -187,8 +183,7 @@ struct CellList {
 
 CellList sort_into_cells(const Spheres& spheres) {
   const double edge = 2.001 * *std::max_element(spheres.radius.begin(), spheres.radius.end());
-  Vec3 low = spheres.position.front();
-  Vec3 high = low;
+  Vec3 low = spheres.position.front(), high = low;
   for (const Vec3& p : spheres.position) {
     low = glm::min(low, p);
     high = glm::max(high, p);
@@ -224,9 +219,7 @@ std::vector<int32_t> find_nearly_touching(const Spheres& spheres) {
   const std::vector<Entry>& entries = list.entries;
   std::vector<int32_t> found;
   for (size_t run = 0; run < list.first.size(); ++run) {
-    size_t begin = 0;
-    size_t end = 0;
-    for (size_t k = 0; k < entries.size(); ++k) {
+    for (size_t k = 0, begin = 0, end = 0; k < entries.size(); ++k) {
       while (begin < entries.size() && entries[begin].cell < entries[k].cell + list.first[run]) ++begin;
       while (end < entries.size() && entries[end].cell <= entries[k].cell + list.last[run]) ++end;
       for (size_t m = std::max(begin, k + 1); m < end; ++m) {

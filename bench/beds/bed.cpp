@@ -27,7 +27,7 @@ constexpr double kDensity = 1000;      // [kg/m³]
 constexpr double kStiffness = 1e5;     // [N/m] a contact lasts π·√(m/2k) = 314 µs without damping
 constexpr double kTimeStep = 6.25e-6;  // [s] a fiftieth of that
 constexpr double kGravity = 9.81;      // [m/s²]
-constexpr double kHeadroom = 0.125;    // [m] higher than 1 m/s carries a sphere: no program meets the lid
+constexpr double kHeadroom = 0.125;    // [m] higher than a sphere with 1 m/s rises
 
 constexpr double kRelaxRestitution = 0.1;  // springs come to rest soon
 constexpr double kShake = 0.02;            // [m/s] highest speed
@@ -47,14 +47,14 @@ void shuffle(std::vector<Vec3d>& places, Random& random) {
   }
 }
 
-/// How spheres are placed: on a face-centred lattice, jittered as far as they cannot touch.
+/// A face-centred lattice; spheres are displaced at random without touching.
 struct Lattice {
-  double fraction;  ///< of the volume, were all sites taken
+  double fraction;  ///< of the volume, if all sites are taken
   double taken;     ///< share of the sites
   double speed;     ///< [m/s] at most
 };
 
-/// So many sites, a square of `side` sites in each layer, the layers half the width high.
+/// `count` sites, with a square of `side` sites in each layer; the layers reach half the width high.
 std::vector<Vec3d> sites_of(int64_t count, int64_t side, double spacing) {
   std::vector<Vec3d> sites;
   for (int64_t k = 0; k < count; ++k) {
@@ -96,14 +96,14 @@ void set_restitution(Scene& scene, double restitution) {
   scene.physics.restitution = scene.physics.wall_restitution = restitution;
 }
 
-/// The scene's spheres after so many steps.
+/// The spheres of the scene after this number of steps.
 Bodies after(const Scene& scene, const Settings& settings, int64_t steps) {
   const std::unique_ptr<World> world = cpu_backend().make_world(scene, settings);
   for (int64_t k = 0; k < steps; ++k) world->step();
   return world->bodies();
 }
 
-/// Flies until no lattice is left.
+/// Spheres that have moved until nothing is left of the lattice.
 Scene loose_bed(int64_t count, int64_t steps, Random& random) {
   Scene scene = lattice_scene(count, {0.2, 1.0, 1.0}, random);
   set_restitution(scene, 0.9);
@@ -111,7 +111,7 @@ Scene loose_bed(int64_t count, int64_t steps, Random& random) {
   return scene;
 }
 
-/// Falls by a hundredth of its height, and gets a shake when it has come to rest.
+/// Spheres that have fallen by a hundredth of their height, come to rest, and been shaken.
 Scene dense_bed(int64_t count, int64_t steps, Random& random) {
   Scene scene = lattice_scene(count, {0.73, 0.92, 0.0}, random);
   set_restitution(scene, kRelaxRestitution);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two beds of equal spheres in a box with an open top, under gravity: what bench_beds steps with the penalty response
-// and with LAMMPS. Positions, velocities, radius and walls are exact in single precision, so both programs start
-// from the same numbers.
-// Cost: that of the steps which bring them from a lattice into their state.
+// Two beds of equal spheres in a box with an open top, under gravity. bench_beds steps them with the penalty response
+// and with LAMMPS. Positions, velocities, radius and walls are exact in single precision, so both programs start from
+// the same numbers. Cost: that of the steps which bring them from a lattice into their state.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +28,11 @@ struct Bed {
   double dt;    ///< [s] about a fiftieth of a contact's duration
 };
 
-/// The penalty response lets the dense bed fall and come to rest for `settle_steps` before it is shaken, and the loose one
-/// fly for a quarter as many. Throws UserError for a name that is none.
+/// The dense bed falls and comes to rest in `settle_steps` steps of the penalty response, and is then shaken; the loose
+/// one moves for a quarter of these steps. Throws UserError for an unknown name.
 Bed make_bed(std::string_view name, int64_t count, uint64_t seed, int64_t settle_steps);
 
-/// The penalty response's settings for a bed: one thread of the CPU, the broad phase that the program chooses.
+/// The settings for a bed: penalty response, one thread of the CPU, automatic broad phase.
 Settings bed_settings(double dt);
 
 }  // namespace ballpit

@@ -20,7 +20,7 @@ double now_in_seconds(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// As LAMMPS does: `warmup` steps before the clocks start, and the state is looked at after they stop.
+/// As LAMMPS does: `warmup` steps before the clocks start, and the report after they stop.
 Measured run_ours(const Bed& bed, const Settings& settings, const Stretch& stretch) {
   const std::unique_ptr<World> world = cpu_backend().make_world(bed.scene, settings);
   for (int64_t k = 0; k < stretch.warmup; ++k) world->step();
@@ -36,7 +36,7 @@ Measured run_ours(const Bed& bed, const Settings& settings, const Stretch& stret
   return measured;
 }
 
-/// Counts a turn's speed by the clock that is asked for.
+/// Adds the speed of a turn, by the chosen clock.
 void add_turn(Turns& turns, const Measured& measured, int64_t count, const BedProtocol& protocol) {
   const double seconds = protocol.clock == BedClock::wall ? measured.seconds : measured.cpu_seconds;
   turns.speed.push_back(1e-6 * static_cast<double>(count) * static_cast<double>(protocol.stretch.steps) / seconds);

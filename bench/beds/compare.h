@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A bed stepped by both programs from the same start, in turn: ours, LAMMPS, ours, LAMMPS, … so that whatever slows the
-// machine for a while slows both. Either may be left out.
+// Steps a bed with both programs from the same start, in turns: ours, LAMMPS, ours, LAMMPS, … so that other load on the
+// machine slows both. Either may be left out.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct BedProtocol {
   LammpsOptions lammps;
 };
 
-/// One program on one bed, all turns.
+/// All turns of one program on one bed.
 struct Turns {
   std::vector<double> speed;  ///< million particle-steps a second
   Measured last;

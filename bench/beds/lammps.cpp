@@ -105,7 +105,7 @@ double number_after(const std::string& text, const std::string& key, const fs::p
   return std::strtod(text.c_str() + start + 1 + key.size(), nullptr);
 }
 
-/// The line that tells what went wrong, or an empty string.
+/// The line of an error, or an empty string.
 std::string error_line(const std::string& text) {
   const size_t start = text.find("ERROR");
   return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);

@@ -7,17 +7,15 @@
 //     bench_beds --only lammps --keep out/beds        LAMMPS alone; its input, data and log stay
 //
 // docs/benchmarks.md says what is measured. Exit status: 0 done, 1 energies differ or the run failed, 2 wrong options.
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "command_line.h"
 #include "compare.h"
-#include "core/error.h"
 #include "core/file.h"
 #include "measure/machine.h"
 #include "report.h"
@@ -52,26 +50,13 @@ std::vector<std::string> bed_names() {
   return names;
 }
 
-void require(bool allowed, const char* option, const std::string& found, const std::string& what_is_allowed) {
-  if (!allowed) throw UserError(option, found, what_is_allowed);
-}
-
-void require_name(const char* option, const std::string& found, const std::vector<std::string>& allowed) {
-  require(std::find(allowed.begin(), allowed.end(), found) != allowed.end(), option, found, join(allowed));
-}
-
-void require_range(const char* option, int64_t found, int64_t low, int64_t high) {
-  require(found >= low && found <= high, option, std::to_string(found),
-          std::to_string(low) + " to " + std::to_string(high));
-}
-
 void check(const Options& options) {
-  for (const std::string& bed : options.beds) require_name("--beds", bed, bed_names());
+  require_names("--beds", options.beds, bed_names());
   for (const int64_t count : options.counts) require_range("--count", count, 1, 10'000'000);
-  require_name("--only", options.only, {"both", "ours", "lammps"});
-  require_name("--clock", options.clock, {"wall", "cpu"});
-  require_name("--integrator", options.our_integrator, {"symplectic-euler", "velocity-verlet"});
-  require_name("--lammps-fix", options.integrator, {"nve/sphere", "nve"});
+  require_names("--only", {options.only}, {"both", "ours", "lammps"});
+  require_names("--clock", {options.clock}, {"wall", "cpu"});
+  require_names("--integrator", {options.our_integrator}, {"symplectic-euler", "velocity-verlet"});
+  require_names("--lammps-fix", {options.integrator}, {"nve/sphere", "nve"});
   require_range("--repeat", options.protocol.repeat, 1, 1000);
   require_range("--warmup", options.protocol.stretch.warmup, 0, 1'000'000);
   require_range("--steps", options.protocol.stretch.steps, 1, 1'000'000);
@@ -113,7 +98,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "print one JSON object in place of the table");
 }
 
-/// A folder for LAMMPS' files: kept where the user names one, else removed at the end.
+/// A folder for the files of LAMMPS. It is removed at the end unless the user has named it.
 class Folder {
  public:
   explicit Folder(const std::string& keep) : path_(keep), is_kept_(!keep.empty()) {
@@ -138,7 +123,7 @@ class Folder {
   bool is_kept_;
 };
 
-/// Empty where it was not asked for or is absent, which is said.
+/// Empty if it is not wanted or missing. Reports if it is missing.
 std::optional<Lammps> find_lammps(const Options& options) {
   if (options.only == "ours") return std::nullopt;
   std::optional<Lammps> lammps = Lammps::find(options.lammps);
@@ -210,7 +195,7 @@ void print_foot(const Options& options, const std::optional<Lammps>& lammps) {
             << options.protocol.lammps.skin << "\n";
 }
 
-int run(const Options& options) {
+void run(const Options& options) {
   check(options);
   std::optional<Lammps> lammps = find_lammps(options);
   const std::vector<BedRow> rows = compare_all(options, lammps);
@@ -228,12 +213,6 @@ int run(const Options& options) {
     if (!row.has_both() || row.energy_difference() <= tolerance) continue;
     throw RunError(row.bed + " of " + std::to_string(row.count) + " spheres", "kinetic energies differ");
   }
-  return 0;
-}
-
-int fail(int status, const char* message) {
-  std::cerr << "bench_beds: " << message << "\n";
-  return status;
 }
 
 }  // namespace
@@ -244,14 +223,5 @@ int main(int argc, char** argv) {
   options.beds = bed_names();
   options.protocol.settings = bed_settings(0);
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : fail(2, error.what());
-  } catch (const UserError& error) {
-    return fail(2, error.what());
-  } catch (const std::exception& error) {
-    return fail(1, error.what());
-  }
+  return run_command(app, argc, argv, [&] { run(options); });
 }

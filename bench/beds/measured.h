@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What one run of a bed yields, ours or theirs.
+// The result of one run of a bed, with either program.
 #pragma once
 
 #include <cstdint>
 
 namespace ballpit {
 
-/// Steps of one run: the first ones are not timed, so that lists are built and memory is warm.
+/// The steps of one run. The first are not timed: they build lists and warm up memory.
 struct Stretch {
   int64_t warmup = 50;
   int64_t steps = 500;
@@ -14,7 +14,7 @@ struct Stretch {
 
 enum class BedClock {
   wall,
-  cpu,  ///< time of the process: for a machine that others use as well
+  cpu,  ///< time of the process: for a busy machine
 };
 
 struct Measured {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bullet: btDbvtBroadphase, two dynamic trees of boxes that are 0.05 wider than asked for on every side, so that small
-// moves cost nothing. Deferred, it searches all pairs when they are asked for; otherwise with every box that is put in
-// or leaves its place. It keeps all pairs of boxes in a hash table, from which we take those of spheres.
+// moves cost nothing. Deferred, it searches all pairs on demand; otherwise, whenever a box is added or leaves its
+// margin. It keeps all pairs of boxes in a hash table, from which we take those of spheres.
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <btBulletCollisionCommon.h>
 

@@ -54,8 +54,8 @@ Row row_of(const Case& spheres, const PeerInfo& peer, const PeerOptions& options
   return row;
 }
 
-/// Makes malloc merge the small blocks that the last search has freed. Otherwise the next search pays for it (after Bullet,
-/// 20 ms).
+/// Makes malloc merge the small blocks that the last search has freed. Otherwise the next search pays for it (after
+/// Bullet, 20 ms).
 void settle() {
   for (int k = 0; k < 64; ++k) {
     void* volatile block = std::malloc(1 << 20);
@@ -72,8 +72,8 @@ double time_cold(const Case& spheres, Peer& peer, Clock clock, bool& equal) {
   return time;
 }
 
-/// The mean time of an update, ours and theirs, over a drift that both follow step by step. The first step is not counted:
-/// only then does Bullet widen all its boxes at once.
+/// The mean time of an update, ours and theirs, over a drift that both follow step by step. The first step is not
+/// counted: only then does Bullet widen all its boxes at once.
 struct DriftTimes {
   double ours = 0;
   double theirs = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two searches on the same spheres, in turns: ours, the other, ours, the other, … so that other load on the machine slows
-// both. Every result is checked against the exact reference (measure/exact_pairs.h), outside the measured time.
+// Two searches on the same spheres, in turns: ours, the other, ours, the other, … so that other load on the machine
+// slows both. Every result is checked against the exact reference (measure/exact_pairs.h), outside the measured time.
 #pragma once
 
 #include <cstdint>

@@ -6,15 +6,13 @@
 //
 // docs/benchmarks.md says what is measured. Exit status: 0 done, 1 pairs differ or the run failed, 2 wrong options.
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
 #include <malloc.h>
 #include <nlohmann/json.hpp>
 
+#include "command_line.h"
 #include "compare.h"
-#include "core/error.h"
 #include "core/file.h"
 #include "methods/settings.h"
 #include "report.h"
@@ -50,31 +48,17 @@ std::vector<std::string> peer_names() {
   return names;
 }
 
-void require(bool allowed, const char* option, const std::string& found, const std::string& what_is_allowed) {
-  if (!allowed) throw UserError(option, found, what_is_allowed);
-}
-
-void require_names(const char* option, const std::vector<std::string>& found, const std::vector<std::string>& allowed) {
-  for (const std::string& name : found) {
-    require(std::find(allowed.begin(), allowed.end(), name) != allowed.end(), option, name, join(allowed));
-  }
-}
-
-void require_range(const char* option, int64_t found, int64_t high) {
-  require(found >= 1 && found <= high, option, std::to_string(found), "1 to " + std::to_string(high));
-}
-
 void check(const Options& options) {
   require_names("--families", options.families, family_names());
   require_names("--peers", options.peers, peer_names());
   require_names("--mode", {options.mode}, {"cold", "update", "both"});
   require_names("--clock", {options.clock}, {"wall", "cpu"});
   require(options.clock == "wall" || options.search.threads == 1, "--clock", "cpu with several threads", "wall");
-  require_range("--count", options.count, 100'000'000);
-  require_range("--threads", options.search.threads, 256);
-  require_range("--repeat", options.protocol.cold, 10'000);
-  require_range("--drifts", options.protocol.drifts, 10'000);
-  require_range("--steps", options.steps, 10'000);
+  require_range("--count", options.count, 1, 100'000'000);
+  require_range("--threads", options.search.threads, 1, 256);
+  require_range("--repeat", options.protocol.cold, 1, 10'000);
+  require_range("--drifts", options.protocol.drifts, 1, 10'000);
+  require_range("--steps", options.steps, 1, 10'000);
   require(options.skin >= 0 && options.skin <= 10, "--skin", std::to_string(options.skin), "0 to 10");
   Settings settings;
   apply_setting(settings, "broadphase", options.search.broadphase, "--broadphase");
@@ -163,7 +147,7 @@ void print_json(const Options& options, const std::vector<Row>& rows) {
   std::cout << report.dump(2) << "\n";
 }
 
-int run(const Options& options) {
+void run(const Options& options) {
   check(options);
   const std::vector<Row> rows = compare_all(options);
   if (options.json) {
@@ -174,18 +158,12 @@ int run(const Options& options) {
   if (!options.csv.empty()) write_file(options.csv, csv_of(rows));
   const bool all_equal = std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.equal; });
   if (!all_equal) throw RunError("peers", "pairs differ");
-  return 0;
-}
-
-int fail(int status, const char* message) {
-  std::cerr << "bench_peers: " << message << "\n";
-  return status;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Memory that is given back is kept for the next search: otherwise every one would pay for the system's clearing it.
+  // Keeps freed memory for the next search. Otherwise each search would wait for the system to clear new memory.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   CLI::App app("Times our pair search against those of other libraries.", "bench_peers");
@@ -193,15 +171,8 @@ int main(int argc, char** argv) {
   options.families = family_names();
   options.peers = peer_names();
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return run_command(app, argc, argv, [&] {
     if (options.clock == "cpu") options.protocol.clock = Clock::cpu;
-    return run(options);
-  } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : fail(2, error.what());
-  } catch (const UserError& error) {
-    return fail(2, error.what());
-  } catch (const std::exception& error) {
-    return fail(1, error.what());
-  }
+    run(options);
+  });
 }

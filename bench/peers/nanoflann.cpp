@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// nanoflann: a k-d tree of the centres, and a search in a radius around each. Only the larger sphere of a pair looks
-// for the other: it is then within twice the larger radius, and small spheres need not search as far as large ones
-// reach. Spheres search in the order of the tree's leaves, so that one finds the nodes of the last in the cache.
+// nanoflann: a k-d tree of the centres, and a search within a radius around each. Only the larger sphere of a pair
+// searches for the other, which is then within twice its radius; so small spheres need no large radius. Spheres search
+// in the order of the tree's leaves, so that the nodes are in the cache already.
 #include <nanoflann.hpp>
 
 #include "peer.h"
@@ -22,7 +22,7 @@ struct Centres {
   }
 };
 
-/// Takes the pairs of one sphere straight from the search, in place of a list of neighbours.
+/// Receives the pairs of one sphere from the search, without a list of neighbours.
 struct Neighbours {
   const SphereTest& test;
   std::vector<Pair>& pairs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One interface for everything that finds overlapping spheres here: other libraries, and our own search.
-// Each library has a file; the build collects those it finds packages for in one table.
+// Each library has a file; the build makes a table of those whose packages it finds.
 #pragma once
 
 #include <cstdint>

@@ -59,8 +59,8 @@ size_t end_of_reach(const SortedSpheres& spheres, size_t a) {
   return static_cast<size_t>(std::partition_point(along.begin() + a + 1, along.end(), is_near) - along.begin());
 }
 
-/// The first sphere that a may reach across the end of a periodic axis; all after it are candidates as well. The reach is
-/// enlarged by half to cover all rounding: the period is at least two reaches.
+/// The first sphere that a may reach across the end of a periodic axis; all after it are candidates as well. The reach
+/// is enlarged by half to cover all rounding: the period is at least two reaches.
 size_t begin_of_reach_across(const SortedSpheres& spheres, size_t a) {
   const std::vector<float>& along = spheres.coordinate[spheres.axis];
   const float reach = 1.5f * (spheres.radius[a] + spheres.largest_radius), period = spheres.period[spheres.axis];

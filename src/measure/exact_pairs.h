@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exact reference: finds overlapping pairs by a sweep that shares no code with the methods it checks, and counts what
-// a method got wrong. The other reference, in tests/support/oracle.h, tests all pairs and in turn checks this one.
+// The exact reference: finds overlapping pairs by a sweep that shares no code with the methods it checks, and counts
+// what a method got wrong. The other reference, in tests/support/oracle.h, tests all pairs and in turn checks this one.
 //
 //     sorted by one coordinate    a   b c    d  e …
 //     a is tested against         b, c, d: all whose coordinate is within reach of a
@@ -17,8 +17,8 @@
 namespace ballpit {
 
 /// All pairs with |x_j − x_i|² ≤ (r_i + r_j)², evaluated in single precision: squared differences summed in the order
-/// x, y, z; radii summed, then squared; with a period, differences to the nearest image. Sorted by i, then j. Calls `tell`
-/// now and then with the number of spheres done.
+/// x, y, z; radii summed, then squared; with a period, differences to the nearest image. Sorted by i, then j. Calls
+/// `tell` now and then with the number of spheres done.
 std::vector<Pair> exact_pairs(const SphereArrays& spheres, const std::function<void(int64_t)>& tell = {});
 
 /// How a list of pairs differs from the exact list.

@@ -26,8 +26,8 @@ struct Cost {
   double seconds;
 };
 
-/// Predicts the time of a step by the power law through the two largest known costs. The time of every method grows with an
-/// exponent between 1 and 2.
+/// Predicts the time of a step by the power law through the two largest known costs. The time of every method grows
+/// with an exponent between 1 and 2.
 double predict(const std::vector<Cost>& known, int64_t count) {
   const Cost& a = known[known.size() - 2];
   const Cost& b = known.back();
@@ -49,8 +49,8 @@ std::vector<Stage> between(const std::vector<Stage>& before, const std::vector<S
   return result;
 }
 
-/// A world whose steps are timed. A report launches stages of its own. Two reports in a row show which, so that they can be
-/// subtracted.
+/// A world whose steps are timed. A report launches stages of its own. Two reports in a row show which, so that they
+/// can be subtracted.
 class TimedWorld {
  public:
   TimedWorld(const Scene& gas, const Settings& settings, const StepCase& which) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Times steps of the gas for each method, backend and number of threads. All cases with one number of spheres are measured
-// in turns (A B C A B C …), so that other load on the machine affects all equally. Each starts from the same moving gas.
+// Times steps of the gas for each method, backend and number of threads. All cases with one number of spheres are
+// measured in turns (A B C A B C …), so that other load on the machine affects all equally. Each starts from the same
+// moving gas.
 #pragma once
 
 #include <cstdint>

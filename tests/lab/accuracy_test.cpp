@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How fast errors fall with the step: no faster than contacts let them.
+// How fast errors fall with the step.
 #include "lab/experiments/accuracy.h"
 
 #include <algorithm>
@@ -40,14 +40,14 @@ Mean mean_off(const std::string& task, const std::string& method, double dt) {
   return mean_of(values);
 }
 
-/// At which order errors fall from one step to its quarter.
+/// The order with which errors fall from a step to a quarter of it.
 double order(const std::string& task, const std::string& method, double dt) {
   return std::log2(off(task, method, dt) / off(task, method, dt / 4)) / 2;
 }
 
 }  // namespace
 
-TEST_CASE("the order of restitution is lost at the begin of a contact: 3, 2.5, and 1 of Verlet, 2.5 and 2 of RK4") {
+TEST_CASE("the start of a contact limits the order of restitution: 3, 2.5 and 1 for Verlet, 2.5 and 2 for RK4") {
   const double damped = restitution_to_overlap_end(0.1);
   CHECK(order_of_restitution("velocity-verlet", "linear", 1) == Approx(3).margin(0.15));
   CHECK(order_of_restitution("velocity-verlet", "hertz", 1) == Approx(2.5).margin(0.15));
@@ -57,7 +57,7 @@ TEST_CASE("the order of restitution is lost at the begin of a contact: 3, 2.5, a
 }
 
 TEST_CASE(
-    "an oblique hit converges in the first order by impulses and positions, and is exact where times of impact are") {
+    "an oblique hit converges in first order by impulses and positions, and is exact with exact times of impact") {
   CHECK(order("hit", "impulse", 0.025) == Approx(1).margin(0.15));
   CHECK(order("hit", "position-based", 0.025) == Approx(1).margin(0.15));
   CHECK(order("hit", "penalty, rk4", 0.0125) == Approx(1).margin(0.15));  // of a contact's duration
@@ -83,20 +83,20 @@ TEST_CASE("kinematic spheres do not carry a stack, and event-driven ones collide
   CHECK(std::isinf(off("stack-10", "event-driven", 1.0 / 60)));
 }
 
-TEST_CASE("exact motion ends where every closed form of few spheres says") {
+TEST_CASE("exact motion agrees with every closed form of a few spheres") {
   for (const char* task : {"ball", "hit", "bullet", "cradle"}) {
     INFO(task);
     CHECK(off(task, "event-driven", task_of(task).coarsest) < 1e-12);
   }
 }
 
-TEST_CASE("a bullet is missed by what looks at the end of coarse steps, not by fine steps nor by swept contacts") {
+TEST_CASE("contacts at the end of coarse steps miss a bullet; fine steps and swept contacts do not") {
   CHECK(off("bullet", "impulse", 0.02) > 0.3);
   CHECK(off("bullet", "impulse", 0.02 / 64) < 1e-12);
   CHECK(off("bullet", "impulse, swept", 0.02) < 1e-12);
 }
 
-TEST_CASE("impulses pass a cradle’s hit on one after another by short steps, springs by shorter ones") {
+TEST_CASE("impulses pass the hit of a cradle on with short steps, springs with shorter ones") {
   CHECK(off("cradle", "impulse", 0.05) > 0.1);  // more than two gaps in a step
   CHECK(off("cradle", "impulse", 0.05 / 16) < 1e-12);
   CHECK(off("cradle", "penalty, velocity-verlet", 0.05 / 8) > 0.5);
@@ -134,7 +134,7 @@ TEST_CASE("exact motion has the pressures, the cooling, the height and the share
   CHECK(off("energy", "event-driven", 0.04) < 1e-12);
 }
 
-TEST_CASE("methods that gain energy are seen to: explicit Euler in a gas and in a column") {
+TEST_CASE("explicit Euler gains energy in a gas and in a column") {
   CHECK(off("energy", "penalty, explicit-euler", 0.01) > 1e-2);
   CHECK(off("energy", "penalty, velocity-verlet", 0.01) < 1e-3);
   const double verlet = off("column", "penalty, velocity-verlet", 0.0025);
@@ -142,7 +142,7 @@ TEST_CASE("methods that gain energy are seen to: explicit Euler in a gas and in 
   CHECK(off("column", "penalty, explicit-euler", 0.0025) > 5 * verlet);
 }
 
-TEST_CASE("quick runs leave out all single precision but that of main methods") {
+TEST_CASE("quick runs use single precision for main methods only") {
   const Task& hit = task_of("hit");
   const auto all = methods_of(hit, false), quick = methods_of(hit, true);
   CHECK(all.size() == contact_methods().size());
@@ -152,7 +152,7 @@ TEST_CASE("quick runs leave out all single precision but that of main methods") 
   }
 }
 
-TEST_CASE("the Pareto front holds those that nobody beats in error and in time, and no error below chance") {
+TEST_CASE("the Pareto front contains results that no other beats in error and time, without errors below chance") {
   const auto result = [](double error, double seconds) {
     return Result{&contact_methods().front(), 0.1, error, 0, {seconds, seconds, seconds, seconds}};
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a map changes sides, and how far from where it should.
+// The boundary of a map, and its distance from theory.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -34,7 +34,7 @@ TEST_CASE("a boundary lies half way between the cells that differ, and half a ce
   CHECK(boundary.distance == Approx(0.5));
 }
 
-TEST_CASE("a boundary tells how many cells the theory is off") {
+TEST_CASE("the distance of a boundary is in cells") {
   const auto distance = [](double offset) {
     return find_boundary(diagonal(), Scale::linear, is_one, [offset](double x) { return x + 0.5 + offset; }).distance;
   };
@@ -43,7 +43,7 @@ TEST_CASE("a boundary tells how many cells the theory is off") {
   CHECK(distance(-2) == Approx(2));
 }
 
-TEST_CASE("a map that is the same all over is as far from the line as the line is inside") {
+TEST_CASE("without a boundary, the distance is that of the line from the edge of the map") {
   Map map = diagonal();
   for (auto& row : map.values) row.assign(row.size(), 0.0);
   const MapBoundary boundary = find_boundary(map, Scale::linear, is_one, [](double x) { return x; });
@@ -51,7 +51,7 @@ TEST_CASE("a map that is the same all over is as far from the line as the line i
   CHECK(boundary.distance == Approx(4.5));
 }
 
-TEST_CASE("cells of a logarithmic axis lie apart by equal factors") {
+TEST_CASE("cells of a logarithmic axis have equal ratios") {
   const std::vector<double> cells = spaced(1, 100, 3, Scale::log);
   CHECK(cells[1] == Approx(10));
   CHECK(cells[2] == Approx(100));

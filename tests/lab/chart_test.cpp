@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts: the same chart gives the same picture, and nothing that is in it is lost.
+// Charts: equal charts give equal pictures, which show all their parts.
 #include "lab/charts/chart.h"
 
 #include <cmath>
@@ -33,7 +33,7 @@ Chart map() {
   return chart;
 }
 
-/// Heights in the picture of all labels of these colours.
+/// The height of a label in the picture.
 double height_of(const std::string& script, const std::string& label) {
   std::smatch match;
   const std::regex pattern("set label '[^']*" + label + "' at screen [0-9.]+, screen ([0-9.]+)");
@@ -60,7 +60,7 @@ TEST_CASE("a chart's script holds its title, axes with units, and every label") 
   }
 }
 
-TEST_CASE("labels at ends that nearly coincide stand apart, in their order") {
+TEST_CASE("labels of lines with nearly equal ends are moved apart, in their order") {
   const std::string script = gnuplot_script(lines(), Ground::light);
   CHECK(height_of(script, "linked cell") - height_of(script, "sorted grid") > 0.04);
   CHECK(height_of(script, "brute force") > height_of(script, "linked cell"));
@@ -74,7 +74,7 @@ TEST_CASE("a failed run is a cross at the upper edge; spreads are bars") {
   CHECK_THAT(script, Contains("100 1 0.9 1.2\n") && Contains("yerrorbars"));
 }
 
-TEST_CASE("crosses are named once, beside the last of them") {
+TEST_CASE("crosses have one label, beside the last of them") {
   Chart chart = lines();
   chart.series.push_back({"other", "first", {{100, 1}, {1000, INFINITY}}});
   const std::string script = gnuplot_script(chart, Ground::light);
@@ -83,7 +83,7 @@ TEST_CASE("crosses are named once, beside the last of them") {
   CHECK(script.find("'failed'", first + 1) == std::string::npos);
 }
 
-TEST_CASE("cells of a map reach half way to their neighbours, and hold their colour") {
+TEST_CASE("cells of a map reach half way to their neighbours and have the colour of their value") {
   const std::string script = gnuplot_script(map(), Ground::light);
   CHECK_THAT(script, Contains("1 10 0.5 1.5 5 15 " + std::to_string(color_of("first", Ground::light))));
   CHECK_THAT(script, Contains("3 20 2.5 3.5 15 25 " + std::to_string(color_of("failed", Ground::light))));
@@ -91,9 +91,9 @@ TEST_CASE("cells of a map reach half way to their neighbours, and hold their col
   CHECK_THAT(script, Contains("one") && Contains("two"));
 }
 
-TEST_CASE("a role that there is not is a bug") { CHECK_THROWS_AS(style_of("nonsense"), std::logic_error); }
+TEST_CASE("an unknown role is a bug") { CHECK_THROWS_AS(style_of("nonsense"), std::logic_error); }
 
-TEST_CASE("labels can be read on either ground: a contrast of 4 and more, whatever their role") {
+TEST_CASE("labels are readable on both backgrounds: every role has a contrast of at least 4") {
   const auto channel = [](Rgb color, int shift) {
     const double c = (color >> shift & 255u) / 255.0;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -108,7 +108,7 @@ TEST_CASE("labels can be read on either ground: a contrast of 4 and more, whatev
   }
 }
 
-TEST_CASE("ticks are round numbers, as people write them") {
+TEST_CASE("ticks are round numbers") {
   CHECK(texts_of({100, 1e6, Scale::log}) == std::vector<std::string>{"100", "1000", "10\u2009000", "10⁵", "10⁶"});
   CHECK(texts_of({0.001, 0.1, Scale::log}) ==
         std::vector<std::string>{"0.001", "0.002", "0.005", "0.01", "0.02", "0.05", "0.1"});
@@ -130,7 +130,7 @@ TEST_CASE("gnuplot draws the same chart to the same bytes, with no fonts inside"
   }
 }
 
-TEST_CASE("what gnuplot complains of is an error that says so") {
+TEST_CASE("a failure of gnuplot is an error with its message") {
   Chart broken = lines();
   broken.x.low = broken.x.high = 0;  // on a logarithmic axis
   CHECK_THROWS_WITH(draw_svg(broken, Ground::light, gnuplot_path()), Contains("failed on chart time"));

@@ -72,7 +72,7 @@ TEST_CASE("the sweep finds pairs across the ends of a period, as the definition 
   }
 }
 
-TEST_CASE("missed, wrong and duplicate pairs are told apart") {
+TEST_CASE("missed, wrong and duplicate pairs are distinguished") {
   const std::vector<Pair> exact{{0, 1}, {0, 4}, {2, 3}, {5, 6}};
   const auto deviation = [&](std::vector<Pair> found) {
     const Deviation d = deviation_of(std::move(found), exact);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of experiments, and what each of them owes its laboratory.
+// The table of experiments, the resuming of an interrupted one, and the report.
 #include <filesystem>
 #include <set>
 
@@ -27,7 +27,7 @@ std::string tables_of(const Findings& findings) {
 
 }  // namespace
 
-TEST_CASE("every experiment has a name of its own, a question, and a time within what was promised") {
+TEST_CASE("every experiment has a unique name, a question, and times within the limits") {
   std::set<std::string_view> names;
   double quick = 0;
   for (const Experiment& experiment : experiments()) {
@@ -44,19 +44,19 @@ TEST_CASE("every experiment has a name of its own, a question, and a time within
   CHECK(quick <= 12 * 60);
 }
 
-TEST_CASE("docs/lab.md names every experiment with the question that it asks") {
+TEST_CASE("docs/lab.md lists every experiment with its question") {
   const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab.md");
   for (const Experiment& experiment : experiments()) {
     CHECK_THAT(page, Contains("| `" + std::string(experiment.name) + "` | " + std::string(experiment.question) + " |"));
   }
 }
 
-TEST_CASE("docs/lab.md names every scene of work-precision") {
+TEST_CASE("docs/lab.md lists every scene of work-precision") {
   const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab.md");
   for (const Task& task : tasks()) CHECK_THAT(page, Contains("`" + task.name + "`"));
 }
 
-TEST_CASE("an experiment that was interrupted goes on where it stopped, and comes to the same tables") {
+TEST_CASE("an interrupted experiment continues where it stopped, with the same tables") {
   const Experiment& experiment = find_experiment("divergence");
   const std::filesystem::path cache =
       std::filesystem::temp_directory_path() / ("ballpit-resume-" + std::to_string(::getpid()) + ".csv");
@@ -85,8 +85,7 @@ TEST_CASE("an experiment that was interrupted goes on where it stopped, and come
   std::filesystem::remove(cache);
 }
 
-TEST_CASE(
-    "the report holds questions, answers, charts, shown tables and the way to repeat it; nothing from elsewhere") {
+TEST_CASE("the report contains question, answer, charts, shown tables and command, and nothing from other sites") {
   const Experiment& experiment = find_experiment("divergence");
   LabOptions options;
   options.is_quick = true;
@@ -114,7 +113,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("docs/lab tells what every experiment found in full, and holds its charts") {
+TEST_CASE("docs/lab contains the results of all full experiments, with their charts") {
   const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab/README.md");
   CHECK_THAT(page, Contains("preset: full") && !Contains("No charts"));
   for (const Experiment& experiment : experiments()) {
@@ -129,7 +128,7 @@ TEST_CASE("docs/lab tells what every experiment found in full, and holds its cha
   }
 }
 
-TEST_CASE("a picture in the page is its bytes in base64") {
+TEST_CASE("a picture in the page is encoded in base64") {
   CHECK(svg_address("Man") == "data:image/svg+xml;base64,TWFu");
   CHECK(svg_address("Ma") == "data:image/svg+xml;base64,TWE=");
   CHECK(svg_address("M") == "data:image/svg+xml;base64,TQ==");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures made of measurements: medians and quartiles, and how evenly work lies on threads.
+// Medians and quartiles of measurements, and how evenly work is distributed over threads.
 #include <numeric>
 
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 
 using namespace ballpit;
 
-TEST_CASE("median and quartiles lie between the values where they must") {
+TEST_CASE("median and quartiles are interpolated between the values") {
   const Spread odd = spread_of({5, 1, 4, 2, 3});
   CHECK(odd.least == 1);
   CHECK(odd.lower == 2);
@@ -47,7 +47,7 @@ TEST_CASE("a warp takes as long as its longest thread") {
   CHECK(*profile_work({3}).simd_efficiency == Approx(1.0 / 32));
 }
 
-TEST_CASE("no work has no efficiency, and no threads have no work") {
+TEST_CASE("without work there is no efficiency, and without threads no work") {
   CHECK_FALSE(profile_work({0, 0, 0}).simd_efficiency);
   CHECK(profile_work({0, 0, 0}).bins[0].threads == 3);
   const WorkProfile none = profile_work({});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pressure and cooling of gases, as the experiments measure them, against theory.
+// Pressure and cooling of gases, measured as in the experiments, against theory.
 #include "lab/experiments/hard_spheres.h"
 
 #include <cmath>

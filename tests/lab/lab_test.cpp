@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measured is kept: nothing is measured twice, nothing that was measured is lost.
+// Measurements are kept: none is made twice, and none is lost.
 #include "lab/measure/lab.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ using Catch::Contains;
 
 namespace {
 
-/// A file that is not there yet, and is removed at the end.
+/// A path without a file; the file is removed at the end.
 class CacheFile {
  public:
   CacheFile() : path_(std::filesystem::temp_directory_path() / ("ballpit-lab-" + std::to_string(::getpid()) + ".csv")) {
@@ -39,7 +39,7 @@ Lab lab_with(const CacheFile& cache) {
 
 }  // namespace
 
-TEST_CASE("what one laboratory measured, the next one reads") {
+TEST_CASE("a laboratory reads what an earlier one has measured") {
   const CacheFile cache;
   const std::vector<double> values{0.1, 1e-300, -2, INFINITY};
   CHECK(lab_with(cache).measure("a, \"b\"", [&] { return values; }) == values);
@@ -51,7 +51,7 @@ TEST_CASE("what one laboratory measured, the next one reads") {
   CHECK(again.measured() == 1);
 }
 
-TEST_CASE("what is no number is kept as such") {
+TEST_CASE("NaN is kept as NaN") {
   const CacheFile cache;
   lab_with(cache).measure("k", [] { return std::vector<double>{kNoNumber, 1}; });
   const std::vector<double> read = lab_with(cache).measure("k", [] { return std::vector<double>{}; });
@@ -60,7 +60,7 @@ TEST_CASE("what is no number is kept as such") {
   CHECK(read[1] == 1);
 }
 
-TEST_CASE("a line that was cut short is measured again, and does no harm") {
+TEST_CASE("an incomplete line is measured again and does not affect others") {
   const CacheFile cache;
   lab_with(cache).measure("whole", [] { return std::vector<double>{1}; });
   const std::string whole = read_file(cache.path());
@@ -73,7 +73,7 @@ TEST_CASE("a line that was cut short is measured again, and does no harm") {
   CHECK(again.measured() == 0);
 }
 
-TEST_CASE("an interrupted laboratory stops before its next measurement, and says how to go on") {
+TEST_CASE("an interrupted laboratory stops before the next measurement and reports how to continue") {
   LabOptions options;
   int done = 0;
   options.tell = [&](bool) { ++done; };
@@ -85,7 +85,7 @@ TEST_CASE("an interrupted laboratory stops before its next measurement, and says
   CHECK_THROWS_WITH(measure(), Contains("interrupted") && Contains("the same command goes on from there"));
 }
 
-TEST_CASE("an unknown experiment is an error that lists all") {
+TEST_CASE("an unknown experiment is an error that lists all experiments") {
   for (const Experiment& experiment : experiments()) {
     CHECK(find_experiment(experiment.name).name == experiment.name);
     CHECK_THROWS_WITH(find_experiment("nonsense"),

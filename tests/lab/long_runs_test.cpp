@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who keeps energy and momentum over long runs, and who does not.
+// Which methods keep energy and momentum over long runs.
 #include "lab/experiments/long_runs.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the experiments on searches must find, on what is counted: it is the same on every machine.
+// The counted results of experiments on searches, which are equal on every machine.
 #include <cmath>
 #include <map>
 #include <memory>
@@ -24,7 +24,7 @@ double candidates(const Settings& settings, const SphereSet& spheres) {
   return static_cast<double>(search->report().candidates);
 }
 
-/// Share of the contacts that a grid with cells of this size finds.
+/// The share of the contacts that a grid with cells of this size finds.
 double recall(const std::string& grid, double cell_size, const SphereSet& spheres, const std::vector<Pair>& contacts) {
   Settings settings = search_by(grid);
   settings.cell_size = cell_size;
@@ -40,7 +40,7 @@ SearchTiming timing_of(std::vector<double> seconds) { return {std::move(seconds)
 
 }  // namespace
 
-TEST_CASE("a power law is found again, and what scatters about it gives an error") {
+TEST_CASE("a fit recovers a power law, and scatter gives a standard error") {
   const PowerFit exact = fit_power({1, 10, 100}, {3, 3 * std::pow(10, 1.5), 3000});
   CHECK(exact.exponent == Approx(1.5));
   CHECK(exact.factor == Approx(3));
@@ -66,7 +66,7 @@ TEST_CASE("candidates grow as theory says: n², n^(5/3), n, n") {
   }
 }
 
-TEST_CASE("the share of contacts that small cells find is that of the formula, within its error") {
+TEST_CASE("small cells find the share of contacts of the formula, within its error") {
   const SphereSet spheres = touching_pairs(20'000, 7);
   const std::vector<Pair> contacts = exact_pairs(spheres.arrays());
   REQUIRE(contacts.size() == 10'000);
@@ -80,7 +80,7 @@ TEST_CASE("the share of contacts that small cells find is that of the formula, w
   }
 }
 
-TEST_CASE("cells of slide 7's least edge, half of what the block needs, lose seven contacts in ten") {
+TEST_CASE("cells with the least edge of slide 7, half of what the block needs, miss seven contacts in ten") {
   const SphereSet spheres = touching_pairs(20'000, 3);
   const std::vector<Pair> contacts = exact_pairs(spheres.arrays());
   // 0.2905: the formula's mean over all directions. 0.01: two standard errors of 10 000 pairs.
@@ -113,7 +113,7 @@ TEST_CASE("in one grid candidates grow with the size ratio; in a grid for each s
   CHECK(growth("sorted-grid") < 2);
 }
 
-TEST_CASE("uniform spheres fill the share of their box that was asked for") {
+TEST_CASE("uniform spheres fill the requested share of their box") {
   for (const double ratio : {1.0, 4.0, 32.0}) {
     const UniformSpheres wanted{100'000, 0.2, ratio, 3};
     const SphereSet spheres = uniform_spheres(wanted, 2);
@@ -128,16 +128,17 @@ TEST_CASE("uniform spheres fill the share of their box that was asked for") {
   }
 }
 
-TEST_CASE("who loses more than one turn in nine is not called the winner") {
+TEST_CASE("a method that loses more than one turn in nine is not the winner") {
   CHECK(winner_among({timing_of({2, 2, 2}), timing_of({1, 1, 1})}) == 1);
   CHECK(winner_among({timing_of({1, 1.1, 1.2}), timing_of({1.1, 1.05, 1.3})}) == kTie);
   CHECK(winner_among({timing_of({1, 1, 1}), SearchTiming{}, timing_of({3, 3, 3})}) == 0);
   CHECK(winner_among({SearchTiming{}, timing_of({3, 3, 3})}) == 1);
 }
 
-TEST_CASE("the step that a response may take is the coarser of two in a row that hold the tolerance") {
+TEST_CASE("the largest step is the coarser of two in a row within the tolerance") {
   const auto error = [](double dt, double off) { return PressureError{dt, {off, 0}}; };
   CHECK(largest_step({error(4, kNoNumber), error(2, 0.03), error(1, 0.019), error(0.5, -0.01)}) == 1);
-  CHECK(largest_step({error(4, 0.001), error(2, 0.03), error(1, 0.01)}) == 0);  // by chance, and none to confirm
+  CHECK(largest_step({error(4, 0.001), error(2, 0.03), error(1, 0.01)}) ==
+        0);  // by chance: the next step does not confirm it
   CHECK(largest_step({}) == 0);
 }

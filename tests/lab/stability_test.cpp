@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Methods fail where their formulas say.
+// Methods fail where their formulas predict.
 #include "lab/experiments/stability.h"
 
 #include <cmath>
@@ -38,7 +38,7 @@ TEST_CASE("the measured boundary of every map lies within one cell of the formul
   }
 }
 
-TEST_CASE("the physics experiments ask for as many measurements as they announce") {
+TEST_CASE("experiments make as many measurements as they announce") {
   for (const char* const name : {"stability", "cooling"}) {
     Lab lab = quick_lab();
     const Experiment& experiment = find_experiment(name);

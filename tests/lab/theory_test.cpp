@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed forms against digits that were published, or verified by independent experiment.
+// Closed forms against published digits, or digits verified by an independent computation.
 #include "lab/measure/theory.h"
 
 #include <cmath>
@@ -25,14 +25,14 @@ TEST_CASE("late contacts lower the pressure by 11.56·dt at a density of a half"
   CHECK((late_contact_z(0.5, 1e9, 1e-4) - reference_z(0.5)) / 1e-4 == Approx(-11.56).margin(0.02));
 }
 
-TEST_CASE("small cells find the part of touching pairs that the closed form tells, from 1/√2 to 1") {
+TEST_CASE("the recall of small cells agrees with its closed form from 1/√2 to 1") {
   for (const double c : {0.75, 0.9, 1.0})
     CHECK(cell_recall(c) == Approx(1 - 3 * (1 - c) * (1 - c) / (2 * c)).margin(1e-5));
   CHECK(cell_recall(0.5) == Approx(0.2905).margin(2e-4));
   CHECK(cell_recall(1.5) == 1);
 }
 
-TEST_CASE("over all impact parameters 1 − s²/12 of hits are seen, and 4/(3s) beyond s = 2") {
+TEST_CASE("over all impact parameters 1 − s²/12 of hits are found, and 4/(3s) beyond s = 2") {
   for (const double step : {0.5, 1.5, 2.0, 3.0}) {
     double mean = 0;
     constexpr int kRings = 20000;
@@ -41,7 +41,7 @@ TEST_CASE("over all impact parameters 1 − s²/12 of hits are seen, and 4/(3s) 
   }
 }
 
-TEST_CASE("a ball that bounces is on the floor, at its tops and at rest when the closed form says") {
+TEST_CASE("a bouncing ball is on the floor, at its tops and at rest at the times of the closed form") {
   const auto height = [](double time) { return bouncing_height(1, 0.8, 9.81, time); };
   CHECK(height(0) == 1);
   for (const double touch : {0.451523641, 1.173961467, 2.584160102}) CHECK(height(touch) == Approx(0).margin(1e-8));
@@ -58,7 +58,7 @@ TEST_CASE("a column of points has two fifths of its energy in its height, one of
   CHECK(barometric_height(2.5, 1, diameter, per_area) == Approx(2 * 2.5 / 5.01 * 1.005).epsilon(1e-9));
 }
 
-TEST_CASE("the column's height is that of its hydrostatics, to the second order of the density") {
+TEST_CASE("the height of the column agrees with hydrostatics to second order of the density") {
   // dP/dy = −w·n with P = kT·(n + B·n²): y(n) = H·(ln(n₀/n) + 2B·(n₀ − n)), H = kT/w.
   constexpr double kT = 1.3, kWeight = 2.1, kDiameter = 0.5, kFloor = 0.12, kH = kT / kWeight;
   const double b = 2 * M_PI / 3 * std::pow(kDiameter, 3), per_area = kH * (kFloor + b * kFloor * kFloor);

@@ -82,8 +82,8 @@ class ChartScript {
   void write_text(double x, double y, const std::string& text, Rgb color, std::string_view where = "left",
                   double size = 20);
 
-  /// Moves labels apart where they would cover each other, keeps their order from bottom to top, and writes them. Each has
-  /// an opaque background, so that lines behind it leave it readable.
+  /// Moves labels apart where they would cover each other, keeps their order from bottom to top, and writes them. Each
+  /// has an opaque background, so that lines behind it leave it readable.
   void write_labels(std::vector<Label> labels);
 
   /// Adds a data block with these lines and returns its name.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The look of charts: colours and markers of each role, on a light and on a dark background. The hues are those of Okabe
-// and Ito, which colour-blind viewers can tell apart. Each colour has a marker of its own.
+// The look of charts: colours and markers of each role, on a light and on a dark background. The hues are those of
+// Okabe and Ito, which colour-blind viewers can tell apart. Each colour has a marker of its own.
 #pragma once
 
 #include <string>

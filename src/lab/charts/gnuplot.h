@@ -11,8 +11,8 @@ namespace ballpit {
 /// The path of gnuplot; empty if it is not on the PATH.
 std::string gnuplot_path();
 
-/// The chart as SVG, drawn by the gnuplot at this path. It names common fonts and embeds none. Throws RunError with gnuplot's
-/// message.
+/// The chart as SVG, drawn by the gnuplot at this path. It names common fonts and embeds none. Throws RunError with
+/// gnuplot's message.
 std::string draw_svg(const Chart& chart, Ground ground, const std::string& gnuplot);
 
 }  // namespace ballpit

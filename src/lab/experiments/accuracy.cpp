@@ -13,8 +13,9 @@ namespace ballpit {
 
 namespace {
 
-/// The largest overlap at rest; a method fails if the floor does not carry the weight. Steps are no finer than 0.13 ms: below
-/// that, single precision loses gravity's part in a step, and impulses sink into the allowed overlap for longer than this waits.
+/// The largest overlap at rest; a method fails if the floor does not carry the weight. Steps are no finer than 0.13 ms:
+/// below that, single precision loses gravity's part in a step, and impulses sink into the allowed overlap for longer
+/// than this waits.
 Trial run_pile(const std::vector<double>& masses, const ContactMethod& method, double dt) {
   constexpr double kRadius = 0.125, kRest = 1.5, kWeighing = 0.25, kTolerance = 0.1;
   constexpr int64_t kMaxEvents = 20'000;  // more are an endless series of collisions

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tasks of `work-precision`: scenes whose outcome is known from a closed form or from exact motion, and the error of each
-// method in them.
+// The tasks of `work-precision`: scenes whose outcome is known from a closed form or from exact motion, and the error
+// of each method in them.
 #pragma once
 
 #include <cstdint>
@@ -46,8 +46,8 @@ inline Settings with_step(const ContactMethod& method, double dt) {
   return settings;
 }
 
-/// The order with which the error of the penalty response's restitution falls with the step, between 40 and 160 steps per
-/// contact: that of the mean |v'/v − e| over hits that start at different moments of a step.
+/// The order with which the error of the penalty response's restitution falls with the step, between 40 and 160 steps
+/// per contact: that of the mean |v'/v − e| over hits that start at different moments of a step.
 double order_of_restitution(const std::string& integrator, const std::string& law, double restitution);
 
 }  // namespace ballpit

@@ -18,7 +18,8 @@ namespace {
 constexpr int kCells = 3;  // 108 spheres
 constexpr double kCount = 4.0 * kCells * kCells * kCells;
 
-/// A task's run, which starts from a scene for its seed. The last scene is kept, since all methods of a repeat start from it.
+/// A task's run, which starts from a scene for its seed. The last scene is kept, since all methods of a repeat start
+/// from it.
 using Run = std::function<Trial(const Scene&, const ContactMethod&, double dt, bool is_quick)>;
 
 decltype(Task::run) from(const std::function<Scene(uint64_t seed)>& make, const Run& run) {
@@ -152,8 +153,8 @@ Scene uneven_mixture(uint64_t seed) {
   return scene;
 }
 
-/// The share of the energy that the small spheres reach. With total momentum 0 and mass M, a sphere of mass m has a share
-/// in proportion to 1 − m/M.
+/// The share of the energy that the small spheres reach. With total momentum 0 and mass M, a sphere of mass m has a
+/// share in proportion to 1 − m/M.
 Trial run_mixture(Scene scene, const ContactMethod& method, double dt, bool is_quick) {
   constexpr double kSettle = 5;
   const double large = scene.bodies.mass[0], small = scene.bodies.mass[1], all = kCount / 2 * (small + large);

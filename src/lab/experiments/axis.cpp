@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The axis of sort and sweep: along the height of a tall box few intervals overlap, along that of a flat box nearly all.
-// Candidates for each axis against the formula, and the fastest broad phase for each shape of the box.
+// The axis of sort and sweep: along the height of a tall box few intervals overlap, along that of a flat box nearly
+// all. Candidates for each axis against the formula, and the fastest broad phase for each shape of the box.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -105,20 +105,21 @@ Findings run(Lab& lab) {
   const auto finds_best = [](const Sweep& s) {
     return s.candidates[2] <= 1.01 * std::min(s.candidates[0], s.candidates[1]);
   };
-  return {{winner_table(plan, cells), sweep_table(sweeps, count)},
-          {sweep_chart(plan, sweeps, count), winner_chart(plan, cells, "Fastest broad phase by the box’s shape"),
-           time_chart(plan, cells)},
-          fmt::format("In a box {} times as tall as wide, sort and sweep tests {} times as many pairs along x as along "
-                      "z; auto takes the better axis in {} of {} shapes.",
-                      number_text(tallest.aspect), three_digits(tallest.candidates[0] / tallest.candidates[1]),
-                      std::count_if(sweeps.begin(), sweeps.end(), finds_best), sweeps.size()),
-          fmt::format(
-              "Equal spheres, 30 % of the box, from a flat plate to a tall column. Dotted: the expected overlaps of "
-              "intervals, n(n−1)/2 · (2D/L − D²/L²) for centres drawn evenly along a length L, D being a diameter; all "
-              "pairs where L is less than D. Sort and sweep along the long way leaves few candidates; across it, it is "
-              "brute force with a sort. Auto takes the axis along which positions vary most. The map tells which broad "
-              "phase is fastest in such boxes (sort and sweep by auto). {} {}.",
-              winning_rule(), tally_of(cells))};
+  return {
+      {winner_table(plan, cells), sweep_table(sweeps, count)},
+      {sweep_chart(plan, sweeps, count), winner_chart(plan, cells, "Fastest broad phase by the box’s shape"),
+       time_chart(plan, cells)},
+      fmt::format("In a box {} times as tall as wide, sort and sweep tests {} times as many pairs along x as along "
+                  "z; auto takes the better axis in {} of {} shapes.",
+                  number_text(tallest.aspect), three_digits(tallest.candidates[0] / tallest.candidates[1]),
+                  std::count_if(sweeps.begin(), sweeps.end(), finds_best), sweeps.size()),
+      fmt::format("Equal spheres that fill 30 % of the box, from a flat plate to a tall column. Dotted: the expected "
+                  "number of overlapping intervals, n(n−1)/2 · (2D/L − D²/L²) for centres uniform along a length L, "
+                  "where D is the diameter; all pairs if L is less than D. Along the longest side, sort and sweep "
+                  "has few candidates; along the shortest, it is brute force after a sort. Auto takes the axis along "
+                  "which positions vary most. The map shows the fastest broad phase for each shape (sort and sweep "
+                  "with auto). {} {}.",
+                  winning_rule(), tally_of(cells))};
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 // Slide 7: the size of the cells determines the run time, and cells that are too small miss contacts. Time and recall
 // against the edge of the cells, with the bound on slide 7 (r) and the one from which nothing is missed (2·r_max).
 //
-//     c = 1      c = .5          A search tests two spheres if their cells are neighbours: along each axis, the indices differ
-//    ┌───┬───┐  ┌─┬─┬─┬─┐        by one at most. For centres at a distance d along it this is certain if d ≤ c and impossible
-//    │ ● │ ● │  │●│ │ │●│        if d > 2·c. Between, it has the probability 2 − d/c, since the grid has a random place.
-//    └───┴───┘  └─┴─┴─┴─┘
+//     c = 1      c = .5          A search tests two spheres if their cells are neighbours: along each axis, the indices
+//    ┌───┬───┐  ┌─┬─┬─┬─┐        differ by one at most. For centres at a distance d along it this is certain if d ≤ c
+//    │ ● │ ● │  │●│ │ │●│        and impossible if d > 2·c. Between, it has the probability 2 − d/c, since the grid has
+//    └───┴───┘  └─┴─┴─┴─┘        a random place.
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -159,22 +159,22 @@ Findings run(Lab& lab) {
   const Row& half = row_at(rows, 0.5);
   const Row& best = fastest(rows);
   const double slowdown = rows.back().timings[0].spread().median / best.timings[0].spread().median;
-  return {
-      {table_of(rows)},
-      {recall_chart(rows), time_chart(rows, count_of(lab.is_quick()))},
-      fmt::format("Cells as wide as slide 7 allows at least, r, find only {} % of the contacts of touching spheres "
-                  "(theory: {} %). From 2·r_max on nothing is missed; there, linked cells are fastest at {} times "
-                  "2·r_max, {} times as fast as at 8.",
-                  three_digits(100 * half.recall[0]), three_digits(100 * half.recall[2]), number_text(best.size),
-                  three_digits(slowdown)),
-      "First, the share of contacts that the 3 × 3 × 3 block finds among pairs of equal spheres that just touch, in "
-      "random directions, against an exact reference; dotted, the formula: along each axis two centres a distance d "
-      "apart lie in neighbouring cells of edge c with probability 2 − d/c, and no more than 1; bars are one standard "
-      "error. Slide 7 prints the least radius as its bound, half of what the block needs: between r and 2·r_max real "
-      "contacts fall through. Second, the time of a search on one thread among spheres that fill 30 % of the box: "
-      "smaller cells mean more cells to visit, larger ones more spheres in each, and candidates grow as the cube of "
-      "the edge. Without --cell-size both grids choose cells that miss nothing; the sorted grid then looks only as "
-      "far as spheres reach, and is faster than here."};
+  return {{table_of(rows)},
+          {recall_chart(rows), time_chart(rows, count_of(lab.is_quick()))},
+          fmt::format("Cells as wide as slide 7 allows at least, r, find only {} % of the contacts of touching spheres "
+                      "(theory: {} %). From 2·r_max on nothing is missed; there, linked cells are fastest at {} times "
+                      "2·r_max, {} times as fast as at 8.",
+                      three_digits(100 * half.recall[0]), three_digits(100 * half.recall[2]), number_text(best.size),
+                      three_digits(slowdown)),
+          "First chart: the share of contacts that the 3 × 3 × 3 block finds among pairs of equal spheres "
+          "that just touch, in random directions, compared with an exact reference. Dotted: along each axis, "
+          "two centres at a distance d lie in neighbouring cells of edge c with probability 2 − d/c, at most "
+          "1. Bars are one standard error. Slide 7 gives the least radius as the bound, which is half of "
+          "what the block needs: between r and 2·r_max contacts are missed. Second chart: the time of a "
+          "search on one thread among spheres that fill 30 % of the box. Smaller cells mean more cells to "
+          "visit, larger cells more spheres in each, and candidates grow with the cube of the edge. Without "
+          "--cell-size both grids choose cells that miss nothing. The sorted grid then looks only as far as "
+          "spheres reach, and is faster than here."};
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All methods that resolve contacts, to be compared: every response with its integrators, solvers and precisions, from the
-// table of methods.
+// All methods that resolve contacts, to be compared: every response with its integrators, solvers and precisions, from
+// the table of methods.
 #pragma once
 
 #include <string>

@@ -29,7 +29,8 @@ std::vector<double> times() {
 
 int seeds(bool is_quick) { return is_quick ? 20 : 200; }
 
-/// The results of one restitution: T/T₀ at each time, and τ over that of Haff's law, from the time at which T is a quarter.
+/// The results of one restitution: T/T₀ at each time, and τ over that of Haff's law, from the time at which T is a
+/// quarter.
 struct Course {
   double restitution;
   std::vector<Mean> temperature;
@@ -106,10 +107,10 @@ Findings run(Lab& lab) {
           charts_of(courses),
           fmt::format("A gas with {} cools by Haff's law: its τ is off by {} ± {} % from that of kinetic theory.",
                       label_of(first), three_digits(100 * (first.tau.value - 1)), three_digits(100 * first.tau.error)),
-          "T/T₀ of gases of 256 spheres by exact motion, means over seeds with their standard errors; time in units of "
-          "τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start. Nothing is fitted. The second "
-          "chart magnifies the first: the more a collision takes, the less the speeds are Maxwell's, and the law is a "
-          "little off."};
+          "T/T₀ of gases of 256 spheres by exact motion: means over seeds with their standard errors. Time "
+          "is in units of τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start; nothing "
+          "is fitted. The second chart magnifies the first. The more energy a collision takes, the less the "
+          "speeds follow Maxwell's distribution, and the larger is the deviation from the law."};
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which response is fastest: the time of a dense gas against its number of spheres. Each response takes the largest step with
-// which its error in the pressure stays within the same tolerance.
+// Which response is fastest: the time of a dense gas against its number of spheres. Each response takes the largest
+// step with which its error in the pressure stays within the same tolerance.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -191,20 +191,20 @@ int64_t measurements(bool is_quick) {
 Findings run(Lab& lab) {
   std::vector<Entry> entries = measure_entries(lab);
   measure_times(lab, entries);
-  return {
-      tables_of(entries),
-      {time_chart(entries), error_chart(entries)},
-      answer_of(entries),
-      "A gas of equal elastic spheres, N·D³/V = 0.5, in a periodic box, from equilibrium; diameter, mass and kT are "
-      "1, and a sphere hits another 7.7 times in a unit of time. First, the error of the compressibility Z of 256 "
-      "spheres against the literature's value, step by step (bars: one standard error; × where it is beyond 30 %, or "
-      "the run stopped): each response then takes the largest step that holds 2 %, and whose half does, too. Second, "
-      "the time for a unit of simulated time at that step, on one thread in double precision, medians and quartiles "
-      "of five repeats in turns; × where runs stop: among many spheres some pair soon overlaps by more than a "
-      "radius, which the guard refuses. Discrete impulses see each hit up to a step late, so they need short steps; "
-      "swept ones find the hit inside the step. Penalty's springs last 20 steps, so soft spheres come with long "
-      "steps. Exact motion needs no steps at all, but handles one collision after the other. What is no contender "
-      "here, as position-based, has no elastic gas."};
+  return {tables_of(entries),
+          {time_chart(entries), error_chart(entries)},
+          answer_of(entries),
+          "A gas of equal elastic spheres, N·D³/V = 0.5, in equilibrium in a periodic box; diameter, mass "
+          "and kT are 1, and a sphere has 7.7 collisions in a unit of time. First chart: the time for a unit "
+          "of simulated time, on one thread in double precision, medians and quartiles of five repeats in "
+          "turns. A × marks runs that stop: among many spheres, some pair soon overlaps by more than a "
+          "radius, and the guard ends the run. Second chart: the error of the compressibility Z of 256 "
+          "spheres against the literature, for each step (bars: one standard error; ×: beyond 30 %, or the "
+          "run stopped). Each response takes the largest step whose error, like that of half the step, is "
+          "within 2 %. Discrete impulses find each hit up to a step late, so they need short steps; swept "
+          "ones find the hit within the step. The springs of the penalty response last 20 steps, so long "
+          "steps mean soft spheres. Exact motion needs no steps, but processes one collision after the "
+          "other. Position-based spheres are missing, since they cannot form an elastic gas."};
 }
 
 }  // namespace

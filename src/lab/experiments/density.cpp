@@ -30,11 +30,12 @@ Findings run(Lab& lab) {
   const auto safest = static_cast<size_t>(std::min_element(losses.begin() + 1, losses.end()) - losses.begin());
   return {{winner_table(plan, cells)},
           {winner_chart(plan, cells, "Fastest broad phase by density"), time_chart(plan, cells)},
-          fmt::format("{}; whoever always takes the {} needs at worst {} times the time of the fastest.",
-                      tally_of(cells), label_of(broad_phases()[safest]), three_digits(losses[safest])),
-          "Equal spheres, centres drawn evenly. Few spheres: what a structure costs is more than what it saves, and "
-          "brute force's plain loop wins. Many: cells win, whatever the density. Thin gases have many empty cells, "
-          "which cost time to clear; dense heaps have many real contacts, which every method must find. " +
+          fmt::format("{}; always taking the {} costs at worst {} times the time of the fastest.", tally_of(cells),
+                      label_of(broad_phases()[safest]), three_digits(losses[safest])),
+          "Equal spheres with uniform centres. With few spheres, a structure costs more than it saves, and "
+          "the plain loop of brute force is fastest. With many, cells are fastest at every density. Thin "
+          "gases have many empty cells, which take time to clear; dense heaps have many contacts, which "
+          "every method must find. " +
               winning_rule()};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How evenly a search distributes its work over threads, and how busy that keeps a GPU, whose threads run in lockstep. The
-// walks of slide 4 differ in length, and half of them end at once; the lists of slides 12 to 15 differ as cells do.
+// How evenly a search distributes its work over threads, and how busy that keeps a GPU, whose threads run in lockstep.
+// The walks of slide 4 differ in length, and half of them end at once; the lists of slides 12 to 15 differ as cells do.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -89,17 +89,16 @@ Findings run(Lab& lab) {
       if (values[3] > most) most = values[3], best = label_of(name);
     }
   }
-  return {
-      {std::move(table)},
-      {std::move(chart)},
-      fmt::format("Among equal spheres the {} keeps {} % of the lanes of a warp busy; least does {}: {} %.", best,
-                  three_digits(100 * most), worst, three_digits(100 * least)),
-      "A GPU's threads walk in warps of 32, in lockstep: a warp takes as long as its longest thread. SIMD efficiency "
-      "is the work of all threads over 32 times the longest of each warp. In sort and sweep, half of the threads "
-      "hold an end and return at once (work 0, drawn at a half); the walks of the others are as long as the spheres "
-      "they meet. A linked cell's thread reads the lists of its block, whose lengths chance decides. Brute force, "
-      "not drawn, gives each thread all spheres after its own: neighbours differ by one, so warps lose next to "
-      "nothing, at the price of the most work."};
+  return {{std::move(table)},
+          {std::move(chart)},
+          fmt::format("Among equal spheres the {} keeps {} % of the lanes of a warp busy; least does {}: {} %.", best,
+                      three_digits(100 * most), worst, three_digits(100 * least)),
+          "The threads of a GPU run in lockstep, in warps of 32: a warp takes as long as its longest thread. "
+          "SIMD efficiency is the work of all threads over 32 times the longest thread of each warp. In sort "
+          "and sweep, half of the threads hold an end and return at once (work 0, drawn at a half); the "
+          "others walk as far as their intervals reach. A thread of linked cells reads the lists of its "
+          "block, whose lengths are random. Brute force, not drawn, tests all later spheres in each thread: "
+          "neighbouring threads differ by one, so warps lose almost nothing, but the work is largest."};
 }
 
 }  // namespace

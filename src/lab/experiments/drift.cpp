@@ -20,8 +20,8 @@ namespace {
 constexpr int kCells = 3;  // 108 spheres
 constexpr double kRho = 0.3, kStep = 0.004, kStepsOfContact = 30;
 constexpr double kOmegaStep = 0.1;
-constexpr int kDoublings = 14;    // of the number of steps
-constexpr double kLeast = 1e-14;  // smaller changes are drawn there
+constexpr int kDoublings = 14;       // of the number of steps
+constexpr double kMinDrawn = 1e-14;  // smaller changes are drawn there
 
 double duration(bool is_quick) { return is_quick ? 40 : 400; }
 
@@ -75,12 +75,12 @@ Table table_of(const std::vector<Course>& courses, const std::vector<double>& at
 Chart chart_of(const std::string& name, const std::string& title, const std::vector<Course>& courses,
                const std::vector<double>& at, double LargestDrift::*what) {
   Chart chart{name, title, Axis{"time", "D/√(kT/m)", Scale::log},
-              Axis{name + ": largest change so far", "", Scale::log, kLeast / 3, 100}};
+              Axis{name + ": largest change so far", "", Scale::log, kMinDrawn / 3, 100}};
   for (const Course& course : courses) {
     Series series = series_of(course.method);
     if (series.is_dashed && !is_float_of_main(course.method)) continue;  // the others are in the table
     for (size_t k = 0; k < at.size(); ++k) {
-      series.points.push_back({at[k], std::max(kLeast, course.drifts[k].*what)});
+      series.points.push_back({at[k], std::max(kMinDrawn, course.drifts[k].*what)});
       if (std::isinf(course.drifts[k].*what)) break;  // one cross for each failed run
     }
     chart.series.push_back(series);
@@ -139,12 +139,13 @@ Findings run(Lab& lab) {
       change(end_of(courses, "impulse, gauss-seidel").energy),
       change(end_of(courses, "penalty, explicit-euler").energy));
   findings.see =
-      "Each line is the largest change up to then, of an elastic gas of 108 spheres at the density 0.3, all with "
-      "the same step; springs are such that a contact lasts 30 steps. What is below 1e-14 is drawn there. Explicit "
-      "Euler gains energy in every contact until the run is stopped (×). Averaging among contacts (Jacobi) and "
-      "moving apart by position take energy away. Only the kinematic response loses momentum; all others keep it "
-      "to rounding, single precision (dashed) to its own. Thin lines without a label end like their response's "
-      "own. The third chart is one mass on a spring, with what theory says of each integrator.";
+      "Each line is the largest change so far, of an elastic gas of 108 spheres with density 0.3, always "
+      "with the same step; a contact of springs lasts 30 steps. Changes below 1e-14 are drawn there. "
+      "Explicit Euler gains energy in every contact until the guard ends the run (×). Averaging over "
+      "contacts (Jacobi) and moving spheres apart by position remove energy. Only the kinematic response "
+      "changes momentum; all others keep it up to rounding, in single precision (dashed) up to that "
+      "precision. Thin lines without a label end like the main line of their response. The third chart "
+      "is one mass on a spring, with the theory of each integrator.";
   return findings;
 }
 

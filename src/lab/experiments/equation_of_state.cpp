@@ -147,11 +147,11 @@ Findings run(Lab& lab) {
       three_digits(100 * error), three_digits(std::sqrt(squares)), three_digits(coarse.dt),
       three_digits(-100 * coarse.discrete.value / truth), three_digits(-100 * coarse.expected / truth));
   findings.see =
-      "Points are means over blocks of many collisions, with their standard errors; dotted lines are the "
-      "literature's. The second chart magnifies the first: Carnahan and Starling's formula is off by up to 0.3 %, "
-      "and the measured points follow the reference instead. In the third, contacts found at the end of a step are "
-      "half a step late on average, as if spheres were smaller; swept ones are nearly on time. The number of spheres "
-      "is accounted for in all three.";
+      "Points are means over blocks of many collisions, with their standard errors; dotted lines are "
+      "from the literature. The second chart magnifies the first: Carnahan and Starling's formula is off "
+      "by up to 0.3 %, and the measured points follow the reference. In the third chart, contacts found "
+      "at the end of a step are half a step late on average, which acts like smaller spheres; swept "
+      "contacts are nearly on time. All three charts account for the number of spheres.";
   return findings;
 }
 

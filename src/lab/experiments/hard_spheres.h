@@ -23,8 +23,9 @@ struct GasRun {
 
 double count_of(const GasRun& run);  ///< spheres
 
-/// Z_N = 1 + W/(3·N·kT·t) of each block, with the virial W of its collisions and its kT. Blocks are so long that they are
-/// practically independent. Each starts at kT = 1, so that a slow change of energy does not change the meaning of dt.
+/// Z_N = 1 + W/(3·N·kT·t) of each block, with the virial W of its collisions and its kT. Blocks are so long that they
+/// are practically independent. Each starts at kT = 1, so that a slow change of energy does not change the meaning of
+/// dt.
 std::vector<double> block_z(const GasRun& run, const Settings& settings);
 
 /// The same for a given gas in equilibrium, whose physics can be changed.

@@ -19,12 +19,12 @@ struct LargestDrift {
 /// Up to each of these ascending times, checked every few steps. Infinite from the time at which a run stops.
 std::vector<LargestDrift> drift_of(const Scene& scene, const Settings& settings, const std::vector<double>& times);
 
-/// The largest |E/E₀ − 1| within 1, 2, 4, … 2^(count − 1) steps of a mass on a spring, which is a sphere on the floor with the
-/// penalty response; omega_dt = ω·dt.
+/// The largest |E/E₀ − 1| within 1, 2, 4, … 2^(count − 1) steps of a mass on a spring, which is a sphere on the floor
+/// with the penalty response; omega_dt = ω·dt.
 std::vector<double> oscillator_drift(const std::string& integrator, double omega_dt, int count);
 
-/// The same by theory, z = ω·dt: (1 + z²)^n − 1 for explicit Euler, 1 − (1 − z⁶/72 + z⁸/576)^n for Runge–Kutta, and the bounds
-/// z²/4 for velocity Verlet and z/(2 − z) for symplectic Euler.
+/// The same by theory, z = ω·dt: (1 + z²)^n − 1 for explicit Euler, 1 − (1 − z⁶/72 + z⁸/576)^n for Runge–Kutta, and the
+/// bounds z²/4 for velocity Verlet and z/(2 − z) for symplectic Euler.
 double oscillator_theory(const std::string& integrator, double omega_dt, double steps);
 
 /// The sphere leaves the floor when its energy exceeds this multiple of its energy at the start.

@@ -77,7 +77,7 @@ std::vector<Result> results_of(Lab& lab, const Task& task) {
 }
 
 std::vector<Result> front_of(std::vector<Result> results, double floor) {
-  for (Result& result : results) result.error = std::max({result.error, floor, kLeastError});
+  for (Result& result : results) result.error = std::max({result.error, floor, kMinError});
   std::sort(results.begin(), results.end(),
             [](const Result& a, const Result& b) { return a.seconds.median < b.seconds.median; });
   std::vector<Result> front;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The responses that `crossover` compares, and the largest step with which each keeps the error in the pressure of a dense gas
-// within the same tolerance; diameter, mass and kT are 1.
+// The responses that `crossover` compares, and the largest step with which each keeps the error in the pressure of a
+// dense gas within the same tolerance; diameter, mass and kT are 1.
 #pragma once
 
 #include <string>

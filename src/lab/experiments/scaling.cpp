@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The diagram of exercise sheet 3: the time of a step against the number of spheres, for each broad phase, backend and number
-// of threads, with exponents of growth fitted to the upper part.
+// The diagram of exercise sheet 3: the time of a step against the number of spheres, for each broad phase, backend and
+// number of threads, with exponents of growth fitted to the upper part.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -214,19 +214,18 @@ int64_t measurements(bool is_quick) { return static_cast<int64_t>(counts(is_quic
 
 Findings run(Lab& lab) {
   const std::vector<Curve> curves = measure_all(lab);
-  return {
-      {times_of(curves), exponents_of(curves)},
-      charts_of(curves),
-      answer_of(curves),
-      "Whole steps of a gas of equal elastic spheres that fill 30 % of a box: detection, response, motion. Both axes "
-      "are logarithmic, so a power of n is a straight line; dotted, what O(n²), O(n log n) and O(n) look like. "
-      "Points are medians of five blocks of steps, bars their quartiles; all methods are measured in turns. "
-      "Exponents are least squares in the logarithms, over the upper part of each curve (a thirtieth of its most "
-      "spheres, or more): below that, what a step costs however few spheres there are hides the growth. Brute force "
-      "ends where a block would take too long. In a cube sort and sweep walks n to the power of 5/3 entries, since "
-      "an interval's share of the axis shrinks only as the cube root of n; its time follows that where walking "
-      "outweighs sorting: the table gives the exponent of what is counted, the candidates, beside that of what is "
-      "timed."};
+  return {{times_of(curves), exponents_of(curves)},
+          charts_of(curves),
+          answer_of(curves),
+          "Whole steps of a gas of equal elastic spheres that fill 30 % of a box: detection, response, "
+          "motion. Both axes are logarithmic, so a power of n is a straight line; dotted lines show O(n²), "
+          "O(n log n) and O(n). Points are medians of five blocks of steps, bars their quartiles; all "
+          "methods are measured in turns. Exponents are least squares in the logarithms over the upper part "
+          "of each curve, from a thirtieth of its largest number of spheres on; below that, the constant "
+          "cost of a step hides the growth. Brute force ends where a block would take too long. In a cube, "
+          "sort and sweep walks n to the power of 5/3 entries, since an interval's share of the axis shrinks "
+          "only as the cube root of n. Its time follows that once walking takes longer than sorting. The "
+          "table gives the exponents of both the time and the candidates."};
 }
 
 }  // namespace

@@ -44,19 +44,20 @@ Findings run(Lab& lab) {
     const auto method = std::find(names.begin(), names.end(), name) - names.begin();
     return last.timings[static_cast<size_t>(method)].spread().median;
   };
-  return {{winner_table(plan, cells)},
-          {winner_chart(plan, cells, "Fastest broad phase, spheres of different sizes"), time_chart(plan, cells),
-           candidates_chart(plan, cells)},
-          fmt::format("Of radii 1 : {}, {} spheres take the linked cell's single grid {} times as long as the sorted "
-                      "grid with its grid for each size class.",
-                      number_text(last.value), grouped(static_cast<int64_t>(last.count)),
-                      three_digits(time("linked-cell") / time("sorted-grid"))),
-          fmt::format("Centres drawn evenly, 30 % of the volume; between the smallest and the largest, the density of "
-                      "radii goes as r⁻³, so most spheres are small. One grid must have cells as wide as the largest "
-                      "sphere: each then holds many small ones, and candidates grow with a power of the ratio. Grids "
-                      "for each size class keep them few. Sort and sweep does not mind sizes as such: an interval is "
-                      "as long as its sphere is wide. {} {}.",
-                      winning_rule(), tally_of(cells))};
+  return {
+      {winner_table(plan, cells)},
+      {winner_chart(plan, cells, "Fastest broad phase, spheres of different sizes"), time_chart(plan, cells),
+       candidates_chart(plan, cells)},
+      fmt::format("Of radii 1 : {}, {} spheres take the linked cell's single grid {} times as long as the sorted "
+                  "grid with its grid for each size class.",
+                  number_text(last.value), grouped(static_cast<int64_t>(last.count)),
+                  three_digits(time("linked-cell") / time("sorted-grid"))),
+      fmt::format("Uniform centres, 30 % of the volume; the density of radii is proportional to r⁻³, so most spheres "
+                  "are small. A single grid needs cells as wide as the largest sphere. Each then holds many small "
+                  "spheres, and the number of candidates grows with a power of the ratio. A grid for each size class "
+                  "avoids that. Sort and sweep does not depend on the sizes directly: an interval is as long as its "
+                  "sphere is wide. {} {}.",
+                  winning_rule(), tally_of(cells))};
 }
 
 }  // namespace

@@ -106,10 +106,10 @@ Findings run(Lab& lab) {
   findings.tables.push_back(lines);
   findings.tables.push_back(broken(lab));
   findings.see +=
-      "Colours are measured: by which factor motion grows in a step; the part of hits that is seen; the part of "
-      "searches that find at least that recall; what is left of the speed that gravity gave in a step; the part of "
-      "its way that a sphere makes. Triangles are where what is measured changes sides, dotted lines are formulas; "
-      "nothing is fitted.";
+      "Colours are measured: the factor by which motion grows in a step; the part of hits that is found; "
+      "the part of searches with at least that recall; the part of gravity's speed that is left after a "
+      "step; the part of its way that a sphere moves. Triangles show where the measurement changes "
+      "sides, dotted lines are formulas; nothing is fitted.";
   findings.answer = fmt::format(
       "In {} of {} maps the measured boundary lies within a cell of the formula's line; the farthest is {} cells from "
       "it.",

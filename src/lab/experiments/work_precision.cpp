@@ -66,7 +66,7 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
         series.points.push_back({std::clamp(r.seconds.median, least, most), r.error});
       } else {
         series.points.push_back(
-            {r.seconds.median, std::max(r.error, kLeastError), kNoNumber, kNoNumber, r.seconds.lower, r.seconds.upper});
+            {r.seconds.median, std::max(r.error, kMinError), kNoNumber, kNoNumber, r.seconds.lower, r.seconds.upper});
       }
     }
     if (is_shown) chart.series.push_back(series);
@@ -79,7 +79,8 @@ Chart chart_of(const Task& task, const std::vector<Result>& results) {
   return chart;
 }
 
-/// The order with which restitution converges. It is low because the force does not start smoothly; a dashpot's force jumps.
+/// The order with which restitution converges. It is low because the force does not start smoothly; a dashpot's force
+/// jumps.
 struct Order {
   const char *integrator, *law;
   double restitution, expected;
@@ -136,7 +137,8 @@ std::string text_of(const Result* result, bool is_chance) {
          (micro < 1000 ? three_digits(micro) + " µs" : three_digits(micro / 1000) + " ms");
 }
 
-/// How often each name occurs: "impulse in 5 of 19 scenes, penalty in 3; in 11 nobody comes that close, or chance is larger".
+/// How often each name occurs: "impulse in 5 of 19 scenes, penalty in 3; in 11 nobody comes that close, or chance is
+/// larger".
 std::string counts_of(const std::vector<std::string>& names, size_t scenes) {
   std::vector<std::pair<std::string, int>> counts;
   for (const std::string& name : names) {
@@ -171,17 +173,18 @@ Findings run(Lab& lab) {
   }
   findings.answer = "An error of one percent costs least by " + counts_of(winners, tasks().size()) + ".";
   findings.see =
-      "Each point is a step, half as long as that to its left: to the right runs take longer, downwards they are "
-      "more accurate. Times are for a second simulated, without the making of the world; bars are quartiles of them. "
-      "Errors below 1e-10 are drawn there. Runs that stopped, or carry no weight, are × at the edge. Thin lines are "
-      "other integrators and solvers of the "
-      "response whose colour and marker they have, without a label where they end like its own; single precision is "
-      "drawn, dashed, where it differs, and counts in the Pareto front. Springs get stiffer with the step, so that a "
-      "contact always lasts 20 steps, and what these err in restitution stays; only in the first two charts springs "
-      "stay the same. There a higher order earns little: the force does not begin smoothly, and RK4 keeps two or two "
-      "and a half of its four "
-      "orders, Verlet one, or two and a half. The first table names, for each scene, the fastest that holds a "
-      "tolerance; the second what errors are against, and who failed at all steps.";
+      "Each point is a step, half as long as that of the point to its left: to the right, runs take "
+      "longer; further down, they are more accurate. Times are for a simulated second, without the "
+      "creation of the world; bars are their quartiles. Errors below 1e-10 are drawn there. Runs that "
+      "stopped, or in which the floor does not carry the weight, are × at the edge. Thin lines are the "
+      "other integrators and solvers of the response with the same colour and marker, without a label if "
+      "they end like the main line. Single precision is drawn, dashed, where it differs, and counts in "
+      "the Pareto front. Springs become stiffer with shorter steps, so that a contact always lasts 20 "
+      "steps, and their error in restitution stays constant; only in the first two charts their "
+      "stiffness is fixed. There a higher order helps little: the force does not start smoothly, so RK4 "
+      "keeps two or two and a half of its four orders, and Verlet one, or two and a half. The first "
+      "table names, for each scene, the fastest method within a tolerance; the second gives the "
+      "quantity, its true value, and the methods that failed at all steps.";
   findings.tables.push_back(best);
   findings.tables.push_back(scenes);
   findings.tables.push_back(order_table(lab));

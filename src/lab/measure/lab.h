@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes the measurements of an experiment and keeps them in a file, each with a key that names everything it depends on. So
-// an interrupted run continues where it stopped, and a changed chart needs no new measurements.
+// Makes the measurements of an experiment and keeps them in a file, each with a key that names everything it depends
+// on. So an interrupted run continues where it stopped, and a changed chart needs no new measurements.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ class Lab {
   bool is_quick() const { return options_.is_quick; }
   uint64_t seed() const { return options_.seed; }
 
-  /// The result of the function: numbers that depend on nothing but the key and the version. Throws RunError if the run is
-  /// interrupted, also during a measurement, or if the cache cannot be written.
+  /// The result of the function: numbers that depend on nothing but the key and the version. Throws RunError if the run
+  /// is interrupted, also during a measurement, or if the cache cannot be written.
   std::vector<double> measure(const std::string& key, const std::function<std::vector<double>()>& function);
   double measure_number(const std::string& key, const std::function<double()>& function) {
     return measure(key, [&] { return std::vector<double>{function()}; })[0];

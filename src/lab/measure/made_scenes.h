@@ -30,18 +30,18 @@ Scene make_stack(const std::vector<double>& masses, double radius);
 /// The corners of an fcc lattice of cells³ cubic cells with this edge, four in each.
 std::vector<Vec3d> fcc_lattice(int cells, double edge);
 
-/// A gas of 4·cells³ hard spheres in a periodic cube with the number density rho; diameter, mass and kT = 2K/(3(N − 1)) are 1,
-/// the total momentum is 0. It starts as an fcc lattice and moves exactly for this number of collisions per sphere. Forty are
-/// too few for densities above 0.8: at 0.9 a lattice of 108 spheres has not melted by then.
+/// A gas of 4·cells³ hard spheres in a periodic cube with the number density rho; diameter, mass and kT = 2K/(3(N − 1))
+/// are 1, the total momentum is 0. It starts as an fcc lattice and moves exactly for this number of collisions per
+/// sphere. Forty are too few for densities above 0.8: at 0.9 a lattice of 108 spheres has not melted by then.
 inline constexpr double kCollisionsToEquilibrium = 40;
 Scene equilibrium_gas(int cells, double rho, uint64_t seed, double collisions = kCollisionsToEquilibrium);
 
-/// Such a gas of density 0.5, in which every second sphere is reduced to three fifths of the diameter and a fifth of the mass,
-/// after 40 more units of time by exact motion. Its momentum is 0, but its kT is no longer 1.
+/// Such a gas of density 0.5, in which every second sphere is reduced to three fifths of the diameter and a fifth of
+/// the mass, after 40 more units of time by exact motion. Its momentum is 0, but its kT is no longer 1.
 Scene equilibrium_mixture(int cells, uint64_t seed);
 
-/// A thin gas of 256 spheres under gravity, after nearly twenty collisions per sphere by exact motion: diameter 0.2, mass and
-/// gravity 1, kT nearly 1, in a box with elastic walls whose top they hardly ever reach.
+/// A thin gas of 256 spheres under gravity, after nearly twenty collisions per sphere by exact motion: diameter 0.2,
+/// mass and gravity 1, kT nearly 1, in a box with elastic walls whose top they hardly ever reach.
 Scene equilibrium_column(uint64_t seed);
 
 /// One thread in double precision.

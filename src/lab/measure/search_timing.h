@@ -31,8 +31,8 @@ struct SearchCase {
 
 inline constexpr int kSearchRounds = 3;  ///< of measurements of each case
 
-/// For each case a timing of each of its methods, on the CPU. All cases are measured in rounds, so that a busy minute of the
-/// machine does not affect one of them alone. The first searches of a round warm up and are not counted.
+/// For each case a timing of each of its methods, on the CPU. All cases are measured in rounds, so that a busy minute
+/// of the machine does not affect one of them alone. The first searches of a round warm up and are not counted.
 std::vector<std::vector<SearchTiming>> time_searches(Lab& lab, const std::vector<SearchCase>& cases);
 
 /// A broad phase by name on one thread, which a busy machine disturbs least. All else has its default.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spheres at rest for experiments on searches, with random centres that may overlap. Equal arguments give equal spheres.
+// Spheres at rest for experiments on searches, with random centres that may overlap. Equal arguments give equal
+// spheres.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +34,8 @@ SphereSet uniform_spheres(const UniformSpheres& wanted, uint64_t seed);
 /// The box of uniform_spheres() [diameters].
 Vec3d box_of(const UniformSpheres& wanted);
 
-/// `count` spheres (an even number) in pairs that just touch, each in a random direction. Pairs do not touch each other: each
-/// has a random place in its own cell of a wide lattice.
+/// `count` spheres (an even number) in pairs that just touch, each in a random direction. Pairs do not touch each
+/// other: each has a random place in its own cell of a wide lattice.
 SphereSet touching_pairs(int64_t count, uint64_t seed);
 
 /// Equal spheres in Gaussian clouds of about a thousand with a standard deviation of 3.5 diameters.

@@ -171,11 +171,10 @@ std::string tally_of(const std::vector<WinnerCell>& cells) {
 }
 
 std::string winning_rule() {
-  return "Times are of searches from bare arrays to the list of pairs, on one thread, medians of nine turns in three "
-         "rounds. A cell of the map belongs to the method with the least of them, unless the next one is faster in "
-         "more "
-         "than one turn of nine: such cells are grey. Brute force was not tried beyond 30 000 spheres, where it needs "
-         "half a billion tests.";
+  return "Times are of searches from bare arrays to the list of pairs, on one thread: medians of nine turns "
+         "in three rounds. A cell of the map shows the fastest method, unless the second is faster in more "
+         "than one turn of nine: such cells are grey. Brute force was not tried with more than 30 000 "
+         "spheres, where it needs half a billion tests.";
 }
 
 std::vector<double> worst_losses(const std::vector<WinnerCell>& cells) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A map of the fastest broad phase over the number of spheres and one more parameter. A method wins only if it is faster in
-// nearly all turns.
+// A map of the fastest broad phase over the number of spheres and one more parameter. A method wins only if it is
+// faster in nearly all turns.
 #pragma once
 
 #include <functional>
@@ -39,8 +39,8 @@ int64_t winner_measurements(const WinnerPlan& plan);
 
 std::vector<WinnerCell> find_winners(Lab& lab, const WinnerPlan& plan);
 
-/// The fastest by median, or kTie if it loses more than one turn in nine to the second: a sign test with a significance of
-/// 2 %, which other load on the machine does not affect, since it slows both methods of a turn.
+/// The fastest by median, or kTie if it loses more than one turn in nine to the second: a sign test with a significance
+/// of 2 %, which other load on the machine does not affect, since it slows both methods of a turn.
 int winner_among(const std::vector<SearchTiming>& timings);
 
 Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells, const std::string& title);

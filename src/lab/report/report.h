@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The report of the laboratory: one HTML page that contains all its charts, readable on a phone and on a projector, light or
-// dark as the reader's system is set; and the same in Markdown, for a repository's pages.
+// The report of the laboratory: one HTML page that contains all its charts, readable on a phone and on a projector,
+// light or dark as the reader's system is set; and the same in Markdown, for a repository's pages.
 #pragma once
 
 #include <string>
