@@ -12,6 +12,7 @@
 // long as no body has left its skin (candidate_list.h). So every stage may be asked for again: it then costs nothing.
 #pragma once
 
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -162,10 +163,22 @@ void Collider<V, Exec>::plan(BroadPhaseChoice choice, BroadPhaseParameters<V> pa
   planned_ = parameters_ = std::move(parameters);
   list_.plan(skin, 2 * rounding_guard(box()));
   for (SizeClass<V>& spheres : planned_.classes) spheres.largest *= list_.factor();
-  if (choice_.method == BroadPhase::brute_force) use<BruteForce<V, Exec>>();
-  if (choice_.method == BroadPhase::sort_and_sweep) use<SortAndSweep<V, Exec>>();
-  if (choice_.method == BroadPhase::linked_cell) use<LinkedCell<V, Exec>>();
-  if (choice_.method == BroadPhase::sorted_grid) use<SortedGrid<V, Exec>>();
+  switch (choice_.method) {
+    case BroadPhase::brute_force:
+      use<BruteForce<V, Exec>>();
+      break;
+    case BroadPhase::sort_and_sweep:
+      use<SortAndSweep<V, Exec>>();
+      break;
+    case BroadPhase::linked_cell:
+      use<LinkedCell<V, Exec>>();
+      break;
+    case BroadPhase::sorted_grid:
+      use<SortedGrid<V, Exec>>();
+      break;
+    case BroadPhase::automatic:
+      throw std::logic_error("a broad phase is chosen before");
+  }
   source_ = Source::none;
   linked_search_ = -1;
   searches_ = 0;

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "narrow_phase/collider.h"
@@ -87,10 +88,19 @@ std::unique_ptr<Motion<V, Exec>> make_position_based_motion(const Scene& scene, 
 
 template <class V, class Exec>
 std::unique_ptr<Motion<V, Exec>> make_motion(const Scene& scene, const Settings& settings) {
-  if (settings.response == Response::kinematic) return make_kinematic_motion<V, Exec>(scene, settings);
-  if (settings.response == Response::position_based) return make_position_based_motion<V, Exec>(scene, settings);
-  if (settings.response == Response::penalty) return make_penalty_motion<V, Exec>(scene, settings);
-  return make_impulse_motion<V, Exec>(scene, settings);
+  switch (settings.response) {
+    case Response::kinematic:
+      return make_kinematic_motion<V, Exec>(scene, settings);
+    case Response::impulse:
+      return make_impulse_motion<V, Exec>(scene, settings);
+    case Response::penalty:
+      return make_penalty_motion<V, Exec>(scene, settings);
+    case Response::position_based:
+      return make_position_based_motion<V, Exec>(scene, settings);
+    case Response::event_driven:
+      break;
+  }
+  throw std::logic_error("the event-driven response has a world of its own");
 }
 
 }  // namespace ballpit
