@@ -228,7 +228,7 @@ std::vector<Row> rows_of_scenes() {
             "[domain]\ndimensions = 2\n", {"--broadphase", "sort-and-sweep", "--axis", "z"}),
       scene("world/swept.h: --swept", "--swept: a sphere and its way",
             kBox + "boundary = 'periodic'\n" + kSphere + "velocity = [1000, 0, 0]", {"--swept", "on", "--dt", "0.1"}),
-      scene("event_driven/event_driven.cpp: where.str()", "sphere 0: it left the domain: ",
+      scene("event_driven/event_driven.cpp: where, what, more", "sphere 0: it left the domain: ",
             kBox + kSphere + "velocity = [1e15, 0, 0]", {"--response", "event-driven"}),
       scene("world/guard.h: where.str()", "left the domain: ", kBox + kSphere + "velocity = [1e9, 0, 0]",
             {"--dt", "0.1"}),
