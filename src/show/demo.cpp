@@ -14,7 +14,7 @@ namespace ballpit {
 namespace {
 
 constexpr std::chrono::milliseconds kMaxReplay{500};
-constexpr int64_t kMaxCandidates = 2'000'000;  // listed for an overlay
+constexpr int64_t kMaxListedCandidates = 2'000'000;  // listed for an overlay
 constexpr int64_t kMaxForPicked = 100'000;     // candidates, and spheres, to search for the picked sphere
 constexpr size_t kMaxMoments = 240;
 constexpr int64_t kMaxForOracle = 20'000;  // spheres among which brute force searches for missed contacts
@@ -178,7 +178,7 @@ int64_t Demo::candidates_to_list() {
 /// The wanted parts that would take too long for a picture.
 Wanted Demo::too_much(const Wanted& wanted) {
   Wanted result;
-  result.candidates = wanted.candidates && candidates_to_list() > kMaxCandidates;
+  result.candidates = wanted.candidates && candidates_to_list() > kMaxListedCandidates;
   result.missed = wanted.missed && report().count > kMaxForOracle;
   return result;
 }
