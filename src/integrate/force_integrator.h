@@ -35,6 +35,7 @@ class ForceIntegrator {
   bool before_forces(Bodies&, Real /*dt*/, int /*pass*/) {
     return false;
   }
+
   /// What is kept for each body from step to step, or null.
   typename Exec::template Buffer<V>* kept() { return nullptr; }
 

@@ -82,11 +82,9 @@ std::vector<Crystal> crystals() {
   };
 }
 
-/// A free chain of masses 1 with springs (k = 1) that also pull: the parts of a state that integrators need, and its
-/// forces.
+/// A free chain of masses 1 with springs (k = 1) that also pull: the parts of a world that integrators need.
 struct Chain {
   CpuExecutor executor{1};
-  Box<Vec2d> domain{Vec2d(-1e9), Vec2d(1e9), Boundary::walls};
   HostBuffer<Vec2d> position, velocity;
 
   explicit Chain(int count) {
@@ -99,31 +97,36 @@ struct Chain {
   }
 
   CpuExecutor& exec() { return executor; }
-  const Box<Vec2d>& box() const { return domain; }
   int64_t count() const { return position.size(); }
-  void moved() {}
 };
 
-struct SpringsThatPull {
-  bool depend_on_velocity() const { return false; }
-  void at(Chain& chain, double, bool, Span<Vec2d> acceleration) const {
-    const Span<const Vec2d> x = chain.position.span();
-    for (int i = 0; i < chain.count(); ++i) acceleration[i] = Vec2d(0.0);
-    for (int i = 0; i + 1 < chain.count(); ++i) {
-      const double stretch = x[i + 1].x - x[i].x - 1;
-      acceleration[i].x += stretch;
-      acceleration[i + 1].x -= stretch;
-    }
+/// [m/s²]
+void accelerate(const Chain& chain, Span<Vec2d> acceleration) {
+  const Span<const Vec2d> x = chain.position.span();
+  for (int i = 0; i < chain.count(); ++i) acceleration[i] = Vec2d(0.0);
+  for (int i = 0; i + 1 < chain.count(); ++i) {
+    const double stretch = x[i + 1].x - x[i].x - 1;
+    acceleration[i].x += stretch;
+    acceleration[i + 1].x -= stretch;
   }
-};
+}
+
+/// A step, as the world makes it.
+template <class ForceIntegrator>
+void step(Chain& chain, ForceIntegrator& integrator, double dt) {
+  for (int pass = integrator.first_pass(chain.count()); pass < ForceIntegrator::kPasses; ++pass) {
+    integrator.before_forces(chain, dt, pass);
+    accelerate(chain, integrator.acceleration(chain.count()));
+    integrator.after_forces(chain, dt, pass);
+  }
+}
 
 template <class Integrator>
 bool chain_grows(int count, double dt) {
   Chain chain(count);
-  Integrator integrator;
-  SpringsThatPull forces;
+  Integrator integrator(false);
   for (int k = 0; k < 300; ++k) {
-    integrator.step(chain, forces, dt);
+    step(chain, integrator, dt);
     for (int i = 0; i < count; ++i) {
       if (std::fabs(chain.velocity.span()[i].x) * dt > 1000 * kDisturbed) return true;
     }
