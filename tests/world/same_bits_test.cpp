@@ -98,7 +98,7 @@ std::vector<Kind> kinds() {
     for (Kind kind : {Kind{"kinematic"}, Kind{.response = "kinematic", .is_swept = true},
                       Kind{"impulse", "auto", "jacobi"}, Kind{"impulse", "auto", "gauss-seidel"},
                       Kind{.response = "impulse", .is_swept = true}, Kind{"penalty", "velocity-verlet"},
-                      Kind{"penalty", "velocity-verlet", "auto", 1.0}, Kind{"penalty", "symplectic-euler"},
+                      Kind{"penalty", "velocity-verlet", "jacobi", 1.0}, Kind{"penalty", "symplectic-euler"},
                       Kind{"penalty", "explicit-euler"}, Kind{"penalty", "rk4"}, Kind{"position-based"}}) {
       kind.precision = precision;
       list.push_back(kind);
