@@ -91,7 +91,8 @@ BroadPhaseChoice choose_broad_phase(const Settings& settings, const BroadPhasePa
   std::sort(predictions.begin(), predictions.end(),
             [](const Prediction& a, const Prediction& b) { return a.nanoseconds < b.nanoseconds; });
   std::vector<std::string> times;
-  for (const Prediction& p : predictions) times.push_back(fmt::format("{} {:.2g}", name_of(p.method), p.nanoseconds * 1e-6));
+  for (const Prediction& p : predictions)
+    times.push_back(fmt::format("{} {:.2g}", name_of(p.method), p.nanoseconds * 1e-6));
   return {predictions.front().method,
           fmt::format("predicted for {} spheres, ms on one core: {}", parameters.count, fmt::join(times, ", "))};
 }

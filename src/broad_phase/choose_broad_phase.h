@@ -12,7 +12,7 @@
 namespace ballpit {
 
 struct BroadPhaseChoice {
-  BroadPhase method;   ///< never automatic
+  BroadPhase method;  ///< never automatic
   std::string reason;  ///< "predicted for 20000 spheres, ms on one core: sorted-grid 1.3, …"; empty if it was asked for
 };
 

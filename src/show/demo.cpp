@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kMaxReplay{500};
 constexpr int64_t kMaxListedCandidates = 2'000'000;  // listed for an overlay
-constexpr int64_t kMaxForPicked = 100'000;     // candidates, and spheres, to search for the picked sphere
+constexpr int64_t kMaxForPicked = 100'000;           // candidates, and spheres, to search for the picked sphere
 constexpr size_t kMaxMoments = 240;
 constexpr int64_t kMaxForOracle = 20'000;  // spheres among which brute force searches for missed contacts
 

@@ -3,7 +3,7 @@
 //
 //     bodies ──▶ candidates ──▶ contacts ──▶ response ──▶ bodies          in each substep
 //
-// Where a kick or a drift belongs depends on the response; the table in motion.h tells. An integrator that evaluates the
+// Where a kick or a drift belongs depends on the response; see the table in motion.h. An integrator that evaluates the
 // forces more than once makes as many passes. Each stage's launches have names, by which timings list them.
 #pragma once
 

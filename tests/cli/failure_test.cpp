@@ -83,7 +83,7 @@ TEST_CASE("a full disk is named with the file that found no room, and leaves who
              Contains("frame_00000.png") && Contains("No space left"));
 }
 
-TEST_CASE("an output that cannot be written is told before the run") {
+TEST_CASE("an output that cannot be written is reported before the run") {
   const Scratch scratch;
   CHECK_THAT(failure_of({"simulate", "--time", "1e6", "--out", "/nonexistent/x.csv"}),
              Contains("/nonexistent/x.csv: cannot write: No such file"));
@@ -128,7 +128,7 @@ TEST_CASE("a summary that cannot be written is a failure") {
   CHECK_THAT(failure_of({"--help"}, full), Contains("standard output"));
 }
 
-TEST_CASE("a lack of memory is told, with what needs less") {
+TEST_CASE("a lack of memory is reported, with a hint that needs less") {
   if (is_sanitized()) return;
   const Scratch scratch;
   write_text(scratch / "many.toml", "[[fill]]\ncount = 8000000\nradius = 0.002\narrangement = 'lattice'\n");
@@ -139,7 +139,7 @@ TEST_CASE("a lack of memory is told, with what needs less") {
   }
 }
 
-TEST_CASE("a picture that there is no memory for is told, whether OpenGL lacks it or the program") {
+TEST_CASE("a lack of memory for a picture is reported, in OpenGL and in the program") {
   if (is_sanitized() || !GlContext().info().software) return;  // a graphics device has memory of its own
   const Scratch scratch;
   const std::vector<std::string> huge{"render",   "two-spheres", "--size", "16384x16384",

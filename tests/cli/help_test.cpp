@@ -153,7 +153,7 @@ TEST_CASE("the help of lab names every experiment") {
   for (const std::string& name : names_in(experiments())) CHECK_THAT(outcome.out, Contains(name));
 }
 
-TEST_CASE("doctor --json is one object that tells what there is, or why not") {
+TEST_CASE("doctor --json is one object that says what is available, or why it is not") {
   const Outcome outcome = run_program({"doctor", "--json"});
   CHECK(outcome.status == 0);
   const nlohmann::json found = outcome.json();

@@ -100,7 +100,7 @@ TEST_CASE("wrong use of lab is refused with what is allowed") {
   CHECK_FALSE(fs::exists(scratch / "out"));
 }
 
-TEST_CASE("a folder that cannot be made, or written, is told before anything is measured") {
+TEST_CASE("a folder that cannot be made or written is reported before anything is measured") {
   const Scratch scratch;
   write_text(scratch / "file", "");
   const Outcome blocked = run_divergence(scratch / "file");

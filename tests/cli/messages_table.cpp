@@ -174,8 +174,7 @@ std::vector<Row> rows_of_scenes() {
             kBox + fill + "max = [20, 1, 1]"),
       scene("scene/read_sections.cpp: min below max", "[[fill]] max: found 5 to 5",
             kBox + fill + "min = [5, 0, 0]\nmax = [5, 9, 9]"),
-      scene("scene/read_sections.cpp: min below max", "[domain] max: found 0 to 0",
-            "[domain]\nmax = [0, 1, 1]"),
+      scene("scene/read_sections.cpp: min below max", "[domain] max: found 0 to 0", "[domain]\nmax = [0, 1, 1]"),
       scene("scene/read_sections.cpp: true or false", "[defaults] dt: found an array of 1", "[defaults]\ndt = [1]"),
       scene("scene/read_sections.cpp: \"position\"", "[[spheres]] position: found nothing", "[[spheres]]\nradius = 1"),
       scene("scene/read_sections.cpp: limits_text(kPositive)", "[[spheres]] radius: found nothing",
@@ -242,7 +241,7 @@ const std::vector<Unreached>& unreached() {
   const std::string itself = "a fault of the program, not of its input";
   const std::string before = "the command line refuses the value before";
   const std::string device = "needs a graphics device";
-  const std::string remembered = "show tells it as a note, see below";
+  const std::string remembered = "show prints it as a note, see below";
   static const std::vector<Unreached> table{
       {"cli/command_line.cpp: what cannot be parsed", "a kind of failure of CLI11 that no option of ours has"},
       {"cli/main.cpp: (command, error.what())", "a failure of the standard library that no input is known for"},

@@ -50,7 +50,8 @@ std::string code_of(const std::string& file) {
 /// Constructors of the two errors and the functions that stand for them, but not their declarations.
 std::vector<Site> sites_in(const std::string& file, const std::string& code) {
   static const std::regex made(
-      "(UserError )?\\b(?:UserError|RunError|input_error)\\(|\\b(?:(?:reader|root)(?:\\.|->)|throw )(?:error|missing)\\(");
+      "(UserError )?\\b(?:UserError|RunError|input_error)\\(|\\b(?:(?:reader|root)(?:\\.|->)|throw "
+      ")(?:error|missing)\\(");
   std::vector<Site> sites;
   for (std::sregex_iterator match(code.begin(), code.end(), made), end; match != end; ++match) {
     if ((*match)[1].matched) continue;
@@ -215,7 +216,7 @@ TEST_CASE("warnings and notes have one form, on lines of their own") {
   }
 }
 
-TEST_CASE("what is remembered wrongly is told in a note, with the place in its file") {
+TEST_CASE("a mistake in the remembered file is printed as a note, with file and key") {
   const Scratch scratch;
   fs::create_directory(scratch / "ballpit");
   const Variable config("XDG_CONFIG_HOME", scratch.path().string()), display("DISPLAY", ""),

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "methods/methods.h"
+#include "tests/cli/run_simulate.h"
 #include "tests/support/run_program.h"
 
 using namespace ballpit;
@@ -16,14 +17,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-nlohmann::json simulate(Arguments arguments) {
-  arguments.insert(arguments.begin(), "simulate");
-  arguments.emplace_back("--json");
-  const Outcome outcome = run_program(arguments);
-  INFO(outcome.err);
-  REQUIRE(outcome.status == 0);
-  return outcome.json();
-}
+nlohmann::json simulate(const Arguments& arguments) { return run_simulate(arguments).json(); }
 
 nlohmann::json observed(const Arguments& arguments) { return simulate(arguments)["observables"]; }
 
@@ -41,7 +35,7 @@ std::string row_of_spheres(const Scratch& folder, const std::string& boundary) {
 
 }  // namespace
 
-TEST_CASE("every observable is told with its value and unit") {
+TEST_CASE("every observable is printed with its value and unit") {
   const nlohmann::json values = observed({"bouncing-balls", "--time", "0.1", "--observe", "all"});
   for (const Observable& observable : observables()) {
     INFO(observable.name);
@@ -53,7 +47,7 @@ TEST_CASE("every observable is told with its value and unit") {
   CHECK(values.size() == observables().size());
 }
 
-TEST_CASE("what is observed agrees with the summary, and nothing is told that was not asked for") {
+TEST_CASE("observables agree with the summary, and only those that were asked for are printed") {
   const nlohmann::json summary =
       simulate({"bouncing-balls", "--time", "0.1", "--observe", "momentum,kinetic-energy,max-overlap,kinetic-energy"});
   const nlohmann::json& values = summary["observables"];
@@ -80,7 +74,7 @@ TEST_CASE("what has no value is null in JSON, and a dash for people") {
   CHECK_THAT(outcome.out, Catch::Matches("(.|\n)*\npressure +-\n(.|\n)*") && !Contains("nan") && !Contains("inf"));
 }
 
-TEST_CASE("observables are told to people in aligned lines, with their units") {
+TEST_CASE("the text lists observables in aligned lines with their units") {
   const Outcome outcome = run_program(
       {"simulate", "two-spheres", "--time", "0", "--observe", "mean-square-speed,collisions-per-sphere,momentum"});
   CHECK(outcome.status == 0);

@@ -114,7 +114,7 @@ TEST_CASE("a list of pairs that cannot be written is named with the reason, befo
   CHECK_THAT(outcome.err, Contains("/proc/pairs.csv: cannot write"));
 }
 
-TEST_CASE("more overlapping pairs than memory can hold are told") {
+TEST_CASE("more overlapping pairs than memory can hold are reported as an error") {
   if (is_sanitized()) return;
   const Scratch scratch;
   std::string text = "x,y,z,radius\n";

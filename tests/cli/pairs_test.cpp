@@ -265,7 +265,7 @@ TEST_CASE("verification finds nothing wrong with any broad phase") {
   }
 }
 
-TEST_CASE("verification finds the pairs that cells smaller than a diameter miss, and a warning tells of them before") {
+TEST_CASE("verification finds the pairs that cells smaller than a diameter miss, after a warning") {
   const Scratch scratch;
   write_text(scratch / "cloud.csv", cloud(2000, 0.05));
   const Outcome outcome = run_program(

@@ -131,7 +131,7 @@ TEST_CASE("every built-in scene is rendered") {
   }
 }
 
-TEST_CASE("an overlay that the broad phase gives nothing to draw is told, whichever it is") {
+TEST_CASE("render reports each overlay that has nothing to draw with a broad phase") {
   const std::vector<std::pair<std::string, std::vector<std::string>>> lacking{
       {"brute-force", {"grid", "lists", "intervals"}},
       {"sort-and-sweep", {"grid", "lists"}},

@@ -141,7 +141,7 @@ TEST_CASE("a new film that is cut off does not go on with frames of the one befo
   check_same_frames(folder, whole, made + 2);
 }
 
-TEST_CASE("frames of an earlier, longer film are told and left alone") {
+TEST_CASE("frames of an earlier, longer film are reported and kept") {
   const Scratch folder;
   render_whole(folder.path().string(), 6);
   const Outcome outcome = render_whole(folder.path().string(), 4);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A state that the program wrote is read again, and goes on by the same bits: whatever the domain, its border,
-// precision and response are.
+// The program reads every state that it has written, and the run continues bit-identically, for all domains, boundaries,
+// precisions and responses.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -61,7 +61,7 @@ void step(Session& session, int steps) {
 
 }  // namespace
 
-TEST_CASE("a state that was saved is read, and goes on by the same bits") {
+TEST_CASE("a saved state is read again, and the run continues bit-identically") {
   const Scratch scratch;
   for (uint64_t seed = 1; seed <= 150; ++seed) {
     const Case c = random_case(seed);

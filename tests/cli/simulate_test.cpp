@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "methods/methods.h"
+#include "tests/cli/run_simulate.h"
 #include "tests/support/run_program.h"
 
 using namespace ballpit;
@@ -13,14 +14,10 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-nlohmann::json simulate(Arguments arguments) {
-  arguments.insert(arguments.begin(), "simulate");
-  arguments.emplace_back("--json");
-  const Outcome outcome = run_program(arguments);
-  INFO(outcome.err);
-  REQUIRE(outcome.status == 0);
+nlohmann::json simulate(const Arguments& arguments) {
+  const Outcome outcome = run_simulate(arguments);
   CHECK(outcome.err.empty());
-  return outcome.json();  // throws where anything else stands beside the object
+  return outcome.json();  // throws if there is anything but the object
 }
 
 }  // namespace
@@ -48,7 +45,7 @@ TEST_CASE("simulate --json prints one object with all that was promised") {
   CHECK_FALSE(summary["stages"].empty());
 }
 
-TEST_CASE("what auto chose is told, and its reason, and how many searches a skin has saved") {
+TEST_CASE("the summary has the choice of auto, its reason, and the number of searches with a skin") {
   const nlohmann::json summary = simulate({"bouncing-balls", "--time", "0.1", "--broadphase", "auto", "--skin", "5"});
   CHECK(summary["methods"]["broadphase"] != "auto");
   CHECK_THAT(summary["reason"].get<std::string>(), Catch::Contains("predicted"));

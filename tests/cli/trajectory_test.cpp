@@ -106,7 +106,7 @@ TEST_CASE("the last frame is the final state, and the frames change nothing that
   CHECK_THAT(text, Catch::EndsWith("\nX " + last));
 }
 
-TEST_CASE("a trajectory that cannot be written is told before the first step") {
+TEST_CASE("a trajectory that cannot be written is reported before the first step") {
   CHECK_THAT(failure_of({"simulate", "bouncing-balls", "--time", "1e6", "--trajectory", "/nonexistent/a.xyz"}),
              Contains("/nonexistent/a.xyz: cannot write: No such file or directory"));
 }
@@ -179,7 +179,7 @@ TEST_CASE("a run that fails leaves its last good state where the final one was t
   CHECK(files_in(nothing) == 0);
 }
 
-TEST_CASE("a last good state that cannot be written is told with the reason of both") {
+TEST_CASE("if the last good state cannot be written, both errors are reported") {
   if (!fs::exists("/dev/full")) return;
   const Scratch folder;
   fs::create_symlink("/dev/full", folder / "state.csv");

@@ -81,7 +81,7 @@ using namespace ballpit::faults;
     if (status == cudaSuccess) note_made(HANDLES, HANDLE);               \
     return status;                                                       \
   }
-// What gives a handle back is told of failures of earlier launches alone, and does not fail here.
+// Calls that release a handle report failures of earlier launches only, and do not fail here.
 #define BALLPIT_WRAP_RELEASER(NAME, TYPE, HANDLES)                                         \
   extern "C" cudaError_t __real_##NAME(TYPE handle);                                       \
   extern "C" cudaError_t __wrap_##NAME(TYPE handle) {                                      \

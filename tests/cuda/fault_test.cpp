@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every call of the CUDA runtime fails once: each failure is told, nothing stays held, and the next run is right. What a
+// Every call of the CUDA runtime fails once: each failure is reported, all resources are released, and the next run is right. What a
 // step calls is counted as well: one that has its buffers neither allocates nor waits more often than it must.
 #include <algorithm>
 #include <functional>
@@ -104,7 +104,7 @@ int64_t calls_of(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("whichever CUDA call fails in a world, it is told and nothing stays held") {
+TEST_CASE("a failure of any CUDA call in a world is reported, and all resources are released") {
   const std::string broadphase = GENERATE("sorted-grid", "linked-cell", "sort-and-sweep", "brute-force");
   const Scene scene = small_scene();
   const Settings settings = settings_of(broadphase);
@@ -112,13 +112,13 @@ TEST_CASE("whichever CUDA call fails in a world, it is told and nothing stays he
   fail_everywhere([&](std::vector<Stage>* stages) { return run_world(scene, settings, stages); });
 }
 
-TEST_CASE("whichever CUDA call fails in a world with a candidate list, it is told and nothing stays held") {
+TEST_CASE("a failure of any CUDA call in a world with a candidate list is reported, and all resources are released") {
   const Scene scene = small_scene();
   const Settings settings = settings_of("sorted-grid", 0.2);
   fail_everywhere([&](std::vector<Stage>* stages) { return run_world(scene, settings, stages); });
 }
 
-TEST_CASE("whichever CUDA call fails in a pair search, it is told and nothing stays held") {
+TEST_CASE("a failure of any CUDA call in a pair search is reported, and all resources are released") {
   const std::string broadphase = GENERATE("sorted-grid", "linked-cell", "sort-and-sweep", "brute-force");
   const Scene scene = small_scene();
   const Settings settings = settings_of(broadphase);

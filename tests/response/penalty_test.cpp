@@ -190,7 +190,7 @@ TEST_CASE("a stack of springs rests with an overlap of (n − i)·m·g/k under l
   }
 }
 
-TEST_CASE("a report tells the energy in springs, so that a hit without losses keeps the sum") {
+TEST_CASE("a report includes the energy in springs, so the sum stays the same in an elastic hit") {
   Scene scene = head_on(1.0, 1e-3);
   scene.physics.stiffness = 1e4;
   scene.physics.law = GENERATE("linear", "hertz");

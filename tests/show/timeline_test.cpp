@@ -6,7 +6,7 @@
 
 using namespace ballpit;
 
-TEST_CASE("by every response, in both precisions, what was is there again to the bit, and goes on by the same bits") {
+TEST_CASE("with every response, in both precisions, an earlier state is restored bit-identically, and continues so") {
   int turn = 0;
   for (const Kind& kind : kinds()) {
     for (const char* const precision : {"float", "double"}) {

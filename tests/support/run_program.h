@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the program as a user does, in a process of its own, and tells what it said and how it ended.
+// Runs the program as a user does, in a process of its own, and returns its output and exit status.
 #pragma once
 
 #include <cstdlib>
@@ -83,7 +83,7 @@ class Program {
 
   void signal(int number) const;
 
-  /// Waits until the program catches a signal, as /proc tells; false where it ends before or takes more than a minute.
+  /// Waits until the program catches a signal, as /proc shows; false if it ends before, or after a minute.
   bool wait_until_it_catches(int number) const;
   Outcome wait();
 

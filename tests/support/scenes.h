@@ -35,6 +35,27 @@ inline void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocit
   scene.bodies.mass.push_back(mass);
 }
 
+/// Spheres of various sizes and masses about a lattice of `side` spheres along each axis, so close that some touch soon, all
+/// moving: in a box with gravity, or in a periodic one without. Radii from `smallest` to `largest` [m]; 0.065 touch.
+inline Scene make_crowd(int dimensions, int side, Boundary boundary, double restitution, double smallest,
+                        double largest) {
+  constexpr double kPitch = 0.13;
+  Random random(7);
+  Scene scene;
+  scene.domain = {Vec3d(0.0), Vec3d(side * kPitch), boundary, dimensions};
+  if (boundary != Boundary::periodic) scene.physics.gravity = {0, -9.81, 0};
+  scene.physics.restitution = scene.physics.wall_restitution = restitution;
+  scene.physics.stiffness = 1e4;  // about 20 steps a contact
+  for (int k = 0; k < side * side * (dimensions == 2 ? 1 : side); ++k) {
+    const Vec3d cell(k % side, k / side % side, dimensions == 2 ? -0.5 : k / side / side);
+    const double radius = random.uniform(smallest, largest);
+    Vec3d p = kPitch * (cell + 0.5);
+    for (int axis = 0; axis < dimensions; ++axis) p[axis] += random.uniform(-0.01, 0.01);
+    add_sphere(scene, p, random.uniform(0.0, 2.0) * random.direction(dimensions), radius, std::pow(radius / 0.06, 3));
+  }
+  return scene;
+}
+
 inline Scene make_cloud(const Cloud& cloud, uint64_t seed) {
   Random random(seed);
   Scene scene;

@@ -11,6 +11,7 @@
 
 #include "show/timeline.h"
 #include "tests/support/hits.h"
+#include "tests/support/scenes.h"
 
 namespace ballpit {
 
@@ -61,25 +62,9 @@ inline Settings settings_of(const Kind& kind, int turn = 0) {
   return settings;
 }
 
-/// Spheres of various sizes and masses about a lattice, all moving, so close that some soon touch: in a box with gravity,
-/// or in a periodic one without.
 inline Scene crowd(int dimensions, int side, const Kind& kind, Boundary boundary = Boundary::walls) {
-  constexpr double kPitch = 0.13;
   const double largest = kind.response == "event-driven" ? 0.05 : 0.07;  // there none may overlap
-  Random random(7);
-  Scene scene;
-  scene.domain = {Vec3d(0.0), Vec3d(side * kPitch), boundary, dimensions};
-  if (boundary != Boundary::periodic) scene.physics.gravity = {0, -9.81, 0};
-  scene.physics.restitution = scene.physics.wall_restitution = kind.restitution;
-  scene.physics.stiffness = 1e4;  // about 20 steps a contact
-  for (int k = 0; k < side * side * (dimensions == 2 ? 1 : side); ++k) {
-    const Vec3d cell(k % side, k / side % side, dimensions == 2 ? -0.5 : k / side / side);
-    const double radius = random.uniform(0.04, largest);
-    Vec3d p = kPitch * (cell + 0.5);
-    for (int axis = 0; axis < dimensions; ++axis) p[axis] += random.uniform(-0.01, 0.01);
-    add_sphere(scene, p, random.uniform(0.0, 2.0) * random.direction(dimensions), radius, std::pow(radius / 0.06, 3));
-  }
-  return scene;
+  return make_crowd(dimensions, side, boundary, kind.restitution, 0.04, largest);
 }
 
 /// What is to be the same again.

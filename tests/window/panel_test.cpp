@@ -82,7 +82,7 @@ TEST_CASE("a slider that is dragged takes effect when it is let go") {
   CHECK(desk.demo.session.settings().cell_size.value() < 1);
 }
 
-TEST_CASE("of the picked sphere the panel tells what its method keeps of it") {
+TEST_CASE("the panel shows what the method stores of the picked sphere") {
   Desk desk;
   CHECK_FALSE(desk.has("row place"));
   desk.demo.view.selected = 0;

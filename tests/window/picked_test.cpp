@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the panel tells of the sphere that was picked.
+// What the panel shows of the picked sphere.
 #include "window/picked.h"
 
 #include <string_view>
@@ -19,7 +19,7 @@ Inspection lecture(const char* method) {
 
 }  // namespace
 
-TEST_CASE("every sphere is told with its own cell and its place in that cell's list") {
+TEST_CASE("every sphere is shown with its own cell and its position in that cell's list") {
   for (const char* method : {"linked-cell", "sorted-grid"}) {
     const Inspection seen = lecture(method);
     for (int32_t i = 0; i < 20; ++i) {

@@ -51,7 +51,7 @@ TEST_CASE("scene, options, view and size come back as they were") {
   CHECK(read_remembered(file)->view.overlays.empty());
 }
 
-TEST_CASE("a file that is damaged, of another version or holds what there is not is told by its name") {
+TEST_CASE("a remembered file that is damaged, of another version or with unknown names is reported by its name") {
   const Scratch scratch;
   const std::string file = scratch / "show.json";
   write_remembered(file, some());

@@ -26,7 +26,7 @@ struct Operated {
 
 }  // namespace
 
-TEST_CASE_METHOD(Operated, "pictures and states take the first free name, and the audience is told") {
+TEST_CASE_METHOD(Operated, "pictures and states get the first free name, and a message says so") {
   saver.save_picture({160, 90});
   CHECK(demo.message() == "saved picture_00000.png");
   saver.save_picture({160, 90});

@@ -27,7 +27,7 @@ begin() {
   xdotool windowfocus "$window"
 }
 begin lecture-grid --size 960x540 --theme dark
-# The title tells spheres, method and time; as soon as it changes, or for ten seconds.
+# Waits until the title, which shows spheres, method and time, changes, for ten seconds at most.
 expect_title() {
   for _ in $(seq 100); do
     title=$(xdotool getwindowname "$window")
@@ -64,7 +64,7 @@ kill -INT $show
 wait $show || fail "exit status $?"
 [[ ! -s log ]] || fail "it said something"
 
-# Anew, with what was remembered; a file that cannot be read is told, and nothing else happens.
+# Starts again with the remembered settings; an unreadable file is reported and ignored.
 export XDG_CONFIG_HOME=$PWD/config
 end() { kill -INT $show; wait $show || fail "exit status $?"; }
 begin lecture-grid --remember --size 640x480; expect_title "linked-cell"; xdotool key 2 t; expect_title "sort-and-sweep"; end

@@ -187,7 +187,7 @@ TEST_CASE("candidates of each method on four spheres are those named by hand, wi
   }
 }
 
-TEST_CASE("pairs that cells of half a diameter miss are told, and cells of one diameter miss none") {
+TEST_CASE("pairs that cells of half a diameter miss are listed, and cells of one diameter miss none") {
   for (const Cloud& cloud : clouds()) {
     const Scene scene = make_cloud(cloud, 22);
     const std::vector<Pair> all = pairs_by_definition(scene);

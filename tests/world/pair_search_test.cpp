@@ -36,7 +36,7 @@ TEST_CASE("a search that has found nothing yet has no pairs and reports nothing"
   CHECK(report.contacts == 0);
 }
 
-TEST_CASE("a report tells the last search, and how many there were") {
+TEST_CASE("a report describes the last search, and counts all searches") {
   const Spheres spheres = make_family("u30", 1000, 1);
   for (const std::string& method : kMethods) {
     const auto search = make_search({.broadphase = method, .threads = 2});
@@ -54,7 +54,7 @@ TEST_CASE("a report tells the last search, and how many there were") {
   }
 }
 
-TEST_CASE("work is told thread by thread, and adds up to the candidates, but for the sweep") {
+TEST_CASE("work is listed by thread, and adds up to the candidates, except in the sweep") {
   for (const FamilyInfo& family : families()) {
     const Spheres spheres = make_family(family.name, 700, 1);
     for (const std::string& method : kMethods) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same scene moves by the same bits, whatever finds its contacts, on any number of threads, sorted in memory or not,
-// and started again from where it was: by every response, in both precisions.
+// The same scene moves bit-identically with every broad phase, on any number of threads, sorted in memory or not,
+// and after a new start from its own state: with every response, in both precisions.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -107,25 +107,9 @@ std::vector<Kind> kinds() {
   return list;
 }
 
-/// Spheres of various sizes and masses about a lattice, so close that some overlap, all moving: in a box with gravity, or
-/// in a periodic one without.
 Scene crowd(int dimensions, Boundary boundary, const Kind& kind, int side = 0) {
   if (side == 0) side = dimensions == 2 ? 12 : 6;
-  constexpr double kPitch = 0.13;
-  Random random(7);
-  Scene scene;
-  scene.domain = {Vec3d(0.0), Vec3d(side * kPitch), boundary, dimensions};
-  if (boundary != Boundary::periodic) scene.physics.gravity = {0, -9.81, 0};
-  scene.physics.restitution = scene.physics.wall_restitution = kind.restitution;
-  scene.physics.stiffness = 1e4;  // about 20 steps a contact
-  for (int k = 0; k < side * side * (dimensions == 2 ? 1 : side); ++k) {
-    const Vec3d cell(k % side, k / side % side, dimensions == 2 ? -0.5 : k / side / side);
-    const double radius = random.uniform(0.05, 0.07);
-    Vec3d p = kPitch * (cell + 0.5);
-    for (int axis = 0; axis < dimensions; ++axis) p[axis] += random.uniform(-0.01, 0.01);
-    add_sphere(scene, p, random.uniform(0.0, 2.0) * random.direction(dimensions), radius, std::pow(radius / 0.06, 3));
-  }
-  return scene;
+  return make_crowd(dimensions, side, boundary, kind.restitution, 0.05, 0.07);
 }
 
 /// The same; for the position-based response of smaller spheres, none of which overlap. Where they do at the start, it also
@@ -182,7 +166,7 @@ TEST_CASE("the state of so many spheres that they are sorted in memory has the s
   check_hashes(scene, kSteps > 100 ? 70 : 3);
 }
 
-TEST_CASE("by every response, in both precisions, the state has the same bits whatever finds its contacts", "[slow]") {
+TEST_CASE("with every response, in both precisions, the state is bit-identical for all broad phases", "[slow]") {
   constexpr int kThreads[] = {1, 2, 8};
   int turn = 0;
   for (const Kind& kind : kinds()) {
@@ -219,7 +203,7 @@ TEST_CASE("near contacts of the position-based response are found within a skin 
   }
 }
 
-TEST_CASE("by every response, spheres that are sorted in memory move by the bits of few that are not", "[slow]") {
+TEST_CASE("with every response, spheres that are sorted in memory move bit-identically to unsorted ones", "[slow]") {
   for (const Kind& kind : kinds()) {
     const Settings settings = kind.settings({.broadphase = "sorted-grid", .threads = 2});
     const int steps = kSteps > 100 ? 100 : 3;
@@ -255,7 +239,7 @@ TEST_CASE("looking at a world does not change its motion, by any response, with 
   }
 }
 
-TEST_CASE("a world started from another's bodies goes on by the same bits, by every response") {
+TEST_CASE("a world started from another's bodies continues bit-identically, with every response") {
   for (const Kind& kind : kinds()) {
     for (const Boundary boundary : {Boundary::walls, Boundary::periodic}) {
       Scene scene = crowd_to_save(boundary == Boundary::walls ? 2 : 3, boundary, kind);
@@ -273,7 +257,7 @@ TEST_CASE("a world started from another's bodies goes on by the same bits, by ev
   }
 }
 
-TEST_CASE("a world of so many spheres that they are sorted goes on by the same bits from a step that sorts them") {
+TEST_CASE("a world that is large enough to be sorted continues bit-identically from a step that sorts it") {
   // Elsewhere the new world sorts its spheres at its own begin: forces on a sphere are then summed in another order. So they
   // are at any step where velocity Verlet keeps forces, without losses, from before the bodies were sorted.
   for (const Kind& kind : {Kind{"impulse"}, Kind{"penalty"}, Kind{"position-based"}}) {
@@ -291,7 +275,7 @@ TEST_CASE("a world of so many spheres that they are sorted goes on by the same b
   }
 }
 
-TEST_CASE("a world that changes its broad phase on the way moves by the same bits") {
+TEST_CASE("a world that changes its broad phase in between moves bit-identically") {
   for (const Kind& kind : kinds()) {
     for (const int dimensions : {2, 3}) {
       INFO(kind << ", dimensions " << dimensions);

@@ -23,7 +23,7 @@ Collider<V, CpuExecutor> collider(const Way& way, const BodyArrays<V>& bodies) {
 
 }  // namespace
 
-TEST_CASE("what threads walk adds up to the candidates, but for the sweep") {
+TEST_CASE("the work of all threads adds up to the candidates, except in the sweep") {
   for (const Input& input : inputs()) {
     const Scene scene = input.make(51);
     const auto check = [&]<class V>(const BodyArrays<V>& bodies) {
@@ -42,7 +42,7 @@ TEST_CASE("what threads walk adds up to the candidates, but for the sweep") {
   }
 }
 
-TEST_CASE("brute force walks one body less from thread to thread") {
+TEST_CASE("in brute force each thread has one candidate less than the one before") {
   const BodyArrays<Vec3> bodies(make_cloud({.count = 5}, 1));
   CpuExecutor exec(1);
   auto found = collider({.broadphase = "brute-force"}, bodies);

@@ -30,7 +30,7 @@ TEST_CASE("looking at a world does not change its motion") {
   CHECK(watched->report().state_hash == alone->report().state_hash);
 }
 
-TEST_CASE("the state hash tells states apart that differ in one bit") {
+TEST_CASE("the state hash differs between states that differ in one bit") {
   Scene scene = heap();
   const uint64_t before = make_cpu_world(scene)->report().state_hash;
   scene.bodies.position[17].x = std::nextafter(float(scene.bodies.position[17].x), 2.0f);
@@ -79,7 +79,7 @@ TEST_CASE("a report adds up energy, momentum and time") {
   CHECK_FALSE(report.stages.empty());
 }
 
-TEST_CASE("the largest overlap is told as a fraction of the smaller radius, walls included") {
+TEST_CASE("the largest overlap is reported as a fraction of the smaller radius, walls included") {
   Scene scene;
   add_sphere(scene, {0.5, 0.5, 0.5}, Vec3d(0.0), 0.1);
   add_sphere(scene, {0.64, 0.5, 0.5}, Vec3d(0.0), 0.05);

@@ -96,7 +96,9 @@ Task paths_task(double rho, const std::string& name, const std::string& title) {
   const Run run = [=](const Scene& scene, const ContactMethod& method, double dt, bool) {
     return run_paths(scene, time, method, dt);
   };
-  const auto has_errors = [](const ContactMethod& method) { return method.settings.response != Response::event_driven; };
+  const auto has_errors = [](const ContactMethod& method) {
+    return method.settings.response != Response::event_driven;
+  };
   return {name, title, "median distance / diameter", "exact motion", time / 16,
           5,    10,    from(gas_of(rho), run),       false,          has_errors};
 }
