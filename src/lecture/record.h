@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,9 @@ struct Operation {
   int value = 0;
   int other = -1;
 };
+
+/// Memory that no kernel has written yet.
+inline constexpr int kUnset = std::numeric_limits<int>::min();
 
 /// An array that kernels work on, as it was when it was named.
 struct RecordedArray {
