@@ -157,6 +157,19 @@ RecordedRun record_kernel(KernelName kernel, const BodySnapshot& bodies, const D
   return run_kernel(kernel, Input<Vec3>(bodies, domain), settings, interleaving, mistakes);
 }
 
+std::vector<std::string_view> phases_of(KernelName kernel) {
+  switch (kernel) {
+    case KernelName::brute_force:
+      return {"collide"};
+    case KernelName::sort_and_sweep:
+      return {"store", "sort", "sweep"};
+    case KernelName::linked_cell:
+    case KernelName::race:
+      break;
+  }
+  return {"clear", "insert", "collide"};
+}
+
 std::string_view kernel_source(KernelName kernel) {
   const std::string_view name = kernel == KernelName::race ? name_of(KernelName::linked_cell) : name_of(kernel);
   std::string file(name);

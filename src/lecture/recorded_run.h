@@ -57,6 +57,9 @@ struct RecordedRun {
 RecordedRun record_kernel(KernelName kernel, const BodySnapshot& bodies, const Domain& domain, const Settings& settings,
                           const Interleaving& interleaving = {}, const Mistakes& mistakes = {});
 
+/// The names of a kernel's phases, in their order.
+std::vector<std::string_view> phases_of(KernelName kernel);
+
 /// The source text of a kernel's file, whose lines operations name.
 std::string_view kernel_source(KernelName kernel);
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// A lecture: a table of pages in a TOML file. A page is an absolute state, so nothing toggled earlier changes it.
+//
+//     [[page]]
+//     id = "exchange"
+//     slides = [14, 15]
+//     title = "Insert by exchanging"
+//     caption = "Sphere 2 is in front of sphere 6: {loads} loads, …"      {names} are figures, counted when it is shown
+//     scene = "lecture-grid"
+//     kernel = "linked-cell"              the slide's kernel is run and recorded (lecture/recorded_run.h)
+//     interleaving = [6, 6, 2, 2]
+//     stops = ["clear", "insert 6"]       where its cursor stops: after a phase, or after a thread's part of it
+//
+// docs/lecture.md lists all keys. A mistake is a UserError with file, line and key.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lecture/recorded_run.h"
+#include "methods/choices.h"
+#include "scene/input_error.h"
+#include "show/given_options.h"
+#include "show/view.h"
+
+namespace ballpit {
+
+/// A text in each language. German falls back to English.
+struct LocalText {
+  std::string en, de;
+  const std::string& in(Language language) const { return language == Language::german && !de.empty() ? de : en; }
+};
+
+/// A mistake that a page makes on purpose (lecture::Mistakes).
+enum class PageMistake { none, int_for_floor, no_wrap, both_halves };
+template <>
+inline constexpr auto kNames<PageMistake> = in_order("none", "int-for-floor", "no-wrap", "both-halves");
+
+lecture::Mistakes mistakes_of(PageMistake mistake);
+
+/// The cursor's place after a phase of the record, or after the operations of one thread in it.
+struct PageStop {
+  std::string phase;
+  int thread = -1;  ///< −1: after the whole phase
+};
+
+struct Page {
+  std::string id;
+  std::vector<int> slides;  ///< of the lecture; none if the page goes beyond it
+  LocalText title, caption, notes;
+  std::string scene;
+  double time = 0;  ///< [s] of the scene
+  std::vector<GivenOption> options;
+  View view;
+  std::optional<lecture::KernelName> kernel;
+  lecture::Interleaving interleaving;
+  PageMistake mistake = PageMistake::none;
+  std::vector<PageStop> stops;
+  Place place;  ///< in the file, for errors
+};
+
+struct Lecture {
+  LocalText title;
+  std::vector<Page> pages;  ///< at least one
+};
+
+/// Reads a lecture's text. `file_name` is for errors; scenes in files are relative to `folder`.
+Lecture parse_lecture(std::string_view text, std::string_view file_name, const std::filesystem::path& folder = {});
+
+/// Reads the lecture in a file.
+Lecture read_lecture(const std::filesystem::path& path);
+
+/// The lecture that is built in: assets/lectures/.
+const Lecture& built_in_lecture();
+
+}  // namespace ballpit
