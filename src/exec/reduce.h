@@ -23,8 +23,8 @@ inline constexpr int64_t kReduceBlock = 64;
 
 /// Combine: a + b.
 struct Sum {
-  template <class T>
-  HOST_DEVICE T operator()(const T& a, const T& b) const {
+  template <class T, class U>
+  HOST_DEVICE T operator()(const T& a, const U& b) const {
     return a + b;
   }
 };

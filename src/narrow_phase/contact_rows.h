@@ -17,10 +17,6 @@
 
 namespace ballpit {
 
-/// How many contacts a thread keeps from counting to filling. Equal spheres have at most twelve, and on average half of
-/// them have a higher index.
-inline constexpr int kKept = 8;
-
 /// `count` as an index. Throws RunError if it is too large for one.
 inline int checked_count(int64_t count, const char* what) {
   if (count > std::numeric_limits<int>::max()) {
@@ -28,17 +24,6 @@ inline int checked_count(int64_t count, const char* what) {
                    "at most " + std::to_string(std::numeric_limits<int>::max()) + " can be held");
   }
   return static_cast<int>(count);
-}
-
-struct CountAt {
-  Span<const int> values;
-  HOST_DEVICE int64_t operator()(int i) const { return values[i]; }
-};
-
-/// The sum of counts, in 64 bits.
-template <class Exec>
-int64_t sum_of(Exec& exec, Span<const int> counts) {
-  return reduce(exec, "sum candidates", counts.size(), int64_t{0}, CountAt{counts}, Sum{});
 }
 
 template <class Exec>

@@ -32,15 +32,21 @@ struct PackedBodies {
   Span<Vec4> sum;
 };
 
-/// sum[i] −= f, sum[j] += f for each pair, in their order.
+/// The sums, by the best instructions of this processor; null if it has none.
 template <class V>
-void add_ordered_forces(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed);
+struct OrderedFunctions {
+  /// sum[i] −= f, sum[j] += f for each pair, in their order.
+  void (*add_forces)(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed) = nullptr;
 
-/// acceleration[i] = gravity + sum[i] · inverse mass for each body [m/s²]. Writes the bodies that touch a wall, or
-/// nearly do, to `at_walls`, and returns their number.
+  /// acceleration[i] = gravity + sum[i] · inverse mass for each body [m/s²]. Writes the bodies that touch a wall, or
+  /// nearly do, to `at_walls`, and returns their number.
+  int (*accelerate)(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
+                    Span<int> at_walls) = nullptr;
+};
+
+/// For Vec2 and Vec3.
 template <class V>
-int accelerate_by_sums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
-                       Span<int> at_walls);
+OrderedFunctions<V> ordered_functions();
 
 /// Kernel: packs body i, and clears its sum.
 template <class V>
@@ -73,6 +79,9 @@ template <class V>
 requires kHasOrderedForces<V, CpuExecutor>
 class OrderedForces<V, CpuExecutor> {
  public:
+  /// Whether the processor has the instructions.
+  bool is_available() const { return functions_.add_forces != nullptr; }
+
   /// The sums of all bodies' forces [N], in x, y and z.
   template <class State>
   Span<const Vec4> add_up(State& state, Span<const Pair> pairs, const PenaltyLaw<float>& law) {
@@ -82,7 +91,7 @@ class OrderedForces<V, CpuExecutor> {
     const BodiesView<V> bodies = state.view();
     exec.parallel_for("pack bodies", n, PackBody<V>{bodies, position_.span(), velocity_.span(), sum_.span()});
     exec.parallel_for_blocks("pair forces", 1, [&](int64_t) {
-      add_ordered_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed());
+      functions_.add_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed());
     });
     return sum_.span();
   }
@@ -94,7 +103,7 @@ class OrderedForces<V, CpuExecutor> {
     at_walls_.resize(state.box().is_periodic() ? 1 : state.count());  // the entry after the last is always written
     int count = 0;
     state.exec().parallel_for_blocks("accelerate", 1, [&](int64_t) {
-      count = accelerate_by_sums(state.box(), state.gravity(), packed(), acceleration, at_walls_.span());
+      count = functions_.accelerate(state.box(), state.gravity(), packed(), acceleration, at_walls_.span());
     });
     return {at_walls_.span().data(), count};
   }
@@ -104,6 +113,7 @@ class OrderedForces<V, CpuExecutor> {
  private:
   PackedBodies packed() { return {position_.span(), velocity_.span(), sum_.span()}; }
 
+  OrderedFunctions<V> functions_ = ordered_functions<V>();
   HostBuffer<Vec4> position_, velocity_, sum_;
   HostBuffer<int> at_walls_;
 };

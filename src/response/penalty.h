@@ -149,7 +149,9 @@ class PenaltyResponse {
 
   /// Whether one thread adds up the forces along the pairs. Otherwise pairs are to be listed by body.
   bool adds_in_order(const Exec& exec) const {
-    if constexpr (kHasOrderedForces<V, Exec>) return exec.runs_in_order() && !notes_impulses_ && law_.shear == 0;
+    if constexpr (kHasOrderedForces<V, Exec>) {
+      return exec.runs_in_order() && ordered_.is_available() && !notes_impulses_ && law_.shear == 0;
+    }
     return false;
   }
 
