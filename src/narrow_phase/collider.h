@@ -16,7 +16,6 @@
 #include <variant>
 
 #include "broad_phase/brute_force.h"
-#include "broad_phase/choose_broad_phase.h"
 #include "broad_phase/linked_cell.h"
 #include "broad_phase/sort_and_sweep.h"
 #include "broad_phase/sorted_grid.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "broad_phase/choose_broad_phase.h"
+#include "broad_phase/parameters.h"
 
 #include <catch2/catch.hpp>
 

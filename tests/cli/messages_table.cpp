@@ -223,7 +223,7 @@ std::vector<Row> rows_of_scenes() {
       scene("broad_phase/grid.cpp: --cell-size", "--cell-size: found 1, which needs",
             "[domain]\nmax = [1e6, 1e6, 1e6]\n" + kSphere,
             {"--broadphase", "linked-cell", "--table", "dense", "--cell-size", "1"}),
-      scene("broad_phase/choose_broad_phase.cpp: --axis", "--axis: found z, allowed auto, x, y",
+      scene("broad_phase/parameters.cpp: --axis", "--axis: found z, allowed auto, x, y",
             "[domain]\ndimensions = 2\n", {"--broadphase", "sort-and-sweep", "--axis", "z"}),
       scene("world/swept.h: --swept", "--swept: a sphere and its way",
             kBox + "boundary = 'periodic'\n" + kSphere + "velocity = [1000, 0, 0]", {"--swept", "on", "--dt", "0.1"}),
