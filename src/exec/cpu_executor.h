@@ -20,7 +20,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/span.h"
 #include "exec/host_buffer.h"
 #include "exec/stage_times.h"
 #include "exec/thread_pool.h"

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/host_device.h"
 #include "core/span.h"
 #include "exec/atomics.h"
 

@@ -13,8 +13,6 @@
 // Wilson (1982), doi 10.1063/1.442716. Its siblings: explicit_euler.h, symplectic_euler.h, rk4.h.
 #pragma once
 
-#include "core/host_device.h"
-#include "core/span.h"
 #include "integrate/force_integrator.h"
 
 namespace ballpit {

@@ -15,9 +15,6 @@
 
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
-#include "exec/reduce.h"
 #include "narrow_phase/contact_rows.h"
 
 namespace ballpit {

@@ -16,8 +16,6 @@
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
 
 namespace ballpit {
 

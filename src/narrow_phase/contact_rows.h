@@ -9,9 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "bodies/pair.h"
 #include "core/error.h"
-#include "core/span.h"
 #include "exec/reduce.h"
 #include "narrow_phase/sort_row.h"
 

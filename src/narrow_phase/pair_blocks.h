@@ -8,8 +8,6 @@
 #include <memory>
 #include <vector>
 
-#include "bodies/pair.h"
-#include "core/span.h"
 #include "exec/cpu_executor.h"
 #include "narrow_phase/contact_rows.h"
 

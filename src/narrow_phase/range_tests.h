@@ -13,10 +13,7 @@
 #include <type_traits>
 
 #include "bodies/box.h"
-#include "bodies/pair.h"
 #include "bodies/slots.h"
-#include "core/span.h"
-#include "exec/cpu_executor.h"
 #include "narrow_phase/pair_blocks.h"
 
 namespace ballpit {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "bodies/pair.h"
-#include "core/host_device.h"
 #include "core/span.h"
 
 namespace ballpit {

@@ -17,8 +17,6 @@
 #include <vector>
 
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
 #include "exec/reduce.h"
 
 namespace ballpit {

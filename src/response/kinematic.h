@@ -22,9 +22,7 @@
 
 #include "bodies/bodies_view.h"
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
-#include "response/impulse_notes.h"
+#include "bodies/tally.h"
 #include "response/walls_view.h"
 
 namespace ballpit {

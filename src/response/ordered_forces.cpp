@@ -8,11 +8,6 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace ballpit {
 namespace HWY_NAMESPACE {

@@ -14,10 +14,6 @@
 
 #include <type_traits>
 
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
 #include "exec/cpu_executor.h"
 #include "response/pair_force.h"
 

@@ -16,18 +16,10 @@
 // 10.1680/geot.1979.29.1.47. Its siblings: kinematic.h, impulse.h, position_based.h.
 #pragma once
 
-#include <cmath>
-
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
+#include "bodies/tally.h"
 #include "exec/reduce.h"
-#include "response/damping.h"
-#include "response/impulse_notes.h"
 #include "response/ordered_forces.h"
-#include "response/pair_force.h"
 
 namespace ballpit {
 

@@ -9,7 +9,7 @@
 
 #include "lab/experiments/results.h"
 #include "measure/statistics.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 using namespace ballpit;
 

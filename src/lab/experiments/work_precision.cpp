@@ -12,7 +12,7 @@
 #include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/results.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 namespace ballpit {
 
