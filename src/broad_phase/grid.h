@@ -18,8 +18,6 @@
 // Hashing: Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable Objects" (2003).
 #pragma once
 
-#include <cmath>
-
 #include "bodies/box.h"
 #include "broad_phase/inspection.h"
 #include "broad_phase/parameters.h"

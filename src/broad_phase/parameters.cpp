@@ -30,54 +30,39 @@ struct Prediction {
   double nanoseconds;
 };
 
-/// The expected number of centres in `volume`, of `count` spheres spread evenly over the box.
+/// The expected number of centres in the block of cells around a sphere, of `count` spheres spread evenly over the box.
 template <class V>
-double expected(const Box<V>& box, double count, double volume) {
-  double whole = 1;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) whole *= std::max(1e-30, box.extent(axis));
-  return std::min(count, count * volume / whole);
-}
-
-/// The volume of the block of cells around a sphere.
-template <class V>
-double block_volume(const Box<V>& box, double edge) {
-  double volume = 1;
-  for (int axis = 0; axis < kDimensions<V>; ++axis) volume *= std::min(3 * edge, box.extent(axis));
-  return volume;
-}
-
-template <class V>
-Prediction predict_sorted_grid(const BroadPhaseParameters<V>& p) {
-  double time = 0, coarser = 0;
-  for (const SizeClass<V>& spheres : p.classes) {
-    const double n = double(spheres.count), edge = 2 * double(spheres.largest) * p.cell_size.value_or(1.0);
-    time += n * kBin + n * kShortTest * expected(p.box, n, block_volume(p.box, edge)) / 2;
-    time += std::min(cell_count(p.box, V(static_cast<Scalar<V>>(edge))), 6 * n) * kCell;
-    time += coarser * kShortTest * expected(p.box, n, block_volume(p.box, 4 * double(spheres.largest)));
-    coarser += n;
+double expected_in_block(const Box<V>& box, double count, double edge) {
+  double block = 1, whole = 1;
+  for (int axis = 0; axis < kDimensions<V>; ++axis) {
+    block *= std::min(3 * edge, box.extent(axis));
+    whole *= std::max(1e-30, box.extent(axis));
   }
-  return {BroadPhase::sorted_grid, time};
+  return std::min(count, count * block / whole);
 }
 
+/// For all methods, the fastest first.
 template <class V>
-Prediction predict_sweep(const BroadPhaseParameters<V>& p) {
-  const double n = double(p.count);
-  double longest = 0, diameter = 0;
+std::array<Prediction, 4> predict(const BroadPhaseParameters<V>& p) {
+  const double n = double(p.count), cell_size = p.cell_size.value_or(1.0);
+  double sorted_grid = 0, coarser = 0, diameter = 0, longest = 0;
+  for (const SizeClass<V>& spheres : p.classes) {
+    const double count = double(spheres.count), largest = double(spheres.largest), edge = 2 * largest * cell_size;
+    sorted_grid += count * kBin + count * kShortTest * expected_in_block(p.box, count, edge) / 2;
+    sorted_grid += std::min(cell_count(p.box, V(static_cast<Scalar<V>>(edge))), 6 * count) * kCell;
+    sorted_grid += coarser * kShortTest * expected_in_block(p.box, count, 4 * largest);
+    coarser += count;
+    diameter += 1.5 * largest * count / n;
+  }
   for (int axis = 0; axis < kDimensions<V>; ++axis) longest = std::max(longest, p.box.extent(axis));
-  for (const SizeClass<V>& spheres : p.classes) diameter += 1.5 * double(spheres.largest) * double(spheres.count) / n;
-  return {BroadPhase::sort_and_sweep, n * (kSort + 40) + kVectorTest * n * std::min(n / 2, n * diameter / longest)};
-}
-
-template <class V>
-Prediction predict_linked_cell(const BroadPhaseParameters<V>& p) {
-  const double n = double(p.count), edge = 2 * double(p.largest_radius()) * p.cell_size.value_or(1.0);
-  return {BroadPhase::linked_cell, n * kLink + n * kListTest * expected(p.box, n, block_volume(p.box, edge))};
-}
-
-template <class V>
-Prediction predict_brute_force(const BroadPhaseParameters<V>& p) {
-  const double n = double(p.count);
-  return {BroadPhase::brute_force, n * 10 + kVectorTest * n * n / 2};
+  const double sweep = n * (kSort + 40) + kVectorTest * n * std::min(n / 2, n * diameter / longest);
+  const double in_block = expected_in_block(p.box, n, 2 * double(p.largest_radius()) * cell_size);
+  std::array predictions{Prediction{BroadPhase::sorted_grid, sorted_grid},
+                         Prediction{BroadPhase::sort_and_sweep, sweep},
+                         Prediction{BroadPhase::linked_cell, n * kLink + n * kListTest * in_block},
+                         Prediction{BroadPhase::brute_force, n * 10 + kVectorTest * n * n / 2}};
+  std::ranges::sort(predictions, {}, &Prediction::nanoseconds);
+  return predictions;
 }
 
 }  // namespace
@@ -153,9 +138,7 @@ template <class V>
 BroadPhaseChoice choose_broad_phase(const Settings& settings, const BroadPhaseParameters<V>& parameters) {
   if (settings.broadphase != BroadPhase::automatic) return {settings.broadphase, ""};
   if (parameters.count < 2) return {BroadPhase::brute_force, "fewer than two spheres"};
-  std::array predictions{predict_sorted_grid(parameters), predict_sweep(parameters), predict_linked_cell(parameters),
-                         predict_brute_force(parameters)};
-  std::ranges::sort(predictions, {}, &Prediction::nanoseconds);
+  const std::array<Prediction, 4> predictions = predict(parameters);
   std::vector<std::string> times;
   for (const Prediction& p : predictions)
     times.push_back(fmt::format("{} {:.2g}", name_of(p.method), p.nanoseconds * 1e-6));

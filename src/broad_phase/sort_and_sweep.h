@@ -11,9 +11,8 @@
 // (sweep_candidates.h).
 //
 // Cost: one stable sort of 2n endpoints, O(n log n) or, by radix, O(n); then one test for each overlap on the axis,
-// which is O(n^(5/3)) for a cube of spheres: most of the spheres that overlap on one axis are far apart on the others.
-// The walks differ in length, and half of all threads return at once: on a GPU, the threads of a warp wait for each
-// other. Memory: 24 bytes a body, and a copy of position and radius. Source: Baraff, "Dynamic simulation of
+// which is O(n^(5/3)) for a cube of spheres. The walks differ in length, and half of all threads return at once
+// (docs/model.md). Memory: 24 bytes a body, and a copy of position and radius. Source: Baraff, "Dynamic simulation of
 // non-penetrating rigid bodies" (1992); Witkin, Baraff, Kass, "Physically Based Modeling" (SIGGRAPH course, 1997).
 // Siblings: brute_force.h, linked_cell.h, sorted_grid.h.
 #pragma once

@@ -7,18 +7,13 @@
 //
 // Each pair is found once: a body tests the slots after its own in its cell and the next, and the rows after its own
 // (dense_half.h, hashed_half.h); in a periodic domain all cells within its reach, and there only slots after its own
-// (grid_rows.h).
+// (grid_rows.h). Spheres of different sizes have a grid for each size class: a body searches its own class as above, and
+// in each finer class the cells that its sphere reaches.
 //
 // A cell is one diameter long, and so wide that a row of three fills a vector of the processor. A body then reaches few
-// of the rows beside its own, and the others cost nothing. With --cell-size cells are cubes, and the whole block is
-// searched, as on slide 16.
-//
-// Spheres of different sizes have a grid for each size class (grid_rows.h). A body searches its own class as
-// above, and in each finer class the cells that its sphere reaches. So a large sphere reads long rows of small ones,
-// and a small one never reads cells made for large ones. With --cell-size, one grid serves all sizes, as on slide 7.
-//
-// A grid with far more cells than bodies is hashed: each slot then keeps the tag of its row (in periodic domains, of
-// its cell), and each range names the tag that it wants.
+// of the rows beside its own. With --cell-size, one grid of cubes serves all sizes, and the whole block is searched, as
+// on slides 7 and 16. A grid with far more cells than bodies is hashed: each slot then keeps the tag of its row (in
+// periodic domains, of its cell), and each range names the tag that it wants.
 //
 // Cost: O(n + cells): one counting sort, one gather; then O(n) tests while cells hold O(1) bodies. Memory: 4 bytes a
 // cell; per body 4 bytes and a copy of position and radius. Source: Green, "Particle simulation using CUDA" (2010),
@@ -70,23 +65,16 @@ struct SortedGridCandidates {
       if (end_of_class < last) last = end_of_class;
       if (!grids.grid[k].is_periodic && !grids.grid[k].is_hashed) {
         visit_dense_batch(grids, offsets, slots_view, k, first, last, visit);
-        visit_finer(k, first, last, visit);
+        for (int finer = k + 1; finer < grids.count; ++finer) {
+          for (int slot = first; slot < last; ++slot) {
+            visit_reach(grids, offsets, finer, slots_view.position(slot), slots_view.radius[slot], 0,
+                        [&](const SlotRange& range) { visit(slot, range); });
+          }
+        }
       } else {
         for (int slot = first; slot < last; ++slot) {
           for_each_range(slot, [&](const SlotRange& range) { visit(slot, range); });
         }
-      }
-    }
-  }
-
- private:
-  /// For slots first … last − 1, all of class k: what they reach in each finer class.
-  template <class Visit>
-  void visit_finer(int k, int first, int last, Visit&& visit) const {
-    for (int finer = k + 1; finer < grids.count; ++finer) {
-      for (int slot = first; slot < last; ++slot) {
-        visit_reach(grids, offsets, finer, slots_view.position(slot), slots_view.radius[slot], 0,
-                    [&](const SlotRange& range) { visit(slot, range); });
       }
     }
   }

@@ -99,10 +99,7 @@ class CandidateList {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  CandidateList() = default;  ///< an unused list
   /// `skin` is a fraction of each radius, 0: no list. `guard` bounds the rounding error of a distance [m].
-  CandidateList(double skin, double guard) { plan(skin, guard); }
-
   void plan(double skin, double guard) {
     skin_ = static_cast<Real>(skin);
     guard_ = static_cast<Real>(guard);

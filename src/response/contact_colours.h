@@ -13,7 +13,6 @@
 // 10.1145/2980179.2982437.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "bodies/contacts.h"
@@ -91,7 +90,6 @@ class ContactColours {
     }
   }
 
-  int count() const { return static_cast<int>(first_.size()) - 1; }
   int64_t bytes() const { return colour_.bytes() + order_.bytes() + named_.bytes() + offsets_.bytes(); }
 
  private:

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The force between two spheres in the penalty response, by the laws of penalty.h, and the damping ratio
-// ζ = c / (2·√(k·m*)) of a dashpot that gives a collision the wanted restitution, for linear and Hertz contacts alike.
+// ζ = c / (2·√(k·m*)) of a dashpot that gives a collision the wanted restitution.
 //
 // The motion of a contact in units of its spring: ẍ + 2ζẋ + x = 0, x(0) = 0, ẋ(0) = 1, so x = exp(−ζt)·sin(ωt)/ω with
-// ω = √(1−ζ²). The overlap ends at ωt = π. The force, −ẍ, ends at ωt = π − 2·asin ζ = 2·acos ζ, where ẋ = −exp(−ζt).
+// ω = √(1−ζ²). The overlap ends at ωt = π. The force, −ẍ, ends at ωt = π − 2·asin ζ = 2·acos ζ, where ẋ = −exp(−ζt)
+// (Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z). With y = δ^(5/4) and dτ = δ^¼ dt, a Hertz contact is the
+// same oscillator (Antypov and Elliott 2011, doi 10.1209/0295-5075/94/50004).
 #pragma once
 
 #include <algorithm>

@@ -6,14 +6,11 @@
 //          ●───▐█═────●        F = K·δ^1.5 − c·δ^¼·u    Hertz:  c = √5·ζ·√(K·m*)
 //                              δ overlap [m], u speed of parting [m/s], m* reduced mass [kg]
 //
-// For both laws restitution alone determines ζ: with y = δ^(5/4) and dτ = δ^¼ dt, a Hertz contact is a linear
-// oscillator (Antypov and Elliott 2011, doi 10.1209/0295-5075/94/50004). A contact ends when the overlap does, or on
-// request when the force would begin to pull (Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z). Spheres do not
-// rotate. Walls follow the same law with m* = m. Cost: O(n + contacts) for each evaluation of the forces. The pairs of
-// a candidate list are used directly; those that do not touch have force 0. A single thread of the CPU goes along the
-// pairs and adds each force to both bodies (ordered_forces.h); otherwise bodies gather their forces, in the same order.
-// Source: Cundall and Strack, "A discrete numerical model for granular assemblies" (1979), doi
-// 10.1680/geot.1979.29.1.47. Its siblings: kinematic.h, impulse.h, position_based.h.
+// Restitution determines ζ (pair_force.h). Walls follow the same law with m* = m. The pairs of a candidate list are used
+// directly; those that do not touch have force 0. A single thread of the CPU goes along the pairs and adds each force to
+// both bodies (ordered_forces.h); otherwise bodies gather their forces, in the same order. Cost: O(n + contacts) for
+// each evaluation of the forces. Source: Cundall and Strack, "A discrete numerical model for granular assemblies"
+// (1979), doi 10.1680/geot.1979.29.1.47. Its siblings: kinematic.h, impulse.h, position_based.h.
 #pragma once
 
 #include "bodies/contacts.h"

@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Position-based (XPBD): predicts positions, moves bodies apart until nothing overlaps, and derives the velocities from
-// the new positions. Unconditionally stable; the stiffness of a heap depends on substeps and iterations.
+// the new positions. Unconditionally stable; the stiffness of a heap depends on substeps and iterations
+// (docs/responses.md).
 //
 //     v ← v + h·g     x ← x + h·v                       predict, and find the contacts there
 //     for each contact: C = r_i + r_j − |x_j − x_i|      overlap left; α̃ = compliance / h²
 //         Δλ = (C − α̃·λ) / (w_i + w_j + α̃),  λ + Δλ ≥ 0      x ← x ∓ w·Δλ·n
-//     v ← v + Σ Δx / h
+//     v ← v + Σ Δx / h                                   (x − x₀)/h would divide a small difference of large numbers
 //     for each contact that pushed: speed of parting ← e·(earlier speed of approach)      restitution
 //
 // Contacts are solved one after another (Gauss–Seidel, contact_colours.h), walls first and then colour by colour, each
-// with the positions that the ones before have left. With one iteration a stack of n rests with an overlap of
-// (n−1)·g·h² at its foot, so substeps pay more than iterations (Macklin et al. 2019). Velocities change by Σ Δx / h.
-// The alternative (x − x₀)/h would lose accuracy, since h divides a small difference of large numbers. Restitution
-// applies only above a speed of 2·g·h, so that heaps do not jitter.
+// with the positions that the ones before have left. Restitution applies only above a speed of 2·g·h, so that heaps do
+// not jitter. If a run starts with more overlap than its motion explains, Δx changes the velocity only until the contact
+// parts at `push` (0 without gravity); the rest of the overlap is removed without changing velocities.
 //
-// If a run starts with more overlap than its motion explains, this overlap is unrelated to the load of a contact, and v
-// ← v + Σ Δx / h would turn it into arbitrary speed. In such a run Δx changes the velocity only until the contact parts
-// at `push` (0 without gravity); the rest of the overlap is removed without changing velocities. Walls follow the same
-// law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour. Sources: Macklin, Müller,
-// Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics Simulation" (2019),
-// doi 10.1145/3309486.3340247; Müller et al., "Detailed Rigid Body Simulation with Extended Position Based Dynamics"
-// (2020), doi 10.1111/cgf.14105 (restitution). Its siblings: kinematic.h, impulse.h, penalty.h.
+// Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour. Sources:
+// Macklin, Müller, Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics
+// Simulation" (2019), doi 10.1145/3309486.3340247; Müller et al., "Detailed Rigid Body Simulation with Extended Position
+// Based Dynamics" (2020), doi 10.1111/cgf.14105 (restitution). Its siblings: kinematic.h, impulse.h, penalty.h.
 #pragma once
 
 #include <cmath>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "narrow_phase/vector_search.h"
-
 #include <numeric>
 
 #include <catch2/catch.hpp>
 
 #include "exec/cpu_executor.h"
+#include "narrow_phase/vector_search.h"
 #include "tests/support/body_arrays.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
