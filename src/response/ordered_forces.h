@@ -44,26 +44,6 @@ struct OrderedFunctions {
 template <class V>
 OrderedFunctions<V> ordered_functions();
 
-/// Kernel: packs body i, and clears its sum.
-template <class V>
-struct PackBody {
-  BodiesView<V> bodies;
-  Span<Vec4> position, velocity, sum;
-
-  void operator()(int i) const {
-    Vec4 p(0), v(0);
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      p[axis] = bodies.position[i][axis];
-      v[axis] = bodies.velocity[i][axis];
-    }
-    p.w = bodies.radius[i];
-    v.w = bodies.inverse_mass[i];
-    position[i] = p;
-    velocity[i] = v;
-    sum[i] = Vec4(0);
-  }
-};
-
 /// For other executors and precisions: empty.
 template <class V, class Exec>
 class OrderedForces {
@@ -78,37 +58,44 @@ class OrderedForces<V, CpuExecutor> {
   /// Whether the processor has the instructions.
   bool is_available() const { return functions_.add_forces != nullptr; }
 
-  /// The sums of all bodies' forces [N], in x, y and z.
+  /// All accelerations without the walls' forces [m/s²]. Returns the bodies that may touch a wall, ascending.
   template <class State>
-  Span<const Vec4> add_up(State& state, Span<const Pair> pairs, const PenaltyLaw<float>& law) {
+  Span<const int> accelerate(State& state, Span<const Pair> pairs, const PenaltyLaw<float>& law, Span<V> acceleration) {
     CpuExecutor& exec = state.exec();
-    const int64_t n = state.count();
-    for (HostBuffer<Vec4>* buffer : {&position_, &velocity_, &sum_}) buffer->resize(n);
     const BodiesView<V> bodies = state.view();
-    exec.parallel_for("pack bodies", n, PackBody<V>{bodies, position_.span(), velocity_.span(), sum_.span()});
+    const int64_t n = bodies.size();
+    for (HostBuffer<Vec4>* buffer : {&position_, &velocity_, &sum_}) buffer->resize(n);
+    at_walls_.resize(state.box().is_periodic() ? 1 : n);  // the entry after the last is always written
+    exec.parallel_for("pack bodies", n,
+                      [bodies, position = position_.span(), velocity = velocity_.span(), sum = sum_.span()](int i) {
+                        Vec4 p(0), v(0);
+                        for (int axis = 0; axis < kDimensions<V>; ++axis) {
+                          p[axis] = bodies.position[i][axis];
+                          v[axis] = bodies.velocity[i][axis];
+                        }
+                        p.w = bodies.radius[i];
+                        v.w = bodies.inverse_mass[i];
+                        position[i] = p;
+                        velocity[i] = v;
+                        sum[i] = Vec4(0);
+                      });
+    const PackedBodies packed{position_.span(), velocity_.span(), sum_.span()};
     exec.parallel_for_blocks("pair forces", 1, [&](int64_t) {
-      functions_.add_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed());
+      functions_.add_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed);
     });
-    return sum_.span();
-  }
-
-  /// After add_up(): all accelerations without the walls' forces [m/s²]. Returns the bodies that may touch a wall,
-  /// ascending.
-  template <class State>
-  Span<const int> accelerate(State& state, Span<V> acceleration) {
-    at_walls_.resize(state.box().is_periodic() ? 1 : state.count());  // the entry after the last is always written
     int count = 0;
-    state.exec().parallel_for_blocks("accelerate", 1, [&](int64_t) {
-      count = functions_.accelerate(state.box(), state.gravity(), packed(), acceleration, at_walls_.span());
+    exec.parallel_for_blocks("accelerate", 1, [&](int64_t) {
+      count = functions_.accelerate(state.box(), state.gravity(), packed, acceleration, at_walls_.span());
     });
     return {at_walls_.span().data(), count};
   }
 
+  /// After accelerate(): the sums of the pairs' forces [N], in x, y and z.
+  Span<const Vec4> sum() const { return sum_.span(); }
+
   int64_t bytes() const { return position_.bytes() + velocity_.bytes() + sum_.bytes() + at_walls_.bytes(); }
 
  private:
-  PackedBodies packed() { return {position_.span(), velocity_.span(), sum_.span()}; }
-
   OrderedFunctions<V> functions_ = ordered_functions<V>();
   HostBuffer<Vec4> position_, velocity_, sum_;
   HostBuffer<int> at_walls_;

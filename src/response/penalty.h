@@ -85,14 +85,6 @@ struct Accelerate {
   }
 };
 
-/// Kernel: the same for the k-th body of a selection.
-template <class V, class Sum>
-struct AccelerateSome {
-  Accelerate<V, Sum> accelerate;
-  Span<const int> some;
-  HOST_DEVICE void operator()(int k) const { accelerate(some[k]); }
-};
-
 /// Map: the energy in the spring of contact c [J].
 template <class V>
 struct ContactEnergy {
@@ -152,12 +144,10 @@ class PenaltyResponse {
     Exec& exec = state.exec();
     if constexpr (kHasOrderedForces<V, Exec>) {
       if (adds_in_order(exec)) {
-        const Span<const Vec4> sum = ordered_.add_up(state, pairs.pairs, law_);
-        const Span<const int> at_walls = ordered_.accelerate(state, acceleration);
+        const Span<const int> at_walls = ordered_.accelerate(state, pairs.pairs, law_, acceleration);
         if (at_walls.empty()) return;
-        exec.parallel_for(
-            "accelerate at walls", at_walls.size(),
-            AccelerateSome<V, Vec4>{acceleration_of(state, sum, duration, notes, acceleration), at_walls});
+        const auto accelerate = acceleration_of(state, ordered_.sum(), duration, notes, acceleration);
+        exec.parallel_for("accelerate at walls", at_walls.size(), [=](int k) { accelerate(at_walls[k]); });
         return;
       }
     }
