@@ -9,9 +9,9 @@
 //       │   │ ▒ │ ▒ │   y = 0
 //       └───┴───┴───┘
 //
-// Spheres of different sizes have a grid for each size class (size_classes() of parameters.h), largest spheres first, with
-// their buckets one after another in the same array. Source: Ericson, "Real-Time Collision Detection" (2005), section
-// 7.2.
+// Spheres of different sizes have a grid for each size class (size_classes() of parameters.h), largest spheres first,
+// with their buckets one after another in the same array. Source: Ericson, "Real-Time Collision Detection" (2005),
+// section 7.2.
 //
 //     radii      0.5 0.4   │   0.1 0.1 0.08
 //     class         0      │        1

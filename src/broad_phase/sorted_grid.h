@@ -7,8 +7,8 @@
 //
 // Each pair is found once: a body tests the slots after its own in its cell and the next, and the rows after its own
 // (dense_half.h, hashed_half.h); in a periodic domain all cells within its reach, and there only slots after its own
-// (grid_rows.h). Spheres of different sizes have a grid for each size class: a body searches its own class as above, and
-// in each finer class the cells that its sphere reaches.
+// (grid_rows.h). Spheres of different sizes have a grid for each size class: a body searches its own class as above,
+// and in each finer class the cells that its sphere reaches.
 //
 // A cell is one diameter long, and so wide that a row of three fills a vector of the processor. A body then reaches few
 // of the rows beside its own. With --cell-size, one grid of cubes serves all sizes, and the whole block is searched, as
@@ -176,8 +176,8 @@ class SortedGrid {
   int64_t bytes() const { return slots_.bytes() + offsets_.bytes() + tag_.bytes(); }
 
  private:
-  /// Where each range begins among the bodies of class k, and at last where all end: of all buckets of a hashed grid, of
-  /// all cells of a dense one but its border's.
+  /// Where each range begins among the bodies of class k, and at last where all end: of all buckets of a hashed grid,
+  /// of all cells of a dense one but its border's.
   std::vector<int> range_starts(int k, const IVec3& cells, const std::vector<int>& offsets) const {
     const Grid<V>& grid = grids_.grid[k];
     const auto first = offsets.begin() + grids_.first_bucket[k], end = first + grid.size();

@@ -4,8 +4,8 @@
 
 namespace ballpit {
 
-/// Computes the forecast of sphere i, which has been advanced to the present: anew, or after it has crossed a face of its
-/// cell. Then no velocity has changed, so its forecast contact still holds, and only the spheres ahead are new.
+/// Computes the forecast of sphere i, which has been advanced to the present: anew, or after it has crossed a face of
+/// its cell. Then no velocity has changed, so its forecast contact still holds, and only the spheres ahead are new.
 template <class V>
 void EventDriven<V>::forecast(int i, BlockPart part) {
   if (part.axis < 0) forecasts_[size_t(i)].contact_time = kNever;

@@ -40,8 +40,8 @@ struct HalfKick {
   HOST_DEVICE void operator()(int k) const { velocity[k] += acceleration[k] * (dt / 2); }
 };
 
-/// Pass 0 evaluates the forces at the start, where those of the step before do not serve; pass 1 moves the bodies, and evaluates
-/// the forces at the end.
+/// Pass 0 evaluates the forces at the start, where those of the step before do not serve; pass 1 moves the bodies, and
+/// evaluates the forces at the end.
 template <class V, class Exec>
 class VelocityVerlet : public ForceIntegrator<V, Exec> {
   using Real = Scalar<V>;

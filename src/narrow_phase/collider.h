@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds contacts: the broad phase, the candidate list where there is a skin, and the narrow phase. A world and a pair search
-// each have one.
+// Finds contacts: the broad phase, the candidate list where there is a skin, and the narrow phase. A world and a pair
+// search each have one.
 //
 //     bodies ──▶ candidate list fresh? ──yes──▶ test the list ─────────────────────────┐
 //                    │ no, or no skin                                                   ├──▶ contacts in canonical order
@@ -8,8 +8,8 @@
 //
 // Contacts and their order do not depend on the path.
 //
-// The collider alone knows what is up to date. What it found holds until moved(), for one margin; the candidate list holds as
-// long as no body has left its skin (candidate_list.h). So every stage may be asked for again: it then costs nothing.
+// The collider alone knows what is up to date. What it found holds until moved(), for one margin; the candidate list
+// holds as long as no body has left its skin (candidate_list.h). So asking for a stage again costs nothing.
 #pragma once
 
 #include <stdexcept>
@@ -86,8 +86,8 @@ class Collider {
     linked_search_ = -1;
   }
 
-  /// Stage 1, broad phase: finds candidates, unless the candidate list is fresh. Spheres within `margin` [m] of each other
-  /// count as touching.
+  /// Stage 1, broad phase: finds candidates, unless the candidate list is fresh. Spheres within `margin` [m] of each
+  /// other count as touching.
   void find_candidates(Exec& exec, const BodiesView<V>& bodies, Real margin = 0) {
     if (source_ != Source::none && margin_ == margin) return;
     margin_ = margin;

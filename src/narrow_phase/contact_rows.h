@@ -66,8 +66,8 @@ HOST_DEVICE inline bool is_sorted(const Pair* row, int count) {
 
 }  // namespace row_sorting
 
-/// Sorts `count` pairs of a row by j, on any processor: a short row, the usual case, by insertion, a long one by heapsort,
-/// so that a body with thousands of contacts does not need millions of moves.
+/// Sorts `count` pairs of a row by j, on any processor: a short row, the usual case, by insertion, a long one by
+/// heapsort, so that a body with thousands of contacts does not need millions of moves.
 HOST_DEVICE inline void sort_row(Pair* row, int count) {
   using namespace row_sorting;
   if (count == 2) {

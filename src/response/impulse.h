@@ -10,13 +10,13 @@
 //
 // Only the total impulse must not pull, so an iteration may take back an excess of an earlier one. By default all
 // contacts are solved at once from the same velocities (Jacobi), and the mass of a body is split among its c contacts:
-// an average of the parts never adds energy. Walls are at right angles, so they are one part. With --solver gauss-seidel
-// contacts are solved one after another, with c = 1 and the velocities that the ones before have left: walls first, then
-// contacts colour by colour (contact_colours.h). That converges faster, but costs a launch for each colour.
+// an average of the parts never adds energy. Walls are at right angles, so they are one part. With --solver
+// gauss-seidel contacts are solved one after another, with c = 1 and the velocities that the ones before have left:
+// walls first, then contacts colour by colour (contact_colours.h). That needs fewer iterations, but more launches.
 //
 // The overlap that a contact entered during the last step is removed by moving the bodies, unless their new velocities
-// remove it anyway. Older overlap carries a heap. Under gravity it gets a speed of parting, u* = push · overlap / dt, at
-// most push_limit; without gravity it is removed by moving the bodies as well.
+// remove it anyway. Older overlap carries a heap. Under gravity it gets a speed of parting, u* = push · overlap / dt,
+// at most push_limit; without gravity it is removed by moving the bodies as well.
 //
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), one launch (Jacobi).
 // Source: mass splitting: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
@@ -32,8 +32,8 @@
 
 namespace ballpit {
 
-/// Kernel: one Jacobi iteration for body i; reads the velocities and sums of the last iteration, writes new ones. Bodies
-/// gather: both bodies of a contact compute its impulse, so no two threads write to the same memory.
+/// Kernel: one Jacobi iteration for body i; reads the velocities and sums of the last iteration, writes new ones.
+/// Bodies gather: both bodies of a contact compute its impulse, so no two threads write to the same memory.
 template <class V>
 struct ResolveVelocity {
   using Real = Scalar<V>;

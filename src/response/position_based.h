@@ -11,13 +11,13 @@
 //
 // Contacts are solved one after another (Gauss–Seidel, contact_colours.h), walls first and then colour by colour, each
 // with the positions that the ones before have left. Restitution applies only above a speed of 2·g·h, so that heaps do
-// not jitter. If a run starts with more overlap than its motion explains, Δx changes the velocity only until the contact
-// parts at `push` (0 without gravity); the rest of the overlap is removed without changing velocities.
+// not jitter. If a run starts with more overlap than its motion explains, Δx changes the velocity only until the
+// contact parts at `push` (0 without gravity); the rest of the overlap is removed without changing velocities.
 //
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour. Sources:
 // Macklin, Müller, Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics
-// Simulation" (2019), doi 10.1145/3309486.3340247; Müller et al., "Detailed Rigid Body Simulation with Extended Position
-// Based Dynamics" (2020), doi 10.1111/cgf.14105 (restitution). Its siblings: kinematic.h, impulse.h, penalty.h.
+// Simulation" (2019), doi 10.1145/3309486.3340247; restitution: Müller et al. (2020), doi 10.1111/cgf.14105. Its
+// siblings: kinematic.h, impulse.h, penalty.h.
 #pragma once
 
 #include <cmath>
@@ -71,7 +71,7 @@ struct PositionBasedView {
   HOST_DEVICE Real rebound(Real e, Real before) const { return before < -threshold ? -e * before : Real(0); }
 };
 
-/// Kernel: moves body i out of the walls. `walls` sums the multipliers [kg·m], `shift` the displacement of the body [m].
+/// Kernel: moves body i out of the walls. `walls` sums the multipliers [kg·m], `shift` the body's displacement [m].
 template <class V>
 struct MoveOutOfWalls {
   using Real = Scalar<V>;
