@@ -10,7 +10,8 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "measure/statistics.h"
 
 namespace ballpit {
 
@@ -39,6 +40,16 @@ struct Point {
   double left = kNoNumber, right = kNoNumber;
 };
 
+/// The median with its quartiles, converted by `factor`: 1e3 gives milliseconds.
+inline Point point_of(double x, const Spread& spread, double factor = 1) {
+  return {x, factor * spread.median, factor * spread.lower, factor * spread.upper};
+}
+
+/// The mean with one standard error.
+inline Point point_of(double x, const Mean& mean) {
+  return {x, mean.value, mean.value - mean.error, mean.value + mean.error};
+}
+
 enum class Stroke { line, points, line_and_points };
 
 /// Points that belong together. The role gives colour, marker and dashes; the label stands at the line's end.
@@ -53,8 +64,8 @@ struct Series {
 
 /// A series with a point for each item.
 template <class Items, class ToPoint>
-Series make_series(const std::string& label, const std::string& role, const Items& items, const ToPoint& to_point,
-                   Stroke stroke = Stroke::line_and_points) {
+Series make_series(const std::string& label, const std::string& role, Stroke stroke, const Items& items,
+                   const ToPoint& to_point) {
   Series series{label, role, {}, stroke};
   for (const auto& item : items) series.points.push_back(to_point(item));
   return series;
@@ -63,12 +74,8 @@ Series make_series(const std::string& label, const std::string& role, const Item
 /// The line y(x) of a formula.
 template <class Formula>
 Series theory_line(const std::string& label, const std::vector<double>& xs, const Formula& y) {
-  return make_series(
-      label, "theory", xs,
-      [&](double x) {
-        return Point{x, y(x)};
-      },
-      Stroke::line);
+  const auto to_point = [&](double x) { return Point{x, y(x)}; };
+  return make_series(label, "theory", Stroke::line, xs, to_point);
 }
 
 /// One kind of cell in a map of categories.

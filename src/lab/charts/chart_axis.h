@@ -2,7 +2,6 @@
 // The range of an axis, and its ticks.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "lab/charts/chart.h"

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lab/charts/text.h"
+
 namespace ballpit {
 
 namespace {
@@ -23,20 +25,9 @@ void move_apart(Label& below, Label& above) {
 
 }  // namespace
 
-std::string data_line(std::initializer_list<double> numbers) {
-  std::string line;
-  for (const double number : numbers) line += (line.empty() ? "" : " ") + number_text(number);
-  return line + '\n';
-}
+std::string data_line(std::initializer_list<double> numbers) { return fmt::format("{}\n", fmt::join(numbers, " ")); }
 
-std::string quoted_text(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    result += c;
-    if (c == '\'') result += c;
-  }
-  return result + '\'';
-}
+std::string quoted_text(std::string_view text) { return "'" + replaced(std::string(text), "'", "''") + "'"; }
 
 std::string rgb(Rgb color) { return "rgb '" + hex(color) + "'"; }
 

@@ -2,8 +2,6 @@
 // Draws charts with the program gnuplot (Debian: gnuplot-nox).
 #pragma once
 
-#include <string>
-
 #include "lab/charts/chart.h"
 
 namespace ballpit {

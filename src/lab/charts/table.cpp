@@ -4,27 +4,16 @@
 #include <cassert>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
-#include "scene/input_error.h"
+#include "lab/charts/text.h"
 
 namespace ballpit {
 
-namespace {
-
-void append_text(std::string& line, const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    line += text;
-    return;
-  }
-  line += '"';
-  for (const char c : text) {
-    if (c == '"') line += '"';
-    line += c;
-  }
-  line += '"';
+void Table::add_columns(const std::vector<std::string>& headers, const std::string& method) {
+  for (const std::string& header : headers) columns.push_back(fmt::format(fmt::runtime(header), method));
 }
-
-}  // namespace
 
 std::string short_text(const Cell& cell) {
   if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
@@ -36,16 +25,17 @@ std::string short_text(const Cell& cell) {
 }
 
 std::string csv_line(const std::vector<Cell>& cells) {
-  std::string line;
+  std::vector<std::string> texts;
   for (const Cell& cell : cells) {
-    if (&cell != &cells.front()) line += ',';
     if (const double* number = std::get_if<double>(&cell)) {
-      if (!std::isnan(*number)) append_number(line, *number);
+      texts.push_back(std::isnan(*number) ? "" : number_text(*number));
     } else {
-      append_text(line, std::get<std::string>(cell));
+      const std::string& text = std::get<std::string>(cell);
+      const bool is_plain = text.find_first_of(",\"\n") == std::string::npos;
+      texts.push_back(is_plain ? text : '"' + replaced(text, "\"", "\"\"") + '"');
     }
   }
-  return line + '\n';
+  return fmt::format("{}\n", fmt::join(texts, ","));
 }
 
 std::vector<std::string> split_csv_line(std::string_view line) {

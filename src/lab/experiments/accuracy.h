@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <string>
-#include <vector>
 
 #include "lab/experiments/contact_methods.h"
 
@@ -28,17 +26,14 @@ struct Task {
   std::string truth;                  ///< its true value
   double coarsest;                    ///< [s] dt0; steps are dt0·2^−k
   int quick_halvings, full_halvings;  ///< k of the finest step
-  std::function<Trial(const ContactMethod&, double dt, uint64_t seed, bool is_quick)> run;
+  std::function<Trial(const Settings&, uint64_t seed, bool is_quick)> run;  ///< with a method's settings and a step
   bool is_mean = false;  ///< over many collisions, so that small errors are chance
   bool (*serves)(const ContactMethod&) = [](const ContactMethod&) { return true; };
 };
 
 const std::vector<Task>& tasks();
 
-std::vector<Task> contact_tasks();  ///< accuracy_contacts.cpp: a few spheres that hit each other, or a floor
-std::vector<Task> gas_tasks();      ///< accuracy_gases.cpp: many collisions
-
-inline constexpr double kStepsOfContact = 20;  ///< of springs whose stiffness follows from the step
+std::vector<Task> gas_tasks();  ///< those of many collisions
 
 inline Settings with_step(const ContactMethod& method, double dt) {
   Settings settings = method.settings;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string_view>
 
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/theory.h"
@@ -100,6 +99,8 @@ bool is_float_of_main(const ContactMethod& method) {
   });
 }
 
+bool has_steps(const ContactMethod& method) { return method.settings.response != Response::event_driven; }
+
 Series series_of(const ContactMethod& method) {
   const bool is_float = method.settings.precision == Precision::float32;
   return {is_float ? "" : method.label, method.role, {}, Stroke::line_and_points, is_float, !method.is_main};
@@ -118,6 +119,11 @@ void drop_equal_labels(std::vector<Series>& list) {
 
 double stiffness_for(double dt, double steps, double mu, double restitution) {
   return stiffness_of_duration(steps * dt, mu, damping_of(restitution, false));
+}
+
+Scene with_springs(Scene gas, double dt) {
+  gas.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, 1);
+  return gas;
 }
 
 }  // namespace ballpit

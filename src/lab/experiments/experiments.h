@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The entry of each experiment in the table, defined in the file of the same name, and formulas that tests check.
+// What the files of the experiments include: charts, tables, texts; the entry of each in the table, defined in the file of
+// the same name; and formulas that tests check.
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <algorithm>
 
-#include "bodies/pair.h"
+#include <fmt/format.h>
+
+#include "core/numbers.h"
+#include "lab/charts/chart_axis.h"
 #include "lab/measure/sphere_set.h"
 #include "lab/report/experiment.h"
 
@@ -34,5 +37,15 @@ double expected_recall(const SphereSet& spheres, const std::vector<Pair>& contac
 
 /// The standard error of a share found among this number of independent pairs.
 double recall_error(double recall, size_t contacts);
+
+/// The error of the pressure of a gas at a step.
+struct PressureError {
+  double dt;
+  Mean off;  ///< Z/Z_N − 1; NaN if the run stopped
+};
+
+/// The coarser of the last two steps if both are within the tolerance of `crossover`; else 0. Errors are sorted by step,
+/// coarsest first.
+double largest_step(const std::vector<PressureError>& errors);
 
 }  // namespace ballpit

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lab/experiments/hard_spheres.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "lab/measure/made_scenes.h"

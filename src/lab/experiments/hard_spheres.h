@@ -3,10 +3,6 @@
 // lab/measure/theory.h.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "methods/settings.h"
 #include "scene/scene.h"
 

@@ -2,10 +2,7 @@
 // Scenes made in code whose outcome is known, and worlds that run them on one thread of the CPU.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
+#include <algorithm>
 
 #include "methods/settings.h"
 #include "scene/scene.h"
@@ -54,5 +51,27 @@ std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settin
 
 /// Steps until the time [s] is reached to within half a step. Throws Interrupted.
 void step_until(World& world, double time, double dt);
+
+/// A world on the CPU whose steps are timed. Its failure is a result, not an error.
+class TimedRun {
+ public:
+  TimedRun(const Scene& scene, const Settings& settings) : world_(make_cpu_world(scene, settings)), dt_(settings.dt) {}
+
+  /// Steps until `time` [s]; false if the run stops before.
+  bool reach(double time);
+
+  /// Computation time [s] per simulated second.
+  double seconds() const { return spent_ / std::max(world_->time(), dt_); }
+
+  double spent() const { return spent_; }  ///< computation time [s]
+
+  World& world() { return *world_; }
+
+ private:
+  std::unique_ptr<World> world_;
+  double dt_;
+  double spent_ = 0;
+  bool has_stopped_ = false;
+};
 
 }  // namespace ballpit

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -76,7 +75,6 @@ std::vector<std::vector<SearchTiming>> time_searches(Lab& lab, const std::vector
         SearchTiming& timing = timings[c][k];
         timing.seconds.insert(timing.seconds.end(), first, first + kRepeats);
         timing.candidates = first[kRepeats];
-        timing.contacts = first[kRepeats + 1];
       }
     }
   }
@@ -90,11 +88,9 @@ Settings search_by(std::string_view broadphase) {
   return settings;
 }
 
-std::vector<std::string> broad_phases() {
-  std::vector<std::string> names;
-  for (const std::string_view name : kNames<BroadPhase>) {
-    if (name != "auto") names.emplace_back(name);
-  }
+const std::vector<std::string>& broad_phases() {
+  static const std::vector<std::string> names(kNames<BroadPhase>.begin() + 1,
+                                              kNames<BroadPhase>.end());  // without auto
   return names;
 }
 

@@ -3,10 +3,6 @@
 // measured in turns (A B C A B C …), so that other load on the machine affects all equally.
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "lab/measure/lab.h"
 #include "lab/measure/sphere_set.h"
 #include "measure/statistics.h"
@@ -17,7 +13,6 @@ namespace ballpit {
 struct SearchTiming {
   std::vector<double> seconds;  ///< of a search, each the mean over about two milliseconds
   double candidates = 0;
-  double contacts = 0;
 
   Spread spread() const { return spread_of(seconds); }
 };
@@ -39,7 +34,7 @@ std::vector<std::vector<SearchTiming>> time_searches(Lab& lab, const std::vector
 Settings search_by(std::string_view broadphase);
 
 /// Names of all broad phases but auto.
-std::vector<std::string> broad_phases();
+const std::vector<std::string>& broad_phases();
 
 /// "linked cell", for charts.
 std::string label_of(std::string_view broadphase);

@@ -2,7 +2,6 @@
 #include "lab/measure/sphere_set.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 

@@ -3,9 +3,6 @@
 // spheres.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "world/pair_search.h"
 
 namespace ballpit {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lab/report/report.h"
 
-#include <string_view>
+#include <algorithm>
+#include <cstdint>
 
 #include <fmt/format.h>
 
-#include "lab/charts/html.h"
-#include "lab/report/html_head.h"
+#include "lab/charts/text.h"
+#include "report_files.h"
 
 namespace ballpit {
 
@@ -158,12 +159,24 @@ std::string report(const Format& format, const std::vector<ReportSection>& secti
 
 std::string report_html(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
                         const std::string& lack) {
-  return kHtmlHead + report(kHtml, sections, circumstances, lack);
+  return std::string(report_files().front().text) + report(kHtml, sections, circumstances, lack);
 }
 
 std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
                             const std::string& lack) {
   return report(kMarkdown, sections, circumstances, lack);
+}
+
+std::string svg_address(std::string_view svg) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result = "data:image/svg+xml;base64,";
+  for (size_t k = 0; k < svg.size(); k += 3) {
+    uint32_t bits = 0;
+    const size_t size = std::min<size_t>(3, svg.size() - k);
+    for (size_t b = 0; b < 3; ++b) bits = bits << 8 | (b < size ? static_cast<uint8_t>(svg[k + b]) : 0u);
+    for (size_t d = 0; d < 4; ++d) result += d <= size ? kDigits[bits >> (18 - 6 * d) & 63u] : '=';
+  }
+  return result;
 }
 
 }  // namespace ballpit

@@ -2,9 +2,6 @@
 // The change of energy and momentum, which should stay constant, in long runs.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "methods/settings.h"
 #include "scene/scene.h"
 
