@@ -7,7 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/experiments/work_precision.h"
 #include "measure/statistics.h"
 #include "response/damping.h"
 

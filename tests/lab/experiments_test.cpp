@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "lab/charts/text.h"
+#include "lab/charts/gnuplot.h"
 #include "lab/experiments/accuracy.h"
 #include "lab/report/experiment.h"
 #include "lab/report/report.h"

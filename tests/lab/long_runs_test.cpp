@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/experiments/contact_methods.h"
-#include "lab/experiments/drift.h"
+#include "lab/experiments/experiments.h"
 #include "lab/measure/made_scenes.h"
 
 using namespace ballpit;

@@ -8,7 +8,7 @@
 
 #include "lab/experiments/experiments.h"
 #include "lab/experiments/winner_map.h"
-#include "lab/measure/search_timing.h"
+#include "lab/measure/searches.h"
 #include "measure/exact_pairs.h"
 #include "measure/statistics.h"
 #include "world/world.h"

@@ -25,7 +25,7 @@ std::vector<double> edges_of(const std::vector<double>& centers, Scale scale) {
 }
 
 /// The ranges of all values, error bars and bounds, or of the cells of the map.
-std::pair<Range, Range> ranges_of(const Chart& chart) {
+std::pair<AxisRange, AxisRange> ranges_of(const Chart& chart) {
   std::vector<double> x, y;
   if (chart.map) {
     x = edges_of(chart.map->x, chart.x.scale);
@@ -49,7 +49,7 @@ struct SeriesData {
   const Point* last_shown = nullptr;
 };
 
-SeriesData data_of(const Series& series, const Range& x, const Range& y) {
+SeriesData data_of(const Series& series, const AxisRange& x, const AxisRange& y) {
   SeriesData data;
   for (const Point& point : series.points) {
     if (std::isinf(point.y)) {
@@ -104,7 +104,7 @@ class ChartWriter {
     script_.write_text((kPlotLeft + kPlotRight) / 2, 0.03, title_of(chart_.x), style_.text, "center");
   }
 
-  void draw_axis(const std::string& name, const Range& range) {
+  void draw_axis(const std::string& name, const AxisRange& range) {
     if (range.scale == Scale::log) script_.line("set logscale {}", name);
     script_.line("set {}range [{}:{}]", name, range.low, range.high);
     std::string ticks;
@@ -189,7 +189,7 @@ class ChartWriter {
   void draw_map(const Map& map) {
     std::vector<double> values;
     for (const std::vector<double>& row : map.values) values.insert(values.end(), row.begin(), row.end());
-    const Range colors = range_of(map.colors, values, false);
+    const AxisRange colors = range_of(map.colors, values, false);
     draw_cells(map, colors);
     if (map.categories.empty()) {
       draw_color_bar(map, colors);
@@ -198,13 +198,13 @@ class ChartWriter {
     }
   }
 
-  Rgb cell_color(const Map& map, const Range& colors, double value) const {
+  Rgb cell_color(const Map& map, const AxisRange& colors, double value) const {
     if (std::isinf(value)) return color_of("failed", script_.ground());
     if (map.categories.empty()) return gradient(colors.share_of(value));
     return color_of(map.categories[static_cast<size_t>(value)].role, script_.ground());
   }
 
-  void draw_cells(const Map& map, const Range& colors) {
+  void draw_cells(const Map& map, const AxisRange& colors) {
     const std::vector<double> x = edges_of(map.x, chart_.x.scale), y = edges_of(map.y, chart_.y.scale);
     std::string cells, failed;
     std::vector<std::string> markers(map.categories.size());
@@ -233,7 +233,7 @@ class ChartWriter {
     mark(failed, 2);
   }
 
-  void draw_color_bar(const Map& map, const Range& colors) {
+  void draw_color_bar(const Map& map, const AxisRange& colors) {
     constexpr int kSteps = 48;
     constexpr double kBarLeft = 0.755, kBarRight = 0.785, kBarTop = 0.72;
     const auto height = [&](double share) { return kPlotBottom + (kBarTop - kPlotBottom) * share; };

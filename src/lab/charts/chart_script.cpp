@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "lab/charts/text.h"
-
 namespace ballpit {
 
 namespace {
@@ -24,6 +22,13 @@ void move_apart(Label& below, Label& above) {
 }
 
 }  // namespace
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+  for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
+}
 
 std::string data_line(std::initializer_list<double> numbers) { return fmt::format("{}\n", fmt::join(numbers, " ")); }
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/charts/chart_axis.h"
+#include "lab/charts/chart.h"
 #include "lab/charts/chart_style.h"
 
 namespace ballpit {
@@ -24,6 +24,9 @@ struct Label {
   Rgb color;
 };
 
+/// The text with `with` in all places of `what`.
+std::string replaced(std::string text, std::string_view what, std::string_view with);
+
 /// One line of a data block.
 std::string data_line(std::initializer_list<double> numbers);
 
@@ -35,13 +38,13 @@ std::string rgb(Rgb color);
 
 class ChartScript {
  public:
-  ChartScript(Ground ground, const std::pair<Range, Range>& ranges)
+  ChartScript(Ground ground, const std::pair<AxisRange, AxisRange>& ranges)
       : ground_(ground), style_(ground_style(ground)), x_(ranges.first), y_(ranges.second) {}
 
   Ground ground() const { return ground_; }
   const GroundStyle& style() const { return style_; }
-  const Range& x() const { return x_; }
-  const Range& y() const { return y_; }
+  const AxisRange& x() const { return x_; }
+  const AxisRange& y() const { return y_; }
 
   /// Where a point of the plot is in the picture.
   double place_x(double x) const { return kPlotLeft + x_.share_of(x) * (kPlotRight - kPlotLeft); }
@@ -73,7 +76,7 @@ class ChartScript {
  private:
   Ground ground_;
   GroundStyle style_;
-  Range x_, y_;
+  AxisRange x_, y_;
   std::string text_, data_, plots_;
   int blocks_ = 0;
 };

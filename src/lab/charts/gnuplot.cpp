@@ -3,9 +3,14 @@
 
 #include "core/error.h"
 #include "core/program.h"
-#include "lab/charts/text.h"
+#include "lab/charts/chart_script.h"
 
 namespace ballpit {
+
+std::string html_text(std::string_view text) {
+  const std::string tags = replaced(replaced(replaced(std::string(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
+  return replaced(tags, "\"", "&quot;");
+}
 
 std::string gnuplot_path() { return find_program("gnuplot"); }
 

@@ -13,4 +13,7 @@ std::string gnuplot_path();
 /// gnuplot's message.
 std::string draw_svg(const Chart& chart, Ground ground, const std::string& gnuplot);
 
+/// Text for SVG and HTML: with &, <, > and " as entities.
+std::string html_text(std::string_view text);
+
 }  // namespace ballpit

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "core/numbers.h"
-#include "lab/charts/text.h"
 
 namespace ballpit {
 
@@ -25,17 +24,20 @@ std::string short_text(const Cell& cell) {
 }
 
 std::string csv_line(const std::vector<Cell>& cells) {
-  std::vector<std::string> texts;
+  std::string line;
   for (const Cell& cell : cells) {
+    if (&cell != &cells.front()) line += ',';
     if (const double* number = std::get_if<double>(&cell)) {
-      texts.push_back(std::isnan(*number) ? "" : number_text(*number));
-    } else {
-      const std::string& text = std::get<std::string>(cell);
-      const bool is_plain = text.find_first_of(",\"\n") == std::string::npos;
-      texts.push_back(is_plain ? text : '"' + replaced(text, "\"", "\"\"") + '"');
+      if (!std::isnan(*number)) append_number(line, *number);
+      continue;
     }
+    const std::string& text = std::get<std::string>(cell);
+    const std::string_view quote = text.find_first_of(",\"\n") == std::string::npos ? "" : "\"";
+    line += quote;
+    for (const char c : text) line.append(c == '"' ? 2 : 1, c);
+    line += quote;
   }
-  return fmt::format("{}\n", fmt::join(texts, ","));
+  return line + '\n';
 }
 
 std::vector<std::string> split_csv_line(std::string_view line) {

@@ -50,7 +50,11 @@ SpringHit spring_hit(const std::string& law, double restitution) {
 
 Trial mean_of_spring_hits(const SpringHit& hit, const Settings& settings, int phases) {
   return mean_over_phases(phases, settings, [&](double phase) {
-    Scene scene = head_on(hit.speed, (2 + phase) * hit.speed * settings.dt);
+    Scene scene = wide_box();
+    const double gap = (2 + phase) * hit.speed * settings.dt;
+    for (const int side : {-1, 1}) {
+      add_sphere(scene, {side * (0.5 + gap / 2), 0, 0}, {-side * hit.speed / 2, 0, 0}, 0.5, 1);
+    }
     scene.physics.law = hit.law;
     scene.physics.stiffness = hit.stiffness;
     scene.physics.restitution = hit.restitution;

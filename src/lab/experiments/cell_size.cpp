@@ -9,7 +9,7 @@
 #include <cassert>
 
 #include "lab/experiments/experiments.h"
-#include "lab/measure/search_timing.h"
+#include "lab/measure/searches.h"
 #include "measure/exact_pairs.h"
 #include "world/world.h"
 
@@ -124,12 +124,6 @@ Table table_of(const std::vector<Row>& rows) {
   return table;
 }
 
-const Row& row_at(const std::vector<Row>& rows, double size) {
-  return *std::min_element(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
-    return std::fabs(a.size - size) < std::fabs(b.size - size);
-  });
-}
-
 /// The fastest cell size of linked cells among those that miss nothing.
 const Row& fastest(const std::vector<Row>& rows) {
   const Row* best = &rows.back();
@@ -143,7 +137,7 @@ int64_t measurements(bool is_quick) { return (1 + kSearchRounds) * static_cast<i
 
 Findings measure(Lab& lab) {
   const std::vector<Row> rows = measure_all(lab);
-  const Row& half = row_at(rows, 0.5);
+  const Row& half = *std::ranges::find(rows, 0.5, &Row::size);
   const Row& best = fastest(rows);
   const double slowdown = rows.back().timings[0].spread().median / best.timings[0].spread().median;
   return {{table_of(rows)},

@@ -19,6 +19,12 @@ struct ContactMethod {
 
 const std::vector<ContactMethod>& contact_methods();
 
+inline Settings with_step(const ContactMethod& method, double dt) {
+  Settings settings = method.settings;
+  settings.dt = dt;
+  return settings;
+}
+
 /// Whether this is the main method of a response, but in single precision.
 bool is_float_of_main(const ContactMethod& method);
 

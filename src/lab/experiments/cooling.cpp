@@ -2,7 +2,8 @@
 // A gas that loses energy in each collision: Haff's law.
 
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/hard_spheres.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/theory.h"
 
 namespace ballpit {
 
@@ -99,6 +100,21 @@ Findings measure(Lab& lab) {
 }
 
 }  // namespace
+
+std::vector<double> cooling(const GasRun& run, double restitution, const std::vector<double>& times) {
+  Scene scene = equilibrium_gas(run.cells, run.rho, run.seed);
+  scene.physics.restitution = restitution;
+  const double tau = cooling_time(run.rho, count_of(run), restitution);
+  Settings settings = exact_motion(tau / 100);
+  std::vector<double> parts;
+  const auto world = make_cpu_world(scene, settings);
+  const double start = world->report().kinetic_energy;
+  for (const double time : times) {
+    step_until(*world, time * tau, settings.dt);
+    parts.push_back(world->report().kinetic_energy / start);
+  }
+  return parts;
+}
 
 Experiment cooling_experiment() { return {"cooling", 5, 50, measurements, measure}; }
 

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/hard_spheres.h"
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/theory.h"
 

@@ -3,8 +3,8 @@
 // The walks of slide 4 differ in length, and half of them end at once; the lists of slides 12 to 15 differ as cells do.
 
 #include "lab/experiments/experiments.h"
-#include "lab/measure/search_timing.h"
-#include "measure/work_profile.h"
+#include "lab/measure/searches.h"
+#include "measure/statistics.h"
 #include "world/world.h"
 
 namespace ballpit {

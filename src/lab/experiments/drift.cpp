@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Energy and momentum over long runs.
-#include "lab/experiments/drift.h"
-
 #include "core/error.h"
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/experiments.h"
@@ -38,8 +36,6 @@ struct Course {
 };
 
 Course gas_drift(Lab& lab, const ContactMethod& method) {
-  Settings settings = method.settings;
-  settings.dt = kStep;
   const std::vector<double> at = times(lab.is_quick());
   const auto key =
       key_of("gas", method.name, kStep, kStepsOfSpring, kCells, kRho, lab.seed(), duration(lab.is_quick()), at.size());
@@ -47,7 +43,7 @@ Course gas_drift(Lab& lab, const ContactMethod& method) {
     Scene gas = equilibrium_gas(kCells, kRho, lab.seed());
     gas.physics.stiffness = stiffness_for(kStep, kStepsOfSpring, 0.5, 1);
     std::vector<double> flat;
-    for (const LargestDrift& drift : drift_of(gas, settings, at)) {
+    for (const LargestDrift& drift : drift_of(gas, with_step(method, kStep), at)) {
       flat.insert(flat.end(), {drift.energy, drift.momentum});
     }
     return flat;

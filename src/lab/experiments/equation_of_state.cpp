@@ -2,7 +2,6 @@
 // The pressure of a gas of hard spheres: exact motion against the literature, and the error of a fixed step.
 
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/hard_spheres.h"
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/theory.h"
 
@@ -141,6 +140,40 @@ Findings measure(Lab& lab) {
 }
 
 }  // namespace
+
+double count_of(const GasRun& run) { return 4.0 * run.cells * run.cells * run.cells; }
+
+std::vector<double> block_z(const GasRun& run, const Settings& settings) {
+  return block_z(run, settings, equilibrium_gas(run.cells, run.rho, run.seed));
+}
+
+std::vector<double> block_z(const GasRun& run, const Settings& settings, const Scene& gas) {
+  const double count = count_of(run), block = run.collisions / collision_rate(run.rho, count);
+  Settings own = settings;
+  own.keeps_tally = true;
+  if (settings.response == Response::event_driven) own.dt = block;
+  Scene scene = gas;
+  std::vector<double> values;
+  for (int k = 0; k < run.blocks; ++k) {
+    const auto world = make_cpu_world(scene, own);
+    const double before = world->report().kinetic_energy;
+    step_until(*world, block, own.dt);
+    const Report now = world->report();
+    const double kt = (before + now.kinetic_energy) / (3 * (count - 1));
+    values.push_back(1 + now.tally.virial / (3 * count * kt * now.time));
+    scene.bodies = world->bodies();
+    for (Vec3d& v : scene.bodies.velocity) v *= std::sqrt(1.5 * (count - 1) / now.kinetic_energy);
+  }
+  return values;
+}
+
+Settings elastic_impulses(double dt, bool is_swept) {
+  Settings settings = settings_of("impulse", dt);
+  settings.solver = Solver::gauss_seidel;
+  settings.correction = Correction::none;
+  settings.is_swept = is_swept;
+  return settings;
+}
 
 Experiment equation_of_state_experiment() { return {"equation-of-state", 25, 300, measurements, measure}; }
 

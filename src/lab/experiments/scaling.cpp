@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lab/experiments/experiments.h"
-#include "lab/measure/search_timing.h"
+#include "lab/measure/searches.h"
 #include "measure/machine.h"
 #include "measure/step_timing.h"
 
@@ -89,9 +89,7 @@ std::vector<Curve> measure_all(Lab& lab) {
 
 /// The line n^p·log(n)^q that ends at this point.
 Series guide(const std::string& label, double power, double log_power, const Point& end, double from) {
-  std::vector<double> xs;
-  for (int k = 0; k <= 20; ++k) xs.push_back(from * std::pow(end.x / from, k / 20.0));
-  return theory_line(label, xs, [&](double n) {
+  return theory_line(label, spaced(from, end.x, 21, Scale::log), [&](double n) {
     return end.y * std::pow(n / end.x, power) * std::pow(std::log(n) / std::log(end.x), log_power);
   });
 }

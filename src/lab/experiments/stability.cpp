@@ -2,7 +2,6 @@
 // Maps of where methods fail: measured values as colours, and the line of the formula.
 #include "lab/experiments/stability.h"
 
-#include "lab/experiments/drift.h"
 #include "lab/experiments/experiments.h"
 #include "lab/measure/theory.h"
 

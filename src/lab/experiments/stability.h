@@ -23,7 +23,7 @@ struct FailureMap {
   std::string formula;  ///< label of the line
   std::string where;    ///< what changes at the line
   /// Measures a column: a value for each y.
-  std::vector<double> (*column)(double x, const std::vector<double>& y, uint64_t seed);
+  std::function<std::vector<double>(double x, const std::vector<double>& y, uint64_t seed)> column;
   bool (*has_crossed)(double value);
   double (*theory)(double x);  ///< the y of the line
 };

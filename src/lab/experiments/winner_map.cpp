@@ -15,6 +15,7 @@ namespace ballpit {
 namespace {
 
 constexpr const char* kTieName = "too close to tell";
+constexpr double kMaxForBruteForce = 30'000;  // it makes n²/2 tests, and is slowest long before
 
 std::vector<Settings> methods_for(double count) {
   std::vector<Settings> methods;

@@ -3,7 +3,7 @@
 // faster in nearly all turns.
 #pragma once
 
-#include "lab/measure/search_timing.h"
+#include "lab/measure/searches.h"
 #include "lab/report/experiment.h"
 
 namespace ballpit {
@@ -25,9 +25,6 @@ struct WinnerCell {
 };
 
 inline constexpr int kTie = -1;
-
-/// Brute force is not tried with more spheres: it makes n²/2 tests, and is slowest long before.
-inline constexpr double kMaxForBruteForce = 30'000;
 
 std::vector<double> winner_counts(bool is_quick);  ///< numbers of spheres
 int64_t winner_measurements(const WinnerPlan& plan);

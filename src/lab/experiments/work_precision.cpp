@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The cost of accuracy: computation time per simulated second against error, for every response, integrator, step and
 // precision.
-#include "lab/experiments/work_precision.h"
-
 #include "core/error.h"
+#include "lab/experiments/accuracy.h"
 #include "lab/experiments/experiments.h"
 #include "response/damping.h"
 

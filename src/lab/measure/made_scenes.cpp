@@ -58,13 +58,6 @@ Scene wide_box(double half) {
   return scene;
 }
 
-Scene head_on(double speed, double gap) {
-  Scene scene = wide_box();
-  add_sphere(scene, {-0.5 - gap / 2, 0, 0}, {speed / 2, 0, 0}, 0.5, 1.0);
-  add_sphere(scene, {0.5 + gap / 2, 0, 0}, {-speed / 2, 0, 0}, 0.5, 1.0);
-  return scene;
-}
-
 Scene make_stack(const std::vector<double>& masses, double radius) {
   Scene scene;
   scene.domain.min = {-5 * radius, 0, -5 * radius};

@@ -15,9 +15,6 @@ void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity, doub
 /// A cube around the origin with this half edge, without gravity and losses.
 Scene wide_box(double half = 50.0);
 
-/// Two spheres of mass 1 and diameter 1 that approach head-on along x at `speed`, `gap` [m] apart.
-Scene head_on(double speed, double gap);
-
 /// Subtracts the velocity of the centre of mass from all velocities.
 void stop_center(Bodies& bodies);
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/charts/text.h"
+#include "lab/charts/gnuplot.h"
 #include "report_files.h"
 
 namespace ballpit {
