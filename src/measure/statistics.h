@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is made of measurements: median and quartiles, which a few slow runs do not change; means; power laws; and how evenly
-// a search distributes its work over threads.
+// What is made of measurements: median and quartiles, which a few slow runs do not change; means; power laws; and how
+// evenly a search distributes its work over threads.
 #pragma once
 
 #include <cstdint>

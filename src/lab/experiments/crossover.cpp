@@ -158,8 +158,7 @@ std::string spheres_text(const Point& point) { return grouped(static_cast<int64_
 
 /// "stops, from 10 976 spheres on"
 std::string stops_from(const Entry& entry) {
-  const auto stopped =
-      std::find_if(entry.points.begin(), entry.points.end(), [](const Point& p) { return std::isinf(p.y); });
+  const auto stopped = std::ranges::find(entry.points, INFINITY, &Point::y);
   return "stops, from " + spheres_text(*stopped) + " on";
 }
 

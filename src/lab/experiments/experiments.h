@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the files of the experiments include: charts, tables, texts; the entry of each in the table, defined in the file of
-// the same name; and formulas and measurements that experiments share and tests check.
+// What the files of the experiments include: charts, tables, texts; the entry of each in the table, defined in the file
+// of the same name; and formulas and measurements that experiments share and tests check.
 #pragma once
 
 #include <algorithm>
@@ -44,8 +44,8 @@ struct PressureError {
   Mean off;  ///< Z/Z_N − 1; NaN if the run stopped
 };
 
-/// The coarser of the last two steps if both are within the tolerance of `crossover`; else 0. Errors are sorted by step,
-/// coarsest first.
+/// The coarser of the last two steps if both are within the tolerance of `crossover`; else 0. Errors are sorted by
+/// step, coarsest first.
 double largest_step(const std::vector<PressureError>& errors);
 
 // Gases of hard spheres in a periodic box; diameter, mass and kT are 1. Their theory is in lab/measure/theory.h.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Times searches for pairs, from bare arrays to the list of pairs, with several methods on the same spheres at rest. They
-// are measured in turns (A B C A B C …), so that other load on the machine affects all equally.
+// Times searches for pairs, from bare arrays to the list of pairs, with several methods on the same spheres at rest.
+// They are measured in turns (A B C A B C …), so that other load on the machine affects all equally.
 #pragma once
 
 #include "lab/measure/lab.h"
