@@ -13,10 +13,20 @@ namespace ballpit {
 
 namespace {
 
-/// The paragraphs of a text in Markdown, each on one line, without the marks of titles and quotations.
-std::vector<std::string> paragraphs_of(std::string_view text) {
+Experiment with_text(Experiment experiment) {
+  const std::vector<std::string> text = paragraphs_of(experiment.name);
+  experiment.title = text.at(0);
+  experiment.question = text.at(1);
+  experiment.answer = text.at(2);
+  experiment.see = text.at(3);
+  return experiment;
+}
+
+}  // namespace
+
+std::vector<std::string> paragraphs_of(std::string_view name) {
   std::vector<std::string> paragraphs(1);
-  std::istringstream lines{std::string(text)};
+  std::istringstream lines(std::string(entry_named(lab_texts(), std::string(name) + ".md", "assets/lab").text));
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("# ") || line.starts_with("> ")) line.erase(0, 2);
     std::string& last = paragraphs.back();
@@ -28,18 +38,6 @@ std::vector<std::string> paragraphs_of(std::string_view text) {
   }
   return paragraphs;
 }
-
-Experiment with_text(Experiment experiment) {
-  const std::string file = std::string(experiment.name) + ".md";
-  const std::vector<std::string> text = paragraphs_of(entry_named(lab_texts(), file, "assets/lab").text);
-  experiment.title = text.at(0);
-  experiment.question = text.at(1);
-  experiment.answer = text.at(2);
-  experiment.see = text.at(3);
-  return experiment;
-}
-
-}  // namespace
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> table = [] {

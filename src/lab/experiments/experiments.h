@@ -27,6 +27,9 @@ Experiment equation_of_state_experiment();
 Experiment stability_experiment();
 Experiment work_precision_experiment();
 
+/// The paragraphs of assets/lab/NAME.md, each on one line, without the marks of titles and quotations.
+std::vector<std::string> paragraphs_of(std::string_view name);
+
 /// The expected number of overlapping pairs among `count` intervals of length 1 whose middles are uniform along a
 /// length L: n(n−1)/2 · (2/L − 1/L²); all pairs if L is less than 1.
 double expected_interval_overlaps(int64_t count, double length);

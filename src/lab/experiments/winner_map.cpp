@@ -6,9 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <fmt/format.h>
-
-#include "core/numbers.h"
+#include "lab/experiments/experiments.h"
 
 namespace ballpit {
 
@@ -148,8 +146,9 @@ std::vector<Series> series_of(const WinnerPlan& plan, const std::vector<WinnerCe
 }
 
 Findings winner_findings(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
-  return {
-      {winner_table(plan, cells)}, {winner_chart(plan, cells), time_chart(plan, cells)}, {{"wins", tally_of(cells)}}};
+  return {{winner_table(plan, cells)},
+          {winner_chart(plan, cells), time_chart(plan, cells)},
+          {{"wins", tally_of(cells)}, {"rule", paragraphs_of("winning-rule").front()}}};
 }
 
 double median_of(const WinnerCell& cell, std::string_view broad_phase) {
