@@ -14,7 +14,6 @@
 #include "cli/summary.h"
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "measure/gas.h"
 #include "measure/machine.h"
 #include "measure/statistics.h"
 #include "measure/step_timing.h"

@@ -10,7 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "measure/exact_pairs.h"
-#include "measure/work_profile.h"
+#include "measure/statistics.h"
 #include "world/pair_search.h"
 
 namespace ballpit {

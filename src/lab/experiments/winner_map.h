@@ -3,18 +3,13 @@
 // faster in nearly all turns.
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "lab/charts/chart.h"
-#include "lab/charts/table.h"
-#include "lab/measure/lab.h"
-#include "lab/measure/search_timing.h"
+#include "lab/measure/searches.h"
+#include "lab/report/experiment.h"
 
 namespace ballpit {
 
 struct WinnerPlan {
+  std::string title;      ///< of the map
   std::string parameter;  ///< "aspect", in keys
   Axis axis;              ///< of the parameter, which is y in the map
   std::vector<double> values;
@@ -31,9 +26,6 @@ struct WinnerCell {
 
 inline constexpr int kTie = -1;
 
-/// Brute force is not tried with more spheres: it makes n²/2 tests, and is slowest long before.
-inline constexpr double kMaxForBruteForce = 30'000;
-
 std::vector<double> winner_counts(bool is_quick);  ///< numbers of spheres
 int64_t winner_measurements(const WinnerPlan& plan);
 
@@ -43,22 +35,16 @@ std::vector<WinnerCell> find_winners(Lab& lab, const WinnerPlan& plan);
 /// of 2 %, which other load on the machine does not affect, since it slows both methods of a turn.
 int winner_among(const std::vector<SearchTiming>& timings);
 
-Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells, const std::string& title);
+/// The table of all searches, the map, a chart of the time of a search against the parameter, for the most spheres, and
+/// how often each method wins, in `values`.
+Findings winner_findings(const WinnerPlan& plan, const std::vector<WinnerCell>& cells);
 
 /// A series for each method: its cells with the most spheres, against the parameter.
 std::vector<Series> series_of(const WinnerPlan& plan, const std::vector<WinnerCell>& cells,
                               const std::function<Point(const WinnerCell&, const SearchTiming&)>& to_point);
 
-/// The time of a search against the parameter, for the most spheres.
-Chart time_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells);
-
-Table winner_table(const WinnerPlan& plan, const std::vector<WinnerCell>& cells);
-
-/// "Sorted grid is fastest in 20 of 30 cases, linked cell in 5, and 5 are too close to tell"
-std::string tally_of(const std::vector<WinnerCell>& cells);
-
-/// How the map was measured, as text.
-std::string winning_rule();
+/// The median time [s] of a method in a cell; infinite if it was not tried.
+double median_of(const WinnerCell& cell, std::string_view broad_phase);
 
 /// For each method its largest time over that of the fastest, in the order of broad_phases().
 std::vector<double> worst_losses(const std::vector<WinnerCell>& cells);
