@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "exec/stage_times.h"
-#include "narrow_phase/candidate_pairs.h"
 #include "narrow_phase/collider.h"
 #include "world/body_store.h"
 #include "world/inspection.h"
@@ -87,9 +86,9 @@ void inspect_more(const BodyStore<V, Exec>& bodies, const Collider<V, Exec>& col
     search.plan(collider.choice(), collider.parameters(), 0);
     search.pairs(exec, bodies.view());
     if (wanted.candidates) {
-      seen.candidates =
-          std::visit([&](const auto& method) { return candidate_pairs(exec, method.candidates(), bodies.count()); },
-                     search.broad_phase());
+      seen.candidates = std::visit(
+          [&](const auto& method) { return candidate_pairs(exec, method.candidates(), bodies.view(), bodies.box()); },
+          search.broad_phase());
     }
     const auto* const sweep = std::get_if<SortAndSweep<V, Exec>>(&search.broad_phase());
     if (wanted.endpoints && sweep) {

@@ -16,8 +16,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bodies/tally.h"
 #include "narrow_phase/collider.h"
-#include "response/impulse_notes.h"
 #include "world/body_store.h"
 
 namespace ballpit {

@@ -8,7 +8,7 @@
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
 #include "bodies/contacts.h"
-#include "response/impulse_notes.h"
+#include "bodies/tally.h"
 #include "response/walls_view.h"
 #include "world/between_walls.h"
 

@@ -17,7 +17,6 @@
 #include "bodies/tally.h"
 #include "core/span.h"
 #include "exec/reduce.h"
-#include "response/impulse_notes.h"
 #include "world/world.h"
 
 namespace ballpit {

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "measure/statistics.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 using namespace ballpit;
 

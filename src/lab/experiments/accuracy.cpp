@@ -9,7 +9,7 @@
 
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/theory.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 namespace ballpit {
 

@@ -4,7 +4,7 @@
 #include "core/error.h"
 #include "lab/experiments/accuracy.h"
 #include "lab/experiments/experiments.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 namespace ballpit {
 

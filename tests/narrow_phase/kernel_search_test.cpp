@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "narrow_phase/list_search.h"
+#include "narrow_phase/kernel_search.h"
 
 #include <catch2/catch.hpp>
 
@@ -38,7 +38,7 @@ Scene three_in_a_heap() {
 TEST_CASE("contacts are counted, placed and sorted whatever order their candidates come in") {
   const BodyArrays<Vec3> bodies(three_in_a_heap());
   CpuExecutor exec(1);
-  ListSearch<Vec3, CpuExecutor> search;
+  KernelSearch<Vec3, CpuExecutor> search;
   ContactRows<CpuExecutor> rows;
   search.find(exec, AllAfter{3}, bodies.view(), bodies.box, rows);
   REQUIRE(rows.pairs().size() == 3);
@@ -47,7 +47,7 @@ TEST_CASE("contacts are counted, placed and sorted whatever order their candidat
   CHECK(rows.pairs()[2] == Pair{1, 2});
   CHECK(exec.download(rows.first()) == std::vector<int>{0, 2, 3, 3});
   CHECK(exec.download(search.tested()) == std::vector<int>{2, 1, 0});
-  CHECK(search.candidates(exec) == 3);
+  CHECK(search.tests(exec) == 3);
 }
 
 TEST_CASE("bodies with more contacts than are kept from counting to filling have all of them") {
@@ -56,7 +56,7 @@ TEST_CASE("bodies with more contacts than are kept from counting to filling have
   const Scene scene = make_cloud({.count = 1500, .smallest = 0.01, .largest = 0.4, .is_log_uniform = true}, 2);
   const BodyArrays<Vec3> bodies(scene);
   CpuExecutor exec(threads);
-  ListSearch<Vec3, CpuExecutor> search;
+  KernelSearch<Vec3, CpuExecutor> search;
   ContactRows<CpuExecutor> rows;
   search.find(exec, AllAfter{bodies.count()}, bodies.view(), bodies.box, rows);
   const std::vector<Pair> found(rows.pairs().begin(), rows.pairs().end());
