@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An OpenGL 4.5 core context without a window, by EGL: on a graphics device if there is one, else in software. Also gives
-// `ballpit doctor` the devices and drivers.
+// `ballpit doctor` the devices and drivers, and turns the errors that OpenGL reports (KHR_debug) into exceptions.
 #pragma once
 
 #include <string>
@@ -30,9 +30,6 @@ struct GlInfo {
   bool software = false;
 };
 
-/// Describes the context that is current in this thread.
-GlInfo current_gl_info(std::string platform);
-
 struct EglDeviceInfo {
   int index = 0;
   std::string name;  ///< from the driver, or the device file
@@ -60,5 +57,11 @@ class GlContext {
   void* context_ = nullptr;  ///< EGLContext
   GlInfo info_;
 };
+
+/// Makes the current context keep messages about errors for check_gl().
+void enable_gl_debug();
+
+/// Throws RunError with all errors of the current context since the last check; `doing` names the operation.
+void check_gl(const std::string& doing);
 
 }  // namespace ballpit

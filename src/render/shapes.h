@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/gl_object.h"
 #include "render/shader.h"
 
 namespace ballpit {
@@ -34,6 +33,20 @@ struct Face {
   Vec3 v;
   Rgba color;
 };
+
+/// Visits the edges of a box that begin at one of the first `corners` of its 8: their starts, and the vectors along them, to
+/// larger coordinates. In the plane the first 4 begin all edges; 8 visit each twice.
+template <class Visit>
+void for_each_edge(const Vec3& low, const Vec3& size, int corners, Visit&& visit) {
+  for (int corner = 0; corner < corners; ++corner) {
+    const Vec3 part(corner & 1, corner >> 1 & 1, corner >> 2);
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 along(0);
+      along[axis] = size[axis];
+      if (part[axis] == 0 && size[axis] > 0) visit(low + part * size, along);
+    }
+  }
+}
 
 class LineRenderer {
  public:
