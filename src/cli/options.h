@@ -14,8 +14,8 @@
 
 namespace ballpit {
 
-/// Adds the settings of these names, or all if there are none, under a heading. Those on the command line are appended to
-/// `given`, in the order of their table.
+/// Adds the settings of these names, or all if there are none, under a heading. Those on the command line are appended
+/// to `given`, in the order of their table.
 void add_settings(CommandOptions& command, const std::string& heading, std::vector<GivenOption>& given,
                   std::span<const std::string_view> names = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files of `ballpit pairs`. Input: spheres of a CSV file or a scene, and the period after which they repeat. Output:
-// pairs as CSV.
+// The files of `ballpit pairs`: the spheres of a CSV file or a scene, with the period after which they repeat; and pairs
+// as CSV.
 #pragma once
 
 #include <optional>

@@ -14,7 +14,7 @@
 
 namespace ballpit {
 
-/// Writes one of both to standard output. In JSON, bytes that are not UTF-8, which names of files may hold, are replaced.
+/// Writes one of both to standard output. Bytes that are not UTF-8, as in names of files, are replaced in JSON.
 void print(bool as_json, const nlohmann::ordered_json& json, const std::string& text);
 
 /// Name, seconds and launches of each stage.

@@ -10,9 +10,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr GLuint kPosition = 0;
-constexpr GLuint kRadius = 1;
-constexpr GLuint kMark = 2;
+constexpr GLuint kPosition = 0, kRadius = 1, kMark = 2;  // attributes of the vertex shaders
 
 /// A new buffer of fixed size; at least one byte, since OpenGL has no empty buffers.
 GlBuffer make_buffer(int64_t bytes) {

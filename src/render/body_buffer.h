@@ -62,9 +62,9 @@ class BodyBuffer {
   int generation_ = 0;
 };
 
-/// Draws bodies without a triangle mesh. Spatial scenes: one quad for each sphere, in whose pixels the eye's ray meets the
-/// sphere exactly, with exact depth. A second pass blends the pixels of the outline by how much the sphere covers them, in
-/// any order. Planar scenes: flat discs with an outline; later bodies lie over earlier ones.
+/// Draws bodies without a triangle mesh. Spatial scenes: one quad for each sphere, in whose pixels the eye's ray meets
+/// the sphere exactly, with exact depth. A second pass blends the pixels of the outline by how much the sphere covers
+/// them, in any order. Planar scenes: flat discs with an outline; later bodies lie over earlier ones.
 /// Cost: proportional to the covered pixels, twice for outlines.
 /// Source: Sigg et al. 2006, "GPU-Based Ray-Casting of Quadratic Surfaces", doi 10.2312/SPBG/SPBG06/059-065.
 class BodyRenderer {

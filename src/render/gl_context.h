@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An OpenGL 4.5 core context without a window, by EGL: on a graphics device if there is one, else in software. Also gives
-// `ballpit doctor` the devices and drivers, and turns the errors that OpenGL reports (KHR_debug) into exceptions.
+// An OpenGL 4.5 core context without a window, by EGL: on a graphics device if there is one, else in software. Also
+// gives `ballpit doctor` the devices and drivers, and turns the errors that OpenGL reports (KHR_debug) into exceptions.
 #pragma once
 
 #include <string>
@@ -11,9 +11,7 @@ namespace ballpit {
 /// A library of OpenGL that libepoxy, GLFW and Dear ImGui open by name while the program runs, a function in it, and its
 /// Debian package. libepoxy ends the program if one is missing, so check with trouble_with() before its first call.
 struct GlLibrary {
-  const char* file;
-  const char* function;
-  const char* package;
+  const char *file, *function, *package;
 };
 
 inline constexpr GlLibrary kEglLibrary{"libEGL.so.1", "eglGetProcAddress", "libegl1"};  // contexts without a display

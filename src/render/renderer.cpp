@@ -24,18 +24,10 @@ int checked_side(int width, int height, int side) {
 
 /// In the layout of shaders/frame/frame.glsl (std140).
 struct FrameBlock {
-  Mat4 view;
-  Mat4 projection;
-  Vec4 key_light;
-  Vec4 halfway;
-  Vec4 sky;
-  Vec4 units;
-  Vec4 shadow;
-  Vec4 background;
-  Vec4 mark_color[2 + kScaleColors];
+  Mat4 view, projection;
+  Vec4 key_light, halfway, sky, units, shadow, background, mark_color[2 + kScaleColors];
   Vec2 viewport;
-  float pixel;
-  float line_unit;
+  float pixel, line_unit;
 };
 
 /// For a picture of this size [pixel]: for all shaders used from now on.

@@ -28,14 +28,12 @@ struct Line {
 
 /// Corners: corner, corner + u, corner + v, corner + u + v. The memory layout is the one that the vertex shader reads.
 struct Face {
-  Vec3 corner;
-  Vec3 u;
-  Vec3 v;
+  Vec3 corner, u, v;
   Rgba color;
 };
 
-/// Visits the edges of a box that begin at one of the first `corners` of its 8: their starts, and the vectors along them, to
-/// larger coordinates. In the plane the first 4 begin all edges; 8 visit each twice.
+/// Visits the edges that begin at the first `corners` of a box's 8: their starts, and the vectors along them, to larger
+/// coordinates. In the plane 4 corners begin all edges; 8 visit each twice.
 template <class Visit>
 void for_each_edge(const Vec3& low, const Vec3& size, int corners, Visit&& visit) {
   for (int corner = 0; corner < corners; ++corner) {

@@ -84,7 +84,7 @@ void Demo::set_physics(const Physics& physics) {
 }
 
 void Demo::restart() {
-  change([&] { session.restart(); });
+  change([&] { session.load(session.scene_name()); });
 }
 
 void Demo::load(const std::string& scene) {

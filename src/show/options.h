@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the values of options, and applies the settings that were given on the command line or in the panel. All functions
-// throw UserError with the option, what was found and what is allowed.
+// Reads the values of options, and applies the settings that were given on the command line or in the panel. All
+// functions throw UserError with the option, what was found and what is allowed.
 #pragma once
 
 #include <optional>

@@ -33,7 +33,6 @@ class Session {
   void take(std::vector<GivenOption> given, const Physics& physics);
 
   /// Starts the scene again, with the same options, or another scene, with the same backend and threads.
-  void restart() { load(scene_name_); }
   void load(const std::string& scene);
 
   double time() const { return time_before_ + world_->time(); }  ///< [s] since the scene's start

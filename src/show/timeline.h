@@ -77,7 +77,7 @@ class Timeline {
 
 /// Plays a world in time, with steps of constant length at any frame rate.
 ///
-///     elapsed × speed ──▶ owed time ──▶ one step for each dt, until the frame's share of time is used; the rest is dropped
+///     elapsed × speed ──▶ owed time ──▶ one step for each dt, until the frame's share of time is used; drop the rest
 ///
 /// So a slow scene runs slower than the clock, and its delay does not grow.
 class Player {

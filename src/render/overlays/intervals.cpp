@@ -6,8 +6,8 @@
 //          ⋮   ⋮  ⋮   ⋮                dotted: from a sphere's ends to the axis
 //     ─────[───]──[───]─────▶ x        begin: a filled bracket; end: a hollow one
 //          b0  e0 b1  e1
-//           ┌─────────┐   T          the list, and an arrow from the thread's begin to its end; the begins that it meets
-//     ┌──┬──┴──┬──┬───▼┬──┐          are sky; ends are grey: their threads return at once
+//           ┌─────────┐   T         the list, and an arrow from the thread's begin to its end; the begins that it
+//     ┌──┬──┴──┬──┬───▼┬──┐         meets are sky; ends are grey: their threads return at once
 //     │b0│ b1  │b2│ e1 │e0│
 //     └──┴─────┴──┴────┴──┘
 //
