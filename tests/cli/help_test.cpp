@@ -13,7 +13,7 @@
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
 #include "scene/catalog.h"
-#include "show/parse.h"
+#include "show/options.h"
 #include "tests/support/run_program.h"
 #include "world/observables.h"
 #include "world/world.h"

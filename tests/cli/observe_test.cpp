@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // simulate --observe: values with their units, as JSON and for people.
-#include "cli/observe.h"
+#include "cli/summary.h"
 
 #include <sstream>
 

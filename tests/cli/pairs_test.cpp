@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cli/pairs_summary.h"
+#include "cli/pair_files.h"
 #include "core/random.h"
 #include "measure/exact_pairs.h"
 #include "methods/methods.h"

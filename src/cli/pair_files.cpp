@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "cli/pair_input.h"
+#include "cli/pair_files.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <limits>
-#include <utility>
-#include <vector>
 
-#include <fmt/format.h>
+#include <fmt/compile.h>
 
-#include "core/error.h"
 #include "scene/catalog.h"
 #include "scene/input_error.h"
 #include "show/notes.h"
-#include "show/parse.h"
+#include "show/options.h"
 
 namespace ballpit {
 
@@ -137,6 +135,13 @@ PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& p
   }
   wrap(file, input);
   return input;
+}
+
+std::string pairs_csv(const std::vector<Pair>& pairs) {
+  std::string text = "i,j\n";
+  text.reserve(text.size() + 16 * pairs.size());
+  for (const Pair& pair : pairs) fmt::format_to(std::back_inserter(text), FMT_COMPILE("{},{}\n"), pair.i, pair.j);
+  return text;
 }
 
 }  // namespace ballpit

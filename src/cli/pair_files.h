@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The input of `ballpit pairs`: spheres of a CSV file or a scene, and the period after which they repeat.
+// The files of `ballpit pairs`: the spheres of a CSV file or a scene, with the period after which they repeat; and pairs
+// as CSV.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/math.h"
 #include "scene/spheres_csv.h"
@@ -24,5 +26,8 @@ Vec3d parse_period(const std::string& text);
 /// to their images inside. Throws UserError if `period` is too short for the spheres, or is given with a scene, which
 /// has its own.
 PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& period);
+
+/// "i,j", then one pair a line.
+std::string pairs_csv(const std::vector<Pair>& pairs);
 
 }  // namespace ballpit
