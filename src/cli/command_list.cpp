@@ -17,7 +17,7 @@
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "world/observables.h"
 #include "world/world.h"
 

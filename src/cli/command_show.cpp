@@ -20,7 +20,7 @@
 #include "core/numbers.h"
 #include "render/painter.h"
 #include "render/renderer.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "show/demo.h"
 #include "show/demo_renderer.h"
 #include "show/notes.h"

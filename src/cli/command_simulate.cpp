@@ -15,8 +15,8 @@
 #include "core/file.h"
 #include "core/interrupt.h"
 #include "core/numbers.h"
-#include "scene/catalog.h"
 #include "scene/extended_xyz.h"
+#include "scene/read_scene.h"
 #include "scene/spheres_csv.h"
 #include "show/session.h"
 

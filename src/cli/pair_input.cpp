@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "scene/catalog.h"
 #include "scene/input_error.h"
+#include "scene/read_scene.h"
 #include "show/notes.h"
 #include "show/parse.h"
 
@@ -115,7 +115,7 @@ PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& p
     }
     input = from_scene(file);
   } else {
-    input.spheres = read_resting_spheres(file);
+    input.spheres = read_resting_spheres(LineReader(file));
     if (!input.spheres.note.empty()) print_warnings({input.spheres.note});
     if (period && *period != Vec3d(0.0)) {
       input.period = period;

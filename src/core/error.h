@@ -52,15 +52,21 @@ std::string join(const Range& names, const std::string& separator = ", ") {
   return result;
 }
 
+/// The names of a table's entries.
+template <class Table>
+std::vector<std::string> names_in(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& entry : table) names.emplace_back(entry.name);
+  return names;
+}
+
 /// The entry of a table with this name. Throws UserError that lists the names of the table.
 template <class Table>
 const auto& entry_named(const Table& table, std::string_view name, std::string_view option) {
-  std::vector<std::string_view> names;
   for (const auto& entry : table) {
     if (entry.name == name) return entry;
-    names.push_back(entry.name);
   }
-  throw UserError(option, name, join(names));
+  throw UserError(option, name, join(names_in(table)));
 }
 
 }  // namespace ballpit

@@ -73,4 +73,10 @@ void shorten_file(const std::filesystem::path& path, int64_t bytes);
 /// The whole content of a file. Throws UserError naming the path and the system's reason.
 std::string read_file(const std::filesystem::path& path);
 
+/// A text file that is compiled into the program. cmake/embed_files.cmake generates tables of them.
+struct EmbeddedFile {
+  std::string_view name;  ///< "bouncing-balls.toml"
+  std::string_view text;
+};
+
 }  // namespace ballpit

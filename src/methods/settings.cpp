@@ -2,10 +2,8 @@
 #include "methods/settings.h"
 
 #include <algorithm>
-#include <array>
 #include <type_traits>
 
-#include "core/error.h"
 #include "methods/methods.h"
 #include "methods/number_range.h"
 
@@ -78,10 +76,31 @@ SettingInfo toggle(SettingGroup group, const Words& words, bool Settings::*membe
   return info;
 }
 
-std::vector<SettingInfo> make_table() {
+}  // namespace
+
+double skin_of(const Settings& settings) {
+  return settings.skin.value_or(settings.broadphase == BroadPhase::automatic ? 0.1 : 0.0);
+}
+
+int iterations_of(const Settings& settings) {
+  return settings.iterations.value_or(settings.response == Response::impulse ? 4 : 1);
+}
+
+Integrator integrator_of(const Settings& settings) {
+  if (settings.integrator != Integrator::automatic) return settings.integrator;
+  const std::string_view names = find_method(settings.response).integrators;
+  return named<Integrator>(names.substr(0, names.find(',')));
+}
+
+Precision precision_of(const Settings& settings) {
+  const bool is_double_only = find_method(settings.response).precisions == name_of(Precision::float64);
+  return is_double_only ? Precision::float64 : settings.precision;
+}
+
+const std::vector<SettingInfo>& setting_table() {
   constexpr auto kDetection = SettingGroup::detection, kResponse = SettingGroup::response, kTime = SettingGroup::time,
                  kRun = SettingGroup::run;
-  return {
+  static const std::vector<SettingInfo> table{
       choice(kDetection, {"broadphase", "NAME", "how candidate pairs are found"}, &Settings::broadphase),
       number(kDetection,
              {"cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed",
@@ -142,43 +161,13 @@ std::vector<SettingInfo> make_table() {
              Range{int64_t{1}, int64_t{100'000'000}}),
       number(kRun, {"seed", "N", "start of the random numbers", "1"}, &Settings::seed, Range{uint64_t{0}, UINT64_MAX}),
   };
-}
-
-}  // namespace
-
-double skin_of(const Settings& settings) {
-  return settings.skin.value_or(settings.broadphase == BroadPhase::automatic ? 0.1 : 0.0);
-}
-
-int iterations_of(const Settings& settings) {
-  return settings.iterations.value_or(settings.response == Response::impulse ? 4 : 1);
-}
-
-Integrator integrator_of(const Settings& settings) {
-  if (settings.integrator != Integrator::automatic) return settings.integrator;
-  const std::string_view names = find_method(settings.response).integrators;
-  return named<Integrator>(names.substr(0, names.find(',')));
-}
-
-Precision precision_of(const Settings& settings) {
-  const bool is_double_only = find_method(settings.response).precisions == name_of(Precision::float64);
-  return is_double_only ? Precision::float64 : settings.precision;
-}
-
-const std::vector<SettingInfo>& setting_table() {
-  static const std::vector<SettingInfo> table = make_table();
   return table;
 }
 
 void apply_setting(Settings& settings, std::string_view name, std::string_view value, std::string_view where) {
   const std::vector<SettingInfo>& table = setting_table();
-  const auto info =
-      std::find_if(table.begin(), table.end(), [&](const SettingInfo& entry) { return entry.name == name; });
-  if (info == table.end()) {
-    std::vector<std::string_view> names;
-    for (const SettingInfo& entry : table) names.push_back(entry.name);
-    throw UserError(where, "no option of this name", join(names));
-  }
+  const auto info = std::ranges::find(table, name, &SettingInfo::name);
+  if (info == table.end()) throw UserError(where, "no option of this name", join(names_in(table)));
   if (!info->set(settings, value)) throw UserError(where, value, info->allowed);
 }
 

@@ -3,12 +3,7 @@
 // Cost: O(n log n) for the sort by size; the search itself is O(n) (sphere_index.h).
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "scene/input_error.h"
-#include "scene/scene.h"
 #include "scene/sphere_index.h"
 
 namespace ballpit {

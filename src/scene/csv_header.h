@@ -12,9 +12,6 @@
 
 #include <charconv>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "scene/input_error.h"
 

@@ -12,11 +12,6 @@
 // as the same double.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-
 #include "core/file.h"
 #include "scene/scene.h"
 

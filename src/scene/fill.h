@@ -14,14 +14,9 @@
 // IEEE-exact operations are used.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 
-#include "core/math.h"
 #include "scene/input_error.h"
-#include "scene/scene.h"
 #include "scene/sphere_index.h"
 
 namespace ballpit {

@@ -3,11 +3,9 @@
 // Cost: one pass, and a megabyte.
 #pragma once
 
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <string_view>
 
 #include "scene/input_error.h"
 
@@ -19,7 +17,7 @@ class LineReader {
   LineReader(std::string_view text, std::string_view file_name);
 
   /// Lines of a file, a pipe or a device. Throws UserError naming path and reason.
-  explicit LineReader(const std::filesystem::path& path);
+  LineReader(const std::filesystem::path& path);
 
   /// Takes the next line, without its end; false after the last. The view is valid until the next call. Throws UserError for
   /// a line of a file that is larger than the buffer, and if reading fails.
@@ -37,8 +35,7 @@ class LineReader {
   };
 
   bool refill();
-  void skip_byte_order_mark();
-  void find_line_end();
+  void start();
 
   Place place_;
   char line_end_ = '\n';

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/file.h"
 #include "scene/read_sections.h"
 #include "scene/spheres_csv.h"
+#include "scene_files.h"
 
 namespace ballpit {
 
@@ -154,6 +154,28 @@ Scene read_scene(const std::filesystem::path& path, const SceneOverrides& overri
 SceneInfo parse_scene_info(std::string_view text, std::string_view file_name) {
   const toml::table table = parse_toml(text, file_name);
   return read_info(reader_of(table, file_name));
+}
+
+std::span<const SceneInfo> built_in_scenes() {
+  static const std::vector<SceneInfo> scenes = [] {
+    std::vector<SceneInfo> result;
+    for (const EmbeddedFile& file : scene_files()) result.push_back(parse_scene_info(file.text, file.name));
+    return result;
+  }();
+  return scenes;
+}
+
+bool is_scene_file(std::string_view name_or_path) {
+  return name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string_view::npos;
+}
+
+Scene load_scene(std::string_view name_or_path, const SceneOverrides& overrides) {
+  if (is_scene_file(name_or_path)) return read_scene(std::filesystem::path(name_or_path), overrides);
+  for (const EmbeddedFile& file : scene_files()) {
+    if (file.name == std::string(name_or_path) + ".toml") return parse_scene(file.text, file.name, {}, overrides);
+  }
+  throw UserError("SCENE", quoted(name_or_path),
+                  join(names_in(built_in_scenes())) + ", or a path that ends in .toml or contains a '/'");
 }
 
 }  // namespace ballpit

@@ -7,10 +7,8 @@
 // Every error is a UserError of one line: "a.toml:3: [physics] restitution: found 1.5, allowed 0 to 1".
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string>
+#include <span>
 #include <string_view>
 
 #include "scene/scene.h"
@@ -32,5 +30,18 @@ Scene parse_scene(std::string_view text, std::string_view file_name, const std::
 
 /// Reads only name, title and description.
 SceneInfo parse_scene_info(std::string_view text, std::string_view file_name);
+
+/// The scenes in assets/scenes/, which are compiled into the program, the default scene first.
+std::span<const SceneInfo> built_in_scenes();
+
+/// The scene that runs if none is named.
+inline constexpr std::string_view kDefaultScene = "bouncing-balls";
+
+/// Whether a scene is given as a file, not by its name.
+bool is_scene_file(std::string_view name_or_path);
+
+/// A built-in scene by name, or the scene in a file: a path ends in .toml or contains a '/'. Throws UserError that lists the
+/// names if there is no such scene.
+Scene load_scene(std::string_view name_or_path, const SceneOverrides& overrides = {});
 
 }  // namespace ballpit

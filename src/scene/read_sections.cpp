@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "core/numbers.h"
-
 namespace ballpit {
 
 namespace {

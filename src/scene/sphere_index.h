@@ -24,10 +24,6 @@
 // Source: Eitz and Lixu, Hierarchical Spatial Hashing for Real-time Collision Detection, SMI 2007.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "core/math.h"
 #include "scene/scene.h"
 
 namespace ballpit {

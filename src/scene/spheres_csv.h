@@ -7,11 +7,7 @@
 // Cost: O(bytes), one pass through a buffer of a megabyte.
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
+#include "scene/line_reader.h"
 #include "scene/scene.h"
 
 namespace ballpit {
@@ -22,13 +18,9 @@ struct SphereSource {
   std::string note;       ///< names the columns that are ignored; empty if there are none
 };
 
-/// Reads the spheres in `path`. Missing velocities are 0, missing masses `density` [kg/m³] · volume.
+/// Reads the spheres in `lines`; a path converts to them. Missing velocities are 0, missing masses `density` [kg/m³] · volume.
 /// Throws UserError naming file, line and column, what was found and what is allowed.
-Bodies read_spheres_csv(const std::filesystem::path& path, double density = 1000.0, SphereSource* source = nullptr);
-
-/// The same from text; `file_name` is for errors.
-Bodies parse_spheres_csv(std::string_view text, std::string_view file_name, double density = 1000.0,
-                         SphereSource* source = nullptr);
+Bodies read_spheres_csv(LineReader lines, double density = 1000.0, SphereSource* source = nullptr);
 
 /// Spheres at rest for a search for pairs: 16 bytes each.
 struct RestingSpheres {
@@ -41,10 +33,7 @@ struct RestingSpheres {
 
 /// Reads only centres and radii. Other columns are checked as in read_spheres_csv(), and dropped. Missing masses are not
 /// computed, so their limits do not apply.
-RestingSpheres read_resting_spheres(const std::filesystem::path& path);
-
-/// The same from text; `file_name` is for errors.
-RestingSpheres parse_resting_spheres(std::string_view text, std::string_view file_name);
+RestingSpheres read_resting_spheres(LineReader lines);
 
 /// Writes all eight columns. Throws RunError if the file cannot be written.
 void write_spheres_csv(const std::filesystem::path& path, const Bodies& bodies);

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "core/numbers.h"
-
 namespace ballpit {
 
 namespace {

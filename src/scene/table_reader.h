@@ -4,12 +4,8 @@
 // Source: TOML 1.0 by toml++ (https://marzer.github.io/tomlplusplus/).
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <toml++/toml.h>
 

@@ -7,7 +7,7 @@
 namespace ballpit {
 
 Backend select_backend(BackendName name, Response response) {
-  const bool is_cpu_only = misfit(response, "backend", "cuda").has_value();
+  const bool is_cpu_only = !goes_with(response, "backend", "cuda");
   if (name == BackendName::cpu || (name == BackendName::automatic && is_cpu_only)) return cpu_backend();
   Backend cuda = cuda_backend();
   if (cuda.unavailable_reason.empty()) return cuda;

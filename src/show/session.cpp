@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "methods/methods.h"
 #include "render/overlays/overlay.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "scene/spheres_csv.h"
 #include "show/backends.h"
 #include "show/notes.h"

@@ -8,7 +8,7 @@
 #include "core/numbers.h"
 #include "methods/methods.h"
 #include "render/overlays/overlay.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "show/keys.h"
 #include "window/panel.h"
 

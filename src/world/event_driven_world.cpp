@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "world/event_driven_world.h"
-
-#include <algorithm>
+// The world of the event-driven response.
 #include <chrono>
-#include <cmath>
 
-#include "bodies/bodies_view.h"
-#include "bodies/body_snapshot.h"
-#include "bodies/pair.h"
-#include "broad_phase/inspection.h"
 #include "event_driven/event_driven.h"
-#include "world/inspection.h"
+#include "world/body_store.h"
+#include "world/make_world.h"
 #include "world/sums.h"
-#include "world/write_bodies.h"
 
 namespace ballpit {
 

@@ -8,13 +8,10 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <vector>
 
-#include "exec/stage_times.h"
 #include "narrow_phase/candidate_pairs.h"
 #include "narrow_phase/collider.h"
 #include "world/body_store.h"
-#include "world/inspection.h"
 
 namespace ballpit {
 

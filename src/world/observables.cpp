@@ -4,7 +4,6 @@
 #include "world/observables.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -7,7 +7,6 @@
 // forces more than once makes as many passes. Each stage's launches have names, by which timings list them.
 #pragma once
 
-#include "narrow_phase/collider.h"
 #include "world/guard.h"
 #include "world/motion.h"
 #include "world/swept.h"

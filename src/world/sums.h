@@ -4,12 +4,9 @@
 
 #include <cmath>
 #include <cstring>
-#include <vector>
 
 #include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
+#include "core/random.h"
 #include "exec/reduce.h"
 #include "world/world.h"
 
@@ -18,8 +15,12 @@ namespace ballpit {
 struct Largest {
   HOST_DEVICE double operator()(double a, double b) const { return a < b ? b : a; }
 };
-struct Smallest {
-  HOST_DEVICE int64_t operator()(int64_t a, int64_t b) const { return b < a ? b : a; }
+
+/// Map: the i-th value of an array.
+template <class Real>
+struct DoubleAt {
+  Span<const Real> values;
+  HOST_DEVICE double operator()(int i) const { return double(values[i]); }
 };
 
 /// Energy and momentum of one body, or of many.
@@ -110,33 +111,6 @@ struct IsOutside {
     return !(box.holds(bodies.position[i]) & (dot(v, v) < Scalar<V>(1e30)));  // false for NaN
   }
 };
-
-template <class V>
-struct IdIfOutside {
-  BodiesView<V> bodies;
-  Box<V> box;
-  Span<const int> id_at;
-
-  HOST_DEVICE int64_t operator()(int i) const {
-    if (!IsOutside<V>{bodies, box}(i)) return bodies.size();
-    return id_at.empty() ? i : id_at[i];
-  }
-};
-
-/// The lowest id of a body that is outside the domain or not finite; −1 if there is none.
-template <class V, class Exec>
-int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const int> id_at) {
-  const int64_t n = bodies.size();
-  if (!any(exec, "check bodies", n, IsOutside<V>{bodies, box})) return -1;
-  return reduce(exec, "find body", n, n, IdIfOutside<V>{bodies, box, id_at}, Smallest{});
-}
-
-/// Mixes 64 bits, so that each input bit changes all output bits (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195: splitmix64).
-HOST_DEVICE inline uint64_t mix_bits(uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-  return x ^ (x >> 31);
-}
 
 /// A hash of the bits of body `id`. The sum over all bodies is the hash of the state; it does not depend on their order in
 /// memory, the number of threads, or the processor.

@@ -9,27 +9,18 @@
 // The response gets its velocity at that moment, v + t·g·dt; with the velocity before the kick, a ball would lose g·dt in
 // each bounce. Then the body moves on with its new velocity and the rest of the kick (swept_drift.h). So the first hit of a
 // body in a step cannot be missed, and no body leaves through a wall. A second hit in the same step is found in the next
-// step, if the bodies still overlap then. Bodies that meet only walls bounce exactly (between_walls.h).
+// step, if the bodies still overlap then. Bodies that meet only walls bounce exactly (swept_drift.h).
 //
 // A body that lies on a wall is not kicked against it; otherwise the speed of what strikes it would be wrong.
 // Cost: the broad phase on larger spheres, O(candidates + n). Source: Ericson, "Real-Time Collision Detection" (2005),
 // section 5.5.5.
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <sstream>
-#include <string>
 
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/contacts.h"
-#include "bodies/pair.h"
 #include "core/error.h"
-#include "core/span.h"
-#include "exec/reduce.h"
 #include "narrow_phase/collider.h"
-#include "narrow_phase/contact_list.h"
 #include "response/walls_view.h"
 #include "world/body_store.h"
 #include "world/sums.h"
@@ -90,13 +81,6 @@ struct SweepBody {
     middle[i] = box.wrap(bodies.position[i] + w / Real(2));
     reach[i] = bodies.radius[i] + std::sqrt(dot(w, w)) / 2 * Real(1.00001);  // rounding must not shorten it
   }
-};
-
-/// Map: the largest reach.
-template <class Real>
-struct ReachAt {
-  Span<const Real> reach;
-  HOST_DEVICE double operator()(int i) const { return double(reach[i]); }
 };
 
 template <class V, class Exec>
@@ -174,7 +158,7 @@ class SweptContacts {
   void search(const BodyStore<V, Exec>& store, const Collider<V, Exec>& collider) {
     Exec& exec = store.exec();
     BroadPhaseParameters<V> parameters = collider.parameters();
-    const double reach = reduce(exec, "largest reach", reach_.size(), 0.0, ReachAt<Real>{reach_.span()}, Largest{});
+    const double reach = reduce(exec, "largest reach", reach_.size(), 0.0, DoubleAt<Real>{reach_.span()}, Largest{});
     check_period(store.box(), reach);
     parameters.classes = {{static_cast<Real>(reach), reach_.size()}};
     collider_.plan(collider.choice(), parameters, 0);

@@ -7,8 +7,6 @@
 // Its siblings are force_motion.h and position_motion.h.
 #pragma once
 
-#include <utility>
-
 #include "integrate/symplectic_euler.h"
 #include "world/motion.h"
 #include "world/swept.h"

@@ -5,20 +5,11 @@
 // Instantiated for each vector type by worlds_cpu.cpp and cuda/worlds_cuda_*.cu.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <utility>
 
-#include "methods/methods.h"
 #include "world/inspect_more.h"
 #include "world/make_world.h"
 #include "world/step.h"
-#include "world/sums.h"
-#include "world/world.h"
-#include "world/write_bodies.h"
 
 namespace ballpit {
 

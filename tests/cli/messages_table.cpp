@@ -147,7 +147,7 @@ std::vector<Row> rows_of_commands() {
 std::vector<Row> rows_of_scenes() {
   const std::string fill = "[[fill]]\ncount = 10\nradius = 1\n";
   return {
-      {"scene/catalog.cpp: SCENE", "SCENE: found \"nosuch\", allowed ", {"simulate", "nosuch"}},
+      {"scene/read_scene.cpp: SCENE", "SCENE: found \"nosuch\", allowed ", {"simulate", "nosuch"}},
       scene("scene/table_reader.cpp: a syntax error", "a.toml:1: found a syntax error: ", "[domain"),
       scene("scene/table_reader.cpp: an unknown key", "a.toml:1: titel: found an unknown key", "titel = 'x'"),
       scene("scene/table_reader.cpp: line_of(node.source())", "[physics] restitution: found 2, allowed",
@@ -195,7 +195,7 @@ std::vector<Row> rows_of_scenes() {
       scene("scene/check_spheres.cpp: overlapping by", "overlapping by 2 m", kBox + kSphere + kSphere),
       scene("scene/check_spheres.cpp: an edge of", "[domain] max: found an edge of 10",
             kBox + "boundary = 'periodic'\n[[spheres]]\nposition = [5, 5, 5]\nradius = 3"),
-      scene("scene/fill_room.cpp: \"[[fill]] radius\"", "[[fill]] radius: found 6",
+      scene("scene/fill.cpp: \"[[fill]] radius\"", "[[fill]] radius: found 6",
             kBox + "[[fill]]\ncount = 1\nradius = 6"),
       scene("scene/fill.cpp: random placement", "[[fill]] count: found 1000 spheres",
             kBox + "[[fill]]\ncount = 1000\nradius = 1"),
@@ -206,13 +206,13 @@ std::vector<Row> rows_of_scenes() {
           "\xFF\xFE"
           "x,y"),
       csv("scene/csv_header.cpp: header\", found", "a.csv:1: header: found \"a\", no column", "a\n1\n"),
-      csv("scene/csv_rows.cpp: an empty file", "a.csv:1: header: found an empty file", ""),
-      csv("scene/csv_rows.cpp: quotes around", "a.csv:2: x: found a quote", "x,y,z,radius\n\"1,2,3,4\n"),
-      csv("scene/csv_rows.cpp: quoted(field)", "a.csv:2: x: found \"1,234\"", "x,y,z,radius\n\"1,234\",2,3,4\n"),
-      csv("scene/csv_rows.cpp: quoted(field)", "a.csv:3: x: found \"1,5\"", "x;y;z;radius\n1.5;2;3;4\n1,5;2;3;4\n"),
-      csv("scene/csv_rows.cpp: quoted(field)", "a.csv:2: x: found \"one\", allowed a number",
+      csv("scene/spheres_csv.cpp: an empty file", "a.csv:1: header: found an empty file", ""),
+      csv("scene/spheres_csv.cpp: quotes around", "a.csv:2: x: found a quote", "x,y,z,radius\n\"1,2,3,4\n"),
+      csv("scene/spheres_csv.cpp: quoted(field)", "a.csv:2: x: found \"1,234\"", "x,y,z,radius\n\"1,234\",2,3,4\n"),
+      csv("scene/spheres_csv.cpp: quoted(field)", "a.csv:3: x: found \"1,5\"", "x;y;z;radius\n1.5;2;3;4\n1,5;2;3;4\n"),
+      csv("scene/spheres_csv.cpp: quoted(field)", "a.csv:2: x: found \"one\", allowed a number",
           "x,y,z,radius\none,2,3,4\n"),
-      csv("scene/csv_rows.cpp: {} field", "a.csv:2: row: found 2 fields", "x,y,z,radius\n1,2\n"),
+      csv("scene/spheres_csv.cpp: {} field", "a.csv:2: row: found 2 fields", "x,y,z,radius\n1,2\n"),
       csv("scene/line_reader.cpp: kBufferSize", "a.csv:2: line: found more than 1048576 bytes",
           "x,y,z,radius\n" + std::string(1'100'000, '1')),
       scene("scene/input_error.cpp: which makes a mass", "radius: found 1e+12, which makes", "spheres = 'heavy.csv'"),
@@ -229,7 +229,7 @@ std::vector<Row> rows_of_scenes() {
             kBox + "boundary = 'periodic'\n" + kSphere + "velocity = [1000, 0, 0]", {"--swept", "on", "--dt", "0.1"}),
       scene("event_driven/event_driven.cpp: where, what, more", "sphere 0: it left the domain: ",
             kBox + kSphere + "velocity = [1e15, 0, 0]", {"--response", "event-driven"}),
-      scene("world/guard.h: where.str()", "left the domain: ", kBox + kSphere + "velocity = [1e9, 0, 0]",
+      scene("world/guard.h: \"step \"", "left the domain: ", kBox + kSphere + "velocity = [1e9, 0, 0]",
             {"--dt", "0.1"}),
   };
 }
