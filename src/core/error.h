@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two kinds of failure that a user sees; only `main` catches them. A bug is an assert instead. The constructors give each
-// message its form.
+// The two kinds of failure that a user sees; only `main` catches them. A bug is an assert instead.
 #pragma once
 
 #include <stdexcept>
@@ -13,8 +12,7 @@ namespace ballpit {
 /// The user's input is wrong: "WHERE: found FOUND, allowed ALLOWED", and "; HINT" if there is one. Exit status 2.
 class UserError : public std::runtime_error {
  public:
-  /// `where` names an option ("--dt"), an argument ("SCENE"), a file, or a key with its file and line. An empty `found` becomes
-  /// "nothing"; blanks are quoted.
+  /// `where`: "--dt", "SCENE", a file, or a key with its file and line. An empty `found` becomes "nothing"; blanks are quoted.
   UserError(std::string_view where, std::string_view found, std::string_view allowed, std::string_view hint = {});
 
   /// The same error in a larger place: "OUTER: WHERE: found …".

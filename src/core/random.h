@@ -34,10 +34,7 @@ class Random {
 
   /// Uniform in the box [low, high), component by component in the order x, y, z.
   Vec3d uniform(const Vec3d& low, const Vec3d& high) {
-    const double x = uniform(low.x, high.x);
-    const double y = uniform(low.y, high.y);
-    const double z = uniform(low.z, high.z);
-    return {x, y, z};
+    return {uniform(low.x, high.x), uniform(low.y, high.y), uniform(low.z, high.z)};  // braces keep the order
   }
 
   /// A unit vector of uniform direction, planar for `dimensions` 2. Draws a point in the ball and normalises it.

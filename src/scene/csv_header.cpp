@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/csv_header.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace ballpit {
-
-const std::string_view kHeaderRule = "columns x, y, z, radius and optionally vx, vy, vz, mass";
 
 namespace {
 
@@ -43,8 +39,7 @@ std::string lower(std::string_view text) {
 }
 
 const ColumnName* find_name(std::string_view name) {
-  const auto* const found = std::find_if(std::begin(kNames), std::end(kNames),
-                                         [&, key = lower(name)](const ColumnName& n) { return n.name == key; });
+  const auto* const found = std::ranges::find(kNames, lower(name), &ColumnName::name);
   return found == std::end(kNames) ? nullptr : found;
 }
 
@@ -88,10 +83,6 @@ void refuse_twice(const CsvHeader& header, const Place& place) {
 }
 
 }  // namespace
-
-bool CsvHeader::has(CsvColumn column) const {
-  return std::find(columns.begin(), columns.end(), column) != columns.end();
-}
 
 std::string CsvHeader::ignored() const {
   constexpr size_t kMaxNamed = 8;
@@ -150,8 +141,7 @@ UserError no_csv_header(std::string_view line, const Place& place) {
   int64_t max = -1;
   for (const char separator : kSeparators) {
     CsvHeader header = split_header(line, separator);
-    const auto known = static_cast<int64_t>(header.columns.size()) -
-                       std::count(header.columns.begin(), header.columns.end(), kIgnored);
+    const int64_t known = std::ranges::count_if(header.columns, [](CsvColumn column) { return column != kIgnored; });
     if (known <= max) continue;
     max = known;
     best = std::move(header);

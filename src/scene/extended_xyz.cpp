@@ -14,9 +14,6 @@ namespace {
 
 constexpr size_t kBufferSize = 1 << 20;
 
-// ASE's name for something that is no chemical element; OVITO accepts any name.
-constexpr const char* kSpecies = "X";
-
 /// [m] A planar scene gets the thickness of its spheres, since the readers refuse a cell without volume.
 double thickness_of(const Bodies& bodies) {
   const auto largest = std::max_element(bodies.radius.begin(), bodies.radius.end());
@@ -39,7 +36,7 @@ void ExtendedXyz::append(double time, const Bodies& bodies) {
   append_header(time, bodies);
   for (size_t i = 0; i < bodies.position.size(); ++i) {
     const Vec3d &x = bodies.position[i], &v = bodies.velocity[i];
-    buffer_.append(kSpecies) += ' ';
+    buffer_ += "X ";  // ASE's name for something that is no chemical element; OVITO accepts any name
     append_numbers(buffer_, {x.x, x.y, x.z, bodies.radius[i], v.x, v.y, v.z, bodies.mass[i]});
     buffer_ += '\n';
     if (buffer_.size() >= kBufferSize) flush();

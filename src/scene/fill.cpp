@@ -195,8 +195,7 @@ bool throw_until_free(const Placement& placement, double radius, Random& random,
   return false;
 }
 
-/// Whether the fill would fit as a lattice, beside the spheres that are placed before it: those before all fills, and those
-/// of other lattices.
+/// Whether the fill would fit as a lattice, beside the spheres before all fills and those of other lattices.
 bool fits_lattice(const Placement& placement) {
   SphereIndex fixed(placement.scene.domain);
   for (const auto& [first, end] : placement.fixed) {

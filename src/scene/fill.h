@@ -10,8 +10,7 @@
 // Cost: O(sites).
 //
 // Every position is exact in float and is tested with a relative gap of kPlacementGap between spheres and to walls, so
-// rounding positions and radii to float never causes an overlap. The same seed gives the same bits on every platform: only
-// IEEE-exact operations are used.
+// rounding positions and radii to float never causes an overlap. The same seed gives the same bits on every platform.
 #pragma once
 
 #include <span>
@@ -41,9 +40,8 @@ struct Fill {
   std::string count_key = "[[fill]] count";
 };
 
-/// Appends the spheres of all `fills` to `bodies`, in the order of the fills, without overlaps with each other and with those
-/// in `index`, which must contain `bodies`. Lattices are placed first, then the fill with the largest spheres. Throws
-/// UserError if a fill does not fit.
+/// Appends the spheres of all `fills` to `bodies`, in their order, without overlaps with each other and with those in `index`,
+/// which must contain `bodies`. Lattices are placed first, then the largest spheres. Throws UserError if a fill does not fit.
 void place_fills(const Scene& scene, std::span<const Fill> fills, SphereIndex& index, Bodies& bodies);
 
 }  // namespace ballpit

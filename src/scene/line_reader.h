@@ -30,16 +30,13 @@ class LineReader {
   int64_t expected_lines() const;
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
   bool refill();
   void start();
 
   Place place_;
   char line_end_ = '\n';
-  std::unique_ptr<std::FILE, Close> file_;  // none if the text is in memory, or the file was read completely
+  // None if the text is in memory, or the file was read completely.
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
   std::unique_ptr<char[]> buffer_;
   std::string_view rest_;      // in memory and not yet taken
   int64_t bytes_to_come_ = 0;  // in the file after it, if the file system knows its size

@@ -11,10 +11,7 @@ namespace ballpit {
 
 namespace {
 
-Vec3d cell_at(const Vec3d& position, double cell) {
-  const double scale = 1.0 / cell;
-  return {std::floor(position.x * scale), std::floor(position.y * scale), std::floor(position.z * scale)};
-}
+Vec3d cell_at(const Vec3d& position, double cell) { return glm::floor(position * (1.0 / cell)); }
 
 /// Above this, neighbouring cells have the same floating-point coordinate.
 constexpr double kLargestCell = 0x1p52;

@@ -253,7 +253,7 @@ int64_t expected_rows(const LineReader& lines) { return std::min(lines.expected_
 
 }  // namespace
 
-Bodies read_spheres_csv(LineReader lines, double density, SphereSource* source) {
+Bodies read_spheres_csv(LineReader lines, double density, SphereLines* source) {
   CsvRows rows(lines);
   Bodies bodies;
   std::vector<int> line;
@@ -266,7 +266,7 @@ Bodies read_spheres_csv(LineReader lines, double density, SphereSource* source) 
     bodies.mass.push_back(has_mass ? row[kMassColumn] : default_mass(row[kRadius], density, rows.place(), "radius"));
     line.push_back(rows.place().line);
   });
-  if (source != nullptr) *source = {std::move(line), rows.note()};
+  if (source != nullptr) *source = {rows.place().file, std::move(line), true, rows.note()};
   return bodies;
 }
 

@@ -12,15 +12,17 @@
 
 namespace ballpit {
 
-/// The lines of the spheres in a file, and a note for the user.
-struct SphereSource {
+/// The lines of the spheres in a file: [[spheres]] tables, or rows of a CSV file.
+struct SphereLines {
+  std::string file;
   std::vector<int> line;  ///< of each sphere
-  std::string note;       ///< names the columns that are ignored; empty if there are none
+  bool csv = false;
+  std::string note{};  ///< for the user: the columns that are ignored; empty if there are none
 };
 
 /// Reads the spheres in `lines`; a path converts to them. Missing velocities are 0, missing masses `density` [kg/m³] · volume.
 /// Throws UserError naming file, line and column, what was found and what is allowed.
-Bodies read_spheres_csv(LineReader lines, double density = 1000.0, SphereSource* source = nullptr);
+Bodies read_spheres_csv(LineReader lines, double density = 1000.0, SphereLines* source = nullptr);
 
 /// Spheres at rest for a search for pairs: 16 bytes each.
 struct RestingSpheres {
@@ -31,8 +33,7 @@ struct RestingSpheres {
   int64_t size() const { return static_cast<int64_t>(position.size()); }
 };
 
-/// Reads only centres and radii. Other columns are checked as in read_spheres_csv(), and dropped. Missing masses are not
-/// computed, so their limits do not apply.
+/// Reads only centres and radii. Other columns are checked as in read_spheres_csv(), and dropped.
 RestingSpheres read_resting_spheres(LineReader lines);
 
 /// Writes all eight columns. Throws RunError if the file cannot be written.

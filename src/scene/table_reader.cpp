@@ -8,11 +8,7 @@
 
 namespace ballpit {
 
-namespace {
-
-int line_of(const toml::source_region& source) { return std::max(1, static_cast<int>(source.begin.line)); }
-
-}  // namespace
+static int line_of(const toml::source_region& source) { return std::max(1, static_cast<int>(source.begin.line)); }
 
 std::string describe(const toml::node& node) {
   if (const auto* text = node.as_string()) return quoted(text->get());
@@ -142,9 +138,10 @@ std::vector<const toml::table*> TableReader::tables(std::string_view key) const 
   return result;
 }
 
-std::optional<TableReader> TableReader::section(std::string_view key, Keys keys) const {
+TableReader TableReader::section(std::string_view key, Keys keys) const {
+  static const toml::table kEmpty;
   const toml::node* node = table_.get(key);
-  if (node == nullptr) return std::nullopt;
+  if (node == nullptr) return nested(kEmpty, "", keys);
   const std::string label = fmt::format("[{}]", key);
   if (!node->is_table()) throw error(key, describe(*node), "a table " + label);
   return nested(*node->as_table(), label, keys);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bodies of a world in the memory of its executor, and the domain that they move in. Equal radii and equal masses are
-// stored as one number each. Now and then the bodies are sorted in memory (spatial_order.h): "slot" is where a body is
-// stored, "id" is its number in the scene.
+// The bodies of a world in the memory of its executor, and their domain. Equal radii and equal masses are stored as one number
+// each. Bodies are sorted in memory (spatial_order.h): "slot" is where one is stored, "id" is its number in the scene.
 #pragma once
 
 #include <memory>

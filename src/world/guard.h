@@ -30,14 +30,6 @@ struct MayOverlapTooMuch {
   }
 };
 
-/// Predicate: body i overlaps a wall by more than `limit` of its radius.
-template <class V>
-struct OverlapsWallTooMuch {
-  WallOverlap<V> overlap;
-  double limit;
-  HOST_DEVICE bool operator()(int i) const { return overlap(i) > limit; }
-};
-
 /// Map: the energy that body i may have without a cause [J].
 template <class V>
 struct LeastEnergy {
@@ -99,8 +91,7 @@ class Guard {
     stop(step, time, hint_, "sphere ", bad, " left the domain: its centre is at (", p.x, ", ", p.y, ", ", p.z, ")");
   }
 
-  /// Throws RunError where overlap or energy are beyond their limits; else the state is the last good one. `near` are pairs
-  /// that include all contacts.
+  /// Throws RunError where overlap or energy are beyond their limits; else the state is the last good one. `near`: as above.
   void check(const BodyStore<V, Exec>& bodies, Span<const Pair> near, int64_t step, double time) {
     check_overlap(bodies, near, step, time);
     check_energy(bodies, step, time);
@@ -148,17 +139,16 @@ class Guard {
     throw RunError(text_of("step ", step, " (t = ", time, " s)"), text_of(what...), hint);
   }
 
-  bool may_overlap_too_much(const BodyStore<V, Exec>& state, Span<const Pair> pairs) const {
-    const BodiesView<V> bodies = state.view();
-    const MayOverlapTooMuch<V> of_pair{bodies, state.box(), pairs, static_cast<Scalar<V>>(values_.max_overlap)};
-    const OverlapsWallTooMuch<V> of_wall{{bodies, state.box()}, values_.max_overlap};
-    return any(state.exec(), "check overlap", pairs.size(), of_pair) ||
-           (!state.box().is_periodic() && any(state.exec(), "check overlap", bodies.size(), of_wall));
+  static double wall_overlap(const BodyStore<V, Exec>& state) {
+    if (state.box().is_periodic()) return 0;
+    const WallOverlap<V> overlap{state.view(), state.box()};
+    return reduce(state.exec(), "check overlap", state.count(), 0.0, overlap, Largest{});
   }
 
   /// Finds the largest overlap on the host, since the run ends with it.
   void check_overlap(const BodyStore<V, Exec>& state, Span<const Pair> near, int64_t step, double time) const {
-    if (!may_overlap_too_much(state, near)) return;
+    const MayOverlapTooMuch<V> of_pair{state.view(), state.box(), near, static_cast<Scalar<V>>(values_.max_overlap)};
+    if (!any(state.exec(), "check overlap", near.size(), of_pair) && wall_overlap(state) <= values_.max_overlap) return;
     const auto saved = state.save();
     const BodiesView<V> bodies = saved.view();
     double worst = values_.max_overlap;
@@ -193,8 +183,7 @@ class Guard {
          ", more than --max-energy ", max_energy_, "; sphere ", fastest, " has most of it, ", kinetic(fastest), " J");
   }
 
-  /// [J] The energy that a run may have even if it starts with less: from lifting spheres by their radius, as out of the
-  /// floor, and from rounding positions in a substep.
+  /// [J] The energy that any run may have: from lifting spheres by their radius, as out of the floor, and from rounding.
   double least_energy(const BodyStore<V, Exec>& state) const {
     const V extent = state.box().max - state.box().min, g = state.gravity();
     const double speed = 64 * double(std::numeric_limits<Scalar<V>>::epsilon()) * length(widen(extent)) / h_;

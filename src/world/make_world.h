@@ -21,8 +21,7 @@ std::unique_ptr<World> make_world_on(std::unique_ptr<Exec> exec, const Scene& sc
                    : make_world_of<Vec3>(std::move(exec), scene, settings);
 }
 
-/// A world of hard spheres that move from event to event, in double precision on one thread (event_driven.h). A step advances
-/// by settings.dt, which does not affect the motion.
+/// A world of hard spheres that move from event to event (event_driven.h). The length of a step does not affect the motion.
 std::unique_ptr<World> make_event_driven_world(const Scene& scene, const Settings& settings);
 
 }  // namespace ballpit

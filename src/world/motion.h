@@ -7,8 +7,7 @@
 //     forces         –, or kick, drift     candidates            forces                  kick, drift       force_motion.h
 //     positions      kick, drift           touching and near     push apart, rebound     –                 position_motion.h
 //
-// An integrator of forces may need several passes. Each response is compiled by itself, so that a change of one compiles
-// nothing else.
+// An integrator of forces may need several passes. Each response is compiled by itself.
 #pragma once
 
 #include "narrow_phase/collider.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ballpit {
 
@@ -16,14 +17,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double count_of(const Observation& o) { return static_cast<double>(o.bodies.size()); }
 
-double total_mass(const Bodies& bodies) {
-  double sum = 0;
-  for (const double mass : bodies.mass) sum += mass;
-  return sum;
-}
+double total_mass(const Bodies& bodies) { return std::accumulate(bodies.mass.begin(), bodies.mass.end(), 0.0); }
 
-/// [m/s] The mean velocity, which is not thermal motion. In a periodic domain momentum is conserved, so the gas may move as a
-/// whole; between walls it cannot.
+/// [m/s] The mean velocity, which is not thermal motion. Momentum is conserved only in a periodic domain.
 Vec3d drift_of(const Observation& o) {
   if (o.domain.boundary != Boundary::periodic) return Vec3d(0.0);
   Vec3d momentum(0.0);

@@ -139,7 +139,7 @@ class PairSearchOn final : public PairSearch {
   }
 
   std::vector<int> work_per_thread() override {
-    return std::visit([&](const auto& search) { return thread_work(*exec_, search.collider()).work; }, search_);
+    return std::visit([&](const auto& search) { return thread_work(*exec_, search.collider()).first; }, search_);
   }
 
  private:

@@ -25,10 +25,11 @@ struct DoubleAt {
 
 /// Energy and momentum of one body, or of many.
 struct EnergyAndMomentum {
-  double kinetic = 0, potential = 0, px = 0, py = 0, pz = 0;
+  double kinetic = 0, potential = 0;
+  Vec3d momentum{0.0};
 
   HOST_DEVICE EnergyAndMomentum operator+(const EnergyAndMomentum& other) const {
-    return {kinetic + other.kinetic, potential + other.potential, px + other.px, py + other.py, pz + other.pz};
+    return {kinetic + other.kinetic, potential + other.potential, momentum + other.momentum};
   }
 };
 
@@ -41,24 +42,16 @@ struct EnergyAndMomentumOf {
   HOST_DEVICE EnergyAndMomentum operator()(int i) const {
     const double mass = 1.0 / double(bodies.inverse_mass[i]);
     const V v = bodies.velocity[i], x = bodies.position[i];
-    double squared = 0, height = 0, p[3] = {0, 0, 0};
+    double squared = 0, height = 0;
+    Vec3d momentum(0.0);
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       squared += double(v[axis]) * double(v[axis]);
       height -= double(gravity[axis]) * (double(x[axis]) - double(zero[axis]));
-      p[axis] = mass * double(v[axis]);
+      momentum[axis] = mass * double(v[axis]);
     }
-    return {0.5 * mass * squared, mass * height, p[0], p[1], p[2]};
+    return {0.5 * mass * squared, mass * height, momentum};
   }
 };
-
-template <class V, class Exec>
-void measure_motion(Exec& exec, const BodiesView<V>& bodies, const V& gravity, Report& report) {
-  const EnergyAndMomentum motion =
-      reduce(exec, "sum motion", bodies.size(), EnergyAndMomentum{}, EnergyAndMomentumOf<V>{bodies, gravity}, Sum{});
-  report.kinetic_energy = motion.kinetic;
-  report.potential_energy = motion.potential;
-  report.momentum = {motion.px, motion.py, motion.pz};
-}
 
 /// Map: how much pair k overlaps, as a fraction of the smaller radius; −1 where they do not touch.
 template <class V>
@@ -112,8 +105,7 @@ struct IsOutside {
   }
 };
 
-/// A hash of the bits of body `id`. The sum over all bodies is the hash of the state; it does not depend on their order in
-/// memory, the number of threads, or the processor.
+/// A hash of the bits of body `id`. The sum over all bodies, in any order, is the hash of the state.
 template <class V>
 HOST_DEVICE uint64_t hash_body(int64_t id, const V& position, const V& velocity) {
   uint64_t hash = mix_bits(static_cast<uint64_t>(id) + 0x9E3779B97F4A7C15u);

@@ -12,8 +12,7 @@
 // step, if the bodies still overlap then. Bodies that meet only walls bounce exactly (swept_drift.h).
 //
 // A body that lies on a wall is not kicked against it; otherwise the speed of what strikes it would be wrong.
-// Cost: the broad phase on larger spheres, O(candidates + n). Source: Ericson, "Real-Time Collision Detection" (2005),
-// section 5.5.5.
+// Cost: the broad phase on larger spheres, O(candidates + n). Source: Ericson 2005, section 5.5.5.
 #pragma once
 
 #include <limits>
@@ -90,8 +89,7 @@ class SweptContacts {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  /// The contacts of a step of dt that begins at the present positions and velocities, found by the broad phase that
-  /// `collider` uses.
+  /// The contacts of a step of dt that begins at the present state, found by the broad phase of `collider`.
   ContactsView<V> find(const BodyStore<V, Exec>& store, const Collider<V, Exec>& collider, Real dt) {
     Exec& exec = store.exec();
     const Box<V>& box = store.box();

@@ -18,8 +18,7 @@
 
 namespace ballpit {
 
-/// The time [s] until a plane `distance` [m] ahead is reached at `speed` [m/s] and `acceleration` [m/s²], which may be
-/// negative. Longer than any step if it is not reached.
+/// The time [s] until a plane `distance` [m] ahead is reached at `speed` [m/s] and `acceleration` [m/s²]; 1e30 if it is not.
 template <class Real>
 HOST_DEVICE Real time_to_wall(Real distance, Real speed, Real acceleration) {
   constexpr Real kNever = Real(1e30);

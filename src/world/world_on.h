@@ -90,7 +90,11 @@ class WorldOn final : public World {
     report.detection_bytes = world_.collider.bytes();
     report.body_bytes = bodies_.bytes();
     report.motion_bytes = world_.motion->bytes() + world_.guard.bytes() + world_.tally.bytes();
-    measure_motion(exec, bodies, bodies_.gravity(), report);
+    const EnergyAndMomentum motion = reduce(exec, "sum motion", bodies.size(), EnergyAndMomentum{},
+                                            EnergyAndMomentumOf<V>{bodies, bodies_.gravity()}, Sum{});
+    report.kinetic_energy = motion.kinetic;
+    report.potential_energy = motion.potential;
+    report.momentum = motion.momentum;
     report.elastic_energy = world_.motion->elastic_energy(bodies_, pairs());
     report.max_overlap = largest_overlap(exec, bodies, bodies_.box(), pairs());
     report.state_hash =

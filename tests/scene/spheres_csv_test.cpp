@@ -101,7 +101,7 @@ struct Dialect {
 void check_dialects(const std::vector<Dialect>& table) {
   for (const Dialect& dialect : table) {
     CAPTURE(dialect.text);
-    SphereSource source;
+    SphereLines source;
     Bodies bodies;
     CHECK_NOTHROW(bodies = read_spheres_csv({dialect.text, "a.csv"}, 1000.0, &source));
     REQUIRE(bodies.size() == 2);
@@ -160,7 +160,7 @@ TEST_CASE("files written by hand are read: blank lines, comments, blanks, traili
 }
 
 TEST_CASE("errors name lines of the file, blank ones and comments counted") {
-  SphereSource source;
+  SphereLines source;
   read_spheres_csv({"# a\n\nx,y,z,r\n# b\n1,2,3,4\n\n5,6,7,8\n", "a.csv"}, 1000.0, &source);
   CHECK(source.line == std::vector<int>{5, 7});
 }
