@@ -75,16 +75,13 @@ const Method& find_method(MethodId id) {
 
 std::string allowed_instead(Response response, std::string_view option, std::string_view value) {
   const Method& method = find_method(response);
-  const std::string name(method.name);
-  if (option == "integrator" && value != "auto" && !lists(method.integrators, value)) {
-    return std::string(method.integrators) + " with --response " + name;
-  }
-  if (option == "backend" && value != "auto" && !lists(method.backends, value)) {
-    return "auto, " + std::string(method.backends) + " with --response " + name;
-  }
-  if (option == "precision" && !lists(method.precisions, value)) {
-    return std::string(method.precisions) + " with --response " + name;
-  }
+  const std::string name(method.name), with = " with --response " + name;
+  const auto refuses = [&](std::string_view key, std::string_view values) {
+    return option == key && value != "auto" && !lists(values, value);
+  };
+  if (refuses("integrator", method.integrators)) return std::string(method.integrators) + with;
+  if (refuses("backend", method.backends)) return "auto, " + std::string(method.backends) + with;
+  if (refuses("precision", method.precisions)) return std::string(method.precisions) + with;
   std::vector<std::string_view> users;
   for (const Method& other : kMethods) {
     if (other.family == Family::response && lists(other.options, option)) users.push_back(other.name);

@@ -26,12 +26,6 @@ constexpr ColumnName kNames[] = {{"x", kX},
                                  {"vz", kVz},
                                  {"mass", kMassColumn}};
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
-
 std::string lower(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -147,7 +141,8 @@ UserError no_csv_header(std::string_view line, const Place& place) {
     best = std::move(header);
   }
   std::string found = "no column " + quoted(missing(best)->name);
-  if (max == 0) found = quoted(trimmed(line)) + ", " + found;
+  const size_t begin = line.find_first_not_of(" \t"), end = line.find_last_not_of(" \t");
+  if (max == 0) found = quoted(line.substr(begin, end + 1 - begin)) + ", " + found;
   return input_error(place, "header", found, kHeaderRule);
 }
 

@@ -111,10 +111,7 @@ ObservedValue number(const Observation& o) {
   return {kCompute(o)};
 }
 
-ObservedValue momentum(const Observation& o) {
-  const Vec3d& p = o.report.momentum;
-  return {p.x, p.y, p.z};
-}
+ObservedValue momentum(const Observation& o) { return {o.report.momentum.x, o.report.momentum.y, o.report.momentum.z}; }
 
 constexpr std::array kObservables{
     Observable{"kinetic-energy", "Kinetic energy", "J", "J", "Σ m·v²/2", false, number<kinetic_energy>},

@@ -330,6 +330,6 @@ TEST_CASE("numbers are written as short as possible") {
 }
 
 TEST_CASE("a missing CSV file is a UserError") {
-  CHECK_THROWS_AS(read_spheres_csv("/nonexistent/a.csv"), UserError);
-  CHECK_THROWS_AS(read_resting_spheres("/nonexistent/a.csv"), UserError);
+  CHECK_THROWS_AS(read_spheres_csv(LineReader("/nonexistent/a.csv")), UserError);
+  CHECK_THROWS_AS(read_resting_spheres(LineReader("/nonexistent/a.csv")), UserError);
 }
