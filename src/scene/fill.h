@@ -6,8 +6,7 @@
 // Cost: O(n) as long as the volume fraction is well below saturation, 0.38 for equal spheres and 0.547 for equal discs.
 // Source: Widom 1966, J. Chem. Phys. 44, 3888; saturation: Torquato, Uche, Stillinger 2006, doi 10.1103/PhysRevE.74.061308.
 //
-// lattice: simple cubic, square in the plane, as narrow as the largest sphere allows, row by row from the floor up.
-// Cost: O(sites).
+// lattice: simple cubic, square in the plane, as narrow as the largest sphere allows, row by row from the floor up. Cost: O(sites).
 //
 // Every position is exact in float and is tested with a relative gap of kPlacementGap between spheres and to walls, so
 // rounding positions and radii to float never causes an overlap. The same seed gives the same bits on every platform.

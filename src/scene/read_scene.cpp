@@ -88,9 +88,8 @@ bool check_inside(const Domain& domain, const Physics& physics, const SphereLine
 
 /// Makes `bodies` fit `domain`: removes the third dimension in planar scenes, and moves centres outside of a periodic domain to
 /// their images inside. Throws UserError for the first sphere that overlaps a wall by more than physics.initial_overlap ·
-/// radius, and for a pair that overlaps by more than that fraction of the smaller radius, unless it is kAnyOverlap. Overlaps
-/// from rounding to single precision are allowed. Adds all spheres to `index`. Returns how many were outside of a periodic
-/// domain.
+/// radius, and for a pair that overlaps by more than that fraction of the smaller radius, unless it is kAnyOverlap. Adds all
+/// spheres to `index`. Returns how many were outside of a periodic domain.
 int64_t check_spheres(const Domain& domain, const Physics& physics, const SphereLines& lines, Bodies& bodies,
                       SphereIndex& index) {
   int64_t wrapped = 0;

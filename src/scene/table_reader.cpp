@@ -65,8 +65,7 @@ double TableReader::number_at(const toml::node& node, std::string_view key, cons
 
 std::optional<double> TableReader::number(std::string_view key, const Limits& limits) const {
   const toml::node* node = table_.get(key);
-  if (node == nullptr) return std::nullopt;
-  return number_at(*node, key, limits);
+  return node != nullptr ? std::optional(number_at(*node, key, limits)) : std::nullopt;
 }
 
 std::optional<int64_t> TableReader::integer(std::string_view key, int64_t low, int64_t high) const {

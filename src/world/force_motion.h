@@ -2,8 +2,6 @@
 // The motion of the penalty response, by any integrator. In each pass the integrator asks for the forces once:
 //
 //     before_forces() ──▶ candidates ──▶ forces ──▶ after_forces()        src/integrate
-//
-// Its siblings are velocity_motion.h and position_motion.h.
 #pragma once
 
 #include "integrate/explicit_euler.h"

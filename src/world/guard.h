@@ -4,7 +4,6 @@
 #pragma once
 
 #include <limits>
-#include <sstream>
 
 #include "core/error.h"
 #include "world/body_store.h"
@@ -128,15 +127,8 @@ class Guard {
   static constexpr int64_t kSteps = 16;
 
   template <class... Parts>
-  static std::string text_of(const Parts&... parts) {
-    std::ostringstream text;
-    (text << ... << parts);
-    return text.str();
-  }
-
-  template <class... Parts>
   [[noreturn]] static void stop(int64_t step, double time, const std::string& hint, const Parts&... what) {
-    throw RunError(text_of("step ", step, " (t = ", time, " s)"), text_of(what...), hint);
+    throw RunError(streamed("step ", step, " (t = ", time, " s)"), streamed(what...), hint);
   }
 
   static double wall_overlap(const BodyStore<V, Exec>& state) {
@@ -162,7 +154,7 @@ class Guard {
     for (int i = 0; i < state.count(); ++i) compare(WallOverlap<V>{bodies, state.box()}(i), i, -1);
     if (first < 0) return;
     stop(step, time, hint_, "sphere ", saved.id(first), " overlaps ",
-         second < 0 ? "a wall" : text_of("sphere ", saved.id(second)), " by ", worst,
+         second < 0 ? "a wall" : streamed("sphere ", saved.id(second)), " by ", worst,
          " of the smaller radius, more than --max-overlap ", values_.max_overlap);
   }
 
@@ -179,7 +171,7 @@ class Guard {
          overlap_at_start() > kOverlapThatMatters ? "less overlap at the start may help"
                                                   : "a smaller --dt or more --substeps may help",
          "the energy is ",
-         start > 0 ? text_of(now / start, " times that at the start") : text_of(now, " J, and was 0 J at the start"),
+         start > 0 ? streamed(now / start, " times that at the start") : streamed(now, " J, and was 0 J at the start"),
          ", more than --max-energy ", max_energy_, "; sphere ", fastest, " has most of it, ", kinetic(fastest), " J");
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What an inspection holds only where it is wanted. It is found by colliders made for the moment, without candidate lists, so
 // that the world's own stays as it is, with its counts and the times of its stages.
-//
 // Cost: a search for candidates, endpoints and work; one by brute force for what was missed.
 #pragma once
 

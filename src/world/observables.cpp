@@ -77,8 +77,7 @@ double collisions_per_sphere(const Observation& o) {
 double collision_rate(const Observation& o) { return collisions_per_sphere(o) / o.report.time; }
 
 double floor_force(const Observation& o) {
-  if (o.domain.boundary == Boundary::periodic) return kNone;
-  return o.report.tally.floor_impulse / o.report.time;
+  return o.domain.boundary == Boundary::periodic ? kNone : o.report.tally.floor_impulse / o.report.time;
 }
 
 double velocity_moment(const Observation& o) {

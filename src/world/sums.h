@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
 #include "bodies/bodies_view.h"
 #include "core/random.h"
@@ -11,6 +12,14 @@
 #include "world/world.h"
 
 namespace ballpit {
+
+/// Parts of a message as one text. Not by fmt, which nvcc 13 does not compile.
+template <class... Parts>
+std::string streamed(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
 
 struct Largest {
   HOST_DEVICE double operator()(double a, double b) const { return a < b ? b : a; }

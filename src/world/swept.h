@@ -10,13 +10,11 @@
 // each bounce. Then the body moves on with its new velocity and the rest of the kick (swept_drift.h). So the first hit of a
 // body in a step cannot be missed, and no body leaves through a wall. A second hit in the same step is found in the next
 // step, if the bodies still overlap then. Bodies that meet only walls bounce exactly (swept_drift.h).
-//
 // A body that lies on a wall is not kicked against it; otherwise the speed of what strikes it would be wrong.
 // Cost: the broad phase on larger spheres, O(candidates + n). Source: Ericson 2005, section 5.5.5.
 #pragma once
 
 #include <limits>
-#include <sstream>
 
 #include "core/error.h"
 #include "narrow_phase/collider.h"
@@ -171,10 +169,10 @@ class SweptContacts {
     for (int axis = 0; box.is_periodic() && axis < kDimensions<V>; ++axis) {
       const double period = double(box.max[axis]) - double(box.min[axis]);
       if (4 * reach <= period) continue;
-      std::ostringstream message;
-      message << "a sphere and its way in a step reach over " << 2 * reach << " m, allowed in a periodic domain of "
-              << period << " m is half of that";
-      throw RunError("--swept", message.str(), "a smaller --dt helps");
+      throw RunError("--swept",
+                     streamed("a sphere and its way in a step reach over ", 2 * reach,
+                              " m, allowed in a periodic domain of ", period, " m is half of that"),
+                     "a smaller --dt helps");
     }
   }
 

@@ -3,8 +3,7 @@
 //
 //     begin()  notes cleared ──▶ response adds impulses ──▶ end()  Σ Δp·d, impulse on the floor, contacts that are new
 //
-// A collision is a contact of two spheres that did not touch in the substep before. Sums are in double precision, in an
-// order fixed by the indices. Costs nothing if no tally is kept.
+// A collision is a contact of two spheres that did not touch in the substep before. Costs nothing if no tally is kept.
 #pragma once
 
 #include "bodies/contacts.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The world, written once for every executor, number of dimensions and precision: its parts, what it shows of itself, and its
-// snapshots. A step is in step.h.
-//
-// Instantiated for each vector type by worlds_cpu.cpp and cuda/worlds_cuda_*.cu.
+// snapshots. Instantiated for each vector type by worlds_cpu.cpp and cuda/worlds_cuda_*.cu.
 #pragma once
 
 #include <chrono>
