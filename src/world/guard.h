@@ -65,7 +65,7 @@ class Guard {
 
   /// Call before the first step. `near` are pairs that include all contacts; `elastic` is the energy in springs [J].
   void start(const BodyStore<V, Exec>& bodies, Span<const Pair> near, double elastic) {
-    values_.overlap_at_start = largest_overlap(bodies.exec(), bodies.view(), bodies.box(), near);
+    values_.overlap_at_start = largest_overlap(bodies.exec(), "check overlap", bodies.view(), bodies.box(), near);
     values_.max_overlap = std::fmax(values_.max_overlap, 2 * overlap_at_start());  // overlap at the start may settle
     values_.energy_at_start = energy(bodies) + elastic;
     values_.explained = std::fmax(values_.energy_at_start, least_energy(bodies));

@@ -95,10 +95,10 @@ struct WallOverlap {
 
 /// The largest overlap of two spheres, or of a sphere and a wall, as a fraction of the smaller radius.
 template <class V, class Exec>
-double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs) {
-  const double spheres =
-      reduce(exec, "largest overlap", pairs.size(), 0.0, PairOverlap<V>{bodies, box, pairs}, Largest{});
-  const double walls = reduce(exec, "largest overlap", bodies.size(), 0.0, WallOverlap<V>{bodies, box}, Largest{});
+double largest_overlap(Exec& exec, const char* name, const BodiesView<V>& bodies, const Box<V>& box,
+                       Span<const Pair> pairs) {
+  const double spheres = reduce(exec, name, pairs.size(), 0.0, PairOverlap<V>{bodies, box, pairs}, Largest{});
+  const double walls = reduce(exec, name, bodies.size(), 0.0, WallOverlap<V>{bodies, box}, Largest{});
   return spheres < walls ? walls : spheres;
 }
 

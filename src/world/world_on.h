@@ -94,7 +94,7 @@ class WorldOn final : public World {
     report.potential_energy = motion.potential;
     report.momentum = motion.momentum;
     report.elastic_energy = world_.motion->elastic_energy(bodies_, pairs());
-    report.max_overlap = largest_overlap(exec, bodies, bodies_.box(), pairs());
+    report.max_overlap = largest_overlap(exec, "largest overlap", bodies, bodies_.box(), pairs());
     report.state_hash =
         reduce(exec, "hash state", bodies_.count(), uint64_t(0), HashOfBody<V>{bodies, bodies_.order().id_at()}, Sum{});
     report.tally = world_.tally.tally();
