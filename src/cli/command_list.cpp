@@ -15,7 +15,7 @@
 #include "methods/methods.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 
 namespace ballpit {
 

@@ -12,6 +12,7 @@
 #include "core/interrupt.h"
 #include "core/numbers.h"
 #include "scene/extended_xyz.h"
+#include "scene/read_scene.h"
 #include "scene/spheres_csv.h"
 
 namespace ballpit {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "show/view.h"
 
 namespace ballpit {

@@ -9,8 +9,8 @@
 
 #include <fmt/compile.h>
 
-#include "scene/catalog.h"
 #include "scene/input_error.h"
+#include "scene/read_scene.h"
 #include "show/notes.h"
 #include "show/options.h"
 
@@ -113,7 +113,7 @@ PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& p
     }
     input = from_scene(file);
   } else {
-    input.spheres = read_resting_spheres(file);
+    input.spheres = read_resting_spheres(LineReader(file));
     if (!input.spheres.note.empty()) print_warnings({input.spheres.note});
     if (period && *period != Vec3d(0.0)) {
       input.period = period;

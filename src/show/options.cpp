@@ -63,8 +63,8 @@ void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
 
 void check_given(const Settings& settings, const std::vector<GivenOption>& given) {
   for (const GivenOption& option : given) {
-    const std::optional<Misfit> wrong = misfit(settings.response, option.name, option.value);
-    if (wrong) throw UserError("--" + option.name, wrong->found, wrong->allowed);
+    const std::string allowed = allowed_instead(settings.response, option.name, option.value);
+    if (!allowed.empty()) throw UserError("--" + option.name, option.value, allowed);
   }
 }
 
@@ -77,11 +77,11 @@ Settings combine(const std::vector<DefaultOption>& defaults, const std::vector<G
   check_given(settings, given);
   Settings fitting;
   for (const DefaultOption& option : defaults) {
-    const std::optional<Misfit> wrong = misfit(response, option.key, option.value);
-    if (!wrong) {
+    const std::string allowed = allowed_instead(response, option.key, option.value);
+    if (allowed.empty()) {
       apply_setting(fitting, option.key, option.value, option.where);
     } else if (response == of_scene) {
-      throw UserError(option.where, wrong->found, wrong->allowed);
+      throw UserError(option.where, option.value, allowed);
     }
   }
   apply_given(fitting, given);

@@ -18,14 +18,6 @@
 
 namespace ballpit {
 
-/// The names of a table's entries.
-template <class Table>
-std::vector<std::string> names_in(const Table& table) {
-  std::vector<std::string> names;
-  for (const auto& entry : table) names.emplace_back(entry.name);
-  return names;
-}
-
 /// A number in a range. Throws UserError naming the option.
 template <class T>
 T parse_number(std::string_view option, const std::string& text, const Range<T>& range) {

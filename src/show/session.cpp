@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "methods/methods.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "scene/spheres_csv.h"
 #include "show/notes.h"
 
@@ -23,7 +23,7 @@ bool is_of_detection(std::string_view option) {
 }  // namespace
 
 Backend select_backend(BackendName name, Response response) {
-  const bool is_cpu_only = misfit(response, "backend", "cuda").has_value();
+  const bool is_cpu_only = !goes_with(response, "backend", "cuda");
   if (name == BackendName::cpu || (name == BackendName::automatic && is_cpu_only)) return cpu_backend();
   Backend cuda = cuda_backend();
   if (cuda.unavailable_reason.empty()) return cuda;

@@ -7,7 +7,7 @@
 
 #include "methods/methods.h"
 #include "render/overlays/overlay.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "window/panel.h"
 
 namespace ballpit {

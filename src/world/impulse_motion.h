@@ -7,8 +7,7 @@
 
 namespace ballpit {
 
-// Old overlap is removed at most as fast as a body falls in this many steps: enough to carry a heap of as many layers, but
-// not enough to throw spheres up.
+// Old overlap is removed at most as fast as a body falls in this many steps: enough to carry a heap of as many layers.
 inline constexpr double kPushSteps = 100;
 
 template <class Real>

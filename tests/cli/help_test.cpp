@@ -12,7 +12,7 @@
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "render/theme.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "show/options.h"
 #include "tests/support/run_program.h"
 #include "world/observables.h"

@@ -39,7 +39,7 @@ std::string cloud(int count, double radius) {
 }
 
 std::string exact_csv(const std::string& text) {
-  const RestingSpheres spheres = parse_resting_spheres(text, "cloud");
+  const RestingSpheres spheres = read_resting_spheres({text, "cloud"});
   return pairs_csv(exact_pairs({{spheres.position.data(), spheres.size()}, {spheres.radius.data(), spheres.size()}}));
 }
 

@@ -39,11 +39,10 @@ set(allowed
   "MirrorVelocity" 96
   # A wall on each side of each axis, with what it has given, and a limit to it.
   "MoveOutOfWalls" 72
-  # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum, the largest overlap and
-  # who has it; for a tally, collisions.
+  # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum and the largest
+  # overlap; for a tally, collisions.
   "ReduceBlock.*AxisSums" 48
   "ReduceBlock.*EnergyAndMomentum" 48
-  "ReduceBlock.*Offender" 48
   "ReduceBlock.*Collisions" 48
   "ReduceBlock.*Overlap" 48
   "ReduceBlock.*LeastEnergy" 48
