@@ -3,7 +3,7 @@ string(REPLACE "|" ";" files "${FILES}")
 file(WRITE ${HEADER} "#pragma once
 #include <vector>
 
-#include \"core/embedded_file.h\"
+#include \"core/file.h\"
 namespace ballpit { const std::vector<EmbeddedFile>& ${NAME}(); }
 ")
 set(entries "")

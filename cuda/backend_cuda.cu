@@ -34,8 +34,8 @@ Backend cuda_backend() {
   const std::string reason = why_unavailable();
   return {"cuda", reason, reason.empty() ? describe_device() : "",
           [](const Scene& scene, const Settings& settings) {
-            const std::optional<Misfit> wrong = misfit(settings.response, "backend", "cuda");
-            if (wrong) throw UserError("--backend", wrong->found, wrong->allowed);
+            const std::string allowed = allowed_instead(settings.response, "backend", "cuda");
+            if (!allowed.empty()) throw UserError("--backend", "cuda", allowed);
             return make_world_on(std::make_unique<CudaExecutor>(), scene, settings);
           },
           [](const Settings& settings) -> std::unique_ptr<PairSearch> {

@@ -12,7 +12,7 @@
 #include "bodies/body_snapshot.h"
 #include "core/span.h"
 #include "cuda_error.h"
-#include "render/body_writer.h"
+#include "render/body_buffer.h"
 #include "world/world.h"
 
 namespace ballpit {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Replaces the CUDA backend in programs built without the CUDA Toolkit.
-#include "render/body_writer.h"
+#include "render/body_buffer.h"
 #include "world/world.h"
 
 namespace ballpit {

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/program.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 namespace ballpit {
 

@@ -1,4 +1,4 @@
-// The data that all shaders share while a picture is drawn; render/frame_uniforms.cpp writes it.
+// The data that all shaders share while a picture is drawn; render/renderer.cpp writes it.
 layout(std140, binding = 0) uniform Frame {
   mat4 view;
   mat4 projection;

@@ -5,7 +5,6 @@
 //     position, velocity ──broad phase──▶ candidates ──narrow phase──▶ contacts ──response──▶ velocity ──▶ position
 #pragma once
 
-#include "core/host_device.h"
 #include "core/math.h"
 #include "core/span.h"
 

@@ -2,7 +2,6 @@
 // Copies of the bodies on the host for renderers and overlays, and memory for a world to write them to.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/math.h"

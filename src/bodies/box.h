@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/host_device.h"
-#include "core/math.h"
 #include "scene/scene.h"
 
 namespace ballpit {
@@ -75,12 +74,7 @@ struct Box {
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       is_near = is_near | (p[axis] - min[axis] <= radius) | (max[axis] - p[axis] <= radius);
     }
-    if (!is_near) return;
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const Real low = radius - (p[axis] - min[axis]), high = radius - (max[axis] - p[axis]);
-      if (low >= 0) visit(axis, -1, low);
-      if (high >= 0 && !(axis == 1 && boundary == Boundary::open_top)) visit(axis, 1, high);
-    }
+    if (is_near) for_each_wall_on_way(p, p, radius, visit);
   }
 
   /// The same for each wall that a sphere touches at p, or enters on its way from p to `end`, then with overlap 0.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "bodies/pair.h"
-#include "core/host_device.h"
 #include "core/math.h"
 #include "core/span.h"
 

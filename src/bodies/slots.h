@@ -9,7 +9,6 @@
 //
 #pragma once
 
-#include "core/host_device.h"
 #include "core/math.h"
 #include "core/span.h"
 

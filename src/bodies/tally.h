@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Sums over all collisions of a run.
+// Sums over all collisions of a run, and the arrays in which a response notes impulses for them.
 #pragma once
 
-#include <cstdint>
+#include "core/math.h"
+#include "core/span.h"
 
 namespace ballpit {
 
@@ -12,6 +13,15 @@ struct Tally {
   int64_t collisions = 0;    ///< between spheres, each counted once
   double virial = 0;         ///< [J·s] Σ over collisions of Δp·d: the impulse times the distance of the centres
   double floor_impulse = 0;  ///< [kg·m/s] of spheres on the wall at min.y
+};
+
+/// The impulses that a response applies, noted for a tally; empty spans if no tally is kept.
+template <class V>
+struct ImpulseNotes {
+  Span<Scalar<V>> contact;  ///< [kg·m/s] of each contact
+  Span<Scalar<V>> floor;    ///< [kg·m/s] of each body on the wall at min.y
+
+  HOST_DEVICE bool are_kept() const { return !floor.empty(); }
 };
 
 }  // namespace ballpit

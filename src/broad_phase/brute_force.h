@@ -14,7 +14,6 @@
 #include "bodies/slots.h"
 #include "broad_phase/inspection.h"
 #include "broad_phase/parameters.h"
-#include "core/span.h"
 
 namespace ballpit {
 

@@ -8,9 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "broad_phase/inspection.h"
 #include "core/error.h"
-#include "core/span.h"
 
 namespace ballpit {
 

@@ -18,8 +18,6 @@
 // Hashing: Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable Objects" (2003).
 #pragma once
 
-#include <cmath>
-
 #include "bodies/box.h"
 #include "broad_phase/inspection.h"
 #include "broad_phase/parameters.h"
@@ -48,8 +46,8 @@ struct Grid {
     return is_hashed ? (unsigned(z) * 65536u + unsigned(y)) & 0x7FFFFFFFu : unsigned(z * cells.y + y);
   }
 
-  /// A number that distinguishes the cells that may share a bucket: the row, and in periodic domains, where both buckets
-  /// and cells wrap around, the cell.
+  /// A number that distinguishes the cells that may share a bucket: the row, and in periodic domains, where both
+  /// buckets and cells wrap around, the cell.
   HOST_DEVICE unsigned tag(const IVec3& cell) const {
     return is_periodic ? unsigned((cell.z * cells.y + cell.y) * cells.x + cell.x) : row(cell.y, cell.z);
   }

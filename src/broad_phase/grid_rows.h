@@ -9,15 +9,45 @@
 //       │   │ ▒ │ ▒ │   y = 0
 //       └───┴───┴───┘
 //
+// Spheres of different sizes have a grid for each size class (size_classes() of parameters.h), largest spheres first,
+// with their buckets one after another in the same array. Source: Ericson, "Real-Time Collision Detection" (2005),
+// section 7.2.
+//
+//     radii      0.5 0.4   │   0.1 0.1 0.08
+//     class         0      │        1
+//     buckets    0 … 63    │   64 … 4159         first_bucket = {0, 64}
+//
 // Serves periodic domains and the grids of finer size classes. Cost: two reads a row; in periodic domains, whose cells
 // wrap around, two a cell. Siblings that visit only half of a sphere's neighbourhood: dense_half.h, hashed_half.h.
 #pragma once
 
-#include <cmath>
-
-#include "broad_phase/size_class_grids.h"
+#include "bodies/slots.h"
+#include "broad_phase/grid.h"
 
 namespace ballpit {
+
+template <class V>
+struct ClassGrids {
+  using Real = Scalar<V>;
+  int count = 0;
+  bool is_block = false;               ///< searches the 3 × 3 (× 3) block, whatever a sphere reaches (--cell-size)
+  Real guard = 0;                      ///< bound on the rounding error of a distance [m]
+  Real largest[kMaxSizeClasses] = {};  ///< [m] radius, descending
+  V diameter[kMaxSizeClasses] = {};    ///< [cells] of the largest sphere, rounding error included
+  int first_bucket[kMaxSizeClasses] = {};  ///< of each class
+  Grid<V> grid[kMaxSizeClasses] = {};
+
+  HOST_DEVICE int class_of(Real radius) const {
+    int k = 0;
+    while (k + 1 < count && radius <= largest[k + 1]) ++k;
+    return k;
+  }
+
+  /// The offsets of class k: bucket b of its grid holds slots offsets[b] … offsets[b + 1] − 1.
+  HOST_DEVICE Span<const int> offsets_of(int k, Span<const int> offsets) const {
+    return {offsets.data() + first_bucket[k], offsets.size() - first_bucket[k]};
+  }
+};
 
 /// Visits cells x0 … x1 of a row of class k: one range, or two where the buckets of a hashed grid wrap around. `from` >
 /// 0: the first slot of the first cell that is visited.

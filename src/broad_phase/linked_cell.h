@@ -24,8 +24,6 @@
 
 #include "bodies/bodies_view.h"
 #include "broad_phase/grid.h"
-#include "broad_phase/inspection.h"
-#include "core/span.h"
 #include "exec/atomics.h"
 
 namespace ballpit {

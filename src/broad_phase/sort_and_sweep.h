@@ -11,9 +11,8 @@
 // (sweep_candidates.h).
 //
 // Cost: one stable sort of 2n endpoints, O(n log n) or, by radix, O(n); then one test for each overlap on the axis,
-// which is O(n^(5/3)) for a cube of spheres: most of the spheres that overlap on one axis are far apart on the others.
-// The walks differ in length, and half of all threads return at once: on a GPU, the threads of a warp wait for each
-// other. Memory: 24 bytes a body, and a copy of position and radius. Source: Baraff, "Dynamic simulation of
+// which is O(n^(5/3)) for a cube of spheres. The walks differ in length, and half of all threads return at once
+// (docs/model.md). Memory: 24 bytes a body, and a copy of position and radius. Source: Baraff, "Dynamic simulation of
 // non-penetrating rigid bodies" (1992); Witkin, Baraff, Kass, "Physically Based Modeling" (SIGGRAPH course, 1997).
 // Siblings: brute_force.h, linked_cell.h, sorted_grid.h.
 #pragma once
@@ -22,13 +21,9 @@
 #include <limits>
 
 #include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/slots.h"
 #include "broad_phase/grid.h"
-#include "broad_phase/inspection.h"
 #include "broad_phase/sweep_candidates.h"
-#include "broad_phase/widest_axis.h"
-#include "core/span.h"
+#include "exec/reduce.h"
 
 namespace ballpit {
 
@@ -86,23 +81,42 @@ struct NumberBegins {
   }
 };
 
-/// Kernel: the position of entry p of the sorted list on the axis.
-template <class V>
-struct LocateEndpoint {
-  int axis;
-  Scalar<V> guard;  ///< [m]
-  BodiesView<V> bodies;
-  Span<const int> endpoints;
-  Span<float> at;  ///< [m]
+/// Sums for the variance along each axis.
+struct AxisSums {
+  Vec3d sum{0.0}, squares{0.0};
 
-  HOST_DEVICE void operator()(int p) const {
-    const int n = static_cast<int>(bodies.size()), endpoint = endpoints[p];
-    const bool is_end = endpoint >= n;
-    const int i = is_end ? endpoint - n : endpoint;
-    const Scalar<V> x = bodies.position[i][axis], reach = bodies.radius[i] + guard;
-    at[p] = static_cast<float>(is_end ? x + reach : x - reach);
+  HOST_DEVICE AxisSums operator+(const AxisSums& other) const { return {sum + other.sum, squares + other.squares}; }
+};
+
+template <class V>
+struct AxisSumsOf {
+  Span<const V> position;
+  V center;  ///< subtracted first, so that the squares do not cancel
+
+  HOST_DEVICE AxisSums operator()(int i) const {
+    Vec3d x{0.0};
+    for (int axis = 0; axis < kDimensions<V>; ++axis) x[axis] = double(position[i][axis]) - double(center[axis]);
+    return {x, x * x};
   }
 };
+
+/// The axis along which positions vary most. Few intervals overlap on it, so it is the best one to sweep along.
+template <class V, class Exec>
+int widest_axis(Exec& exec, Span<const V> position, const V& center) {
+  if (position.empty()) return 0;
+  const AxisSums spread =
+      reduce(exec, "measure spread", position.size(), AxisSums{}, AxisSumsOf<V>{position, center}, Sum{});
+  const Vec3d variance = spread.squares - spread.sum * spread.sum / static_cast<double>(position.size());
+  int widest = 0;
+  double largest = -1;
+  for (int axis = 0; axis < kDimensions<V>; ++axis) {
+    if (variance[axis] > largest) {
+      largest = variance[axis];
+      widest = axis;
+    }
+  }
+  return widest;
+}
 
 template <class V, class Exec>
 class SortAndSweep {
@@ -164,17 +178,16 @@ class SortAndSweep {
   /// The sorted list, for the bodies that it was prepared for. Intervals are as long as when sorted: longer by the
   /// guard.
   std::vector<Endpoint> endpoints(Exec& exec, const BodiesView<V>& bodies) const {
-    Buffer<float> positions;
-    positions.resize(endpoints_.size());
-    exec.parallel_for("locate endpoints", positions.size(),
-                      LocateEndpoint<V>{axis_, guard_, bodies, endpoints_.span(), positions.span()});
-    const std::vector<int> endpoints = exec.download(endpoints_.span());
-    const std::vector<float> at = exec.download(positions.span());
-    const auto n = static_cast<int>(bodies.size());
+    const int64_t n = bodies.size();
+    const std::vector<V> position = exec.download(bodies.position);
+    const bool is_uniform = bodies.radius.is_uniform() && n > 0;
+    const auto radius = exec.download(Span<const Real>(bodies.radius.data(), is_uniform ? 1 : n));
     std::vector<Endpoint> result;
-    for (size_t p = 0; p < at.size(); ++p) {
-      const bool is_end = endpoints[p] >= n;
-      result.push_back({at[p], is_end ? endpoints[p] - n : endpoints[p], is_end});
+    for (const int endpoint : exec.download(endpoints_.span())) {
+      const bool is_end = endpoint >= n;
+      const int body = is_end ? endpoint - static_cast<int>(n) : endpoint;
+      const Real x = position[size_t(body)][axis_], reach = radius[is_uniform ? 0 : size_t(body)] + guard_;
+      result.push_back({static_cast<float>(is_end ? x + reach : x - reach), body, is_end});
     }
     return result;
   }

@@ -7,18 +7,13 @@
 //
 // Each pair is found once: a body tests the slots after its own in its cell and the next, and the rows after its own
 // (dense_half.h, hashed_half.h); in a periodic domain all cells within its reach, and there only slots after its own
-// (grid_rows.h).
+// (grid_rows.h). Spheres of different sizes have a grid for each size class: a body searches its own class as above,
+// and in each finer class the cells that its sphere reaches.
 //
 // A cell is one diameter long, and so wide that a row of three fills a vector of the processor. A body then reaches few
-// of the rows beside its own, and the others cost nothing. With --cell-size cells are cubes, and the whole block is
-// searched, as on slide 16.
-//
-// Spheres of different sizes have a grid for each size class (size_class_grids.h). A body searches its own class as
-// above, and in each finer class the cells that its sphere reaches. So a large sphere reads long rows of small ones,
-// and a small one never reads cells made for large ones. With --cell-size, one grid serves all sizes, as on slide 7.
-//
-// A grid with far more cells than bodies is hashed: each slot then keeps the tag of its row (in periodic domains, of
-// its cell), and each range names the tag that it wants.
+// of the rows beside its own. With --cell-size, one grid of cubes serves all sizes, and the whole block is searched, as
+// on slides 7 and 16. A grid with far more cells than bodies is hashed: each slot then keeps the tag of its row (in
+// periodic domains, of its cell), and each range names the tag that it wants.
 //
 // Cost: O(n + cells): one counting sort, one gather; then O(n) tests while cells hold O(1) bodies. Memory: 4 bytes a
 // cell; per body 4 bytes and a copy of position and radius. Source: Green, "Particle simulation using CUDA" (2010),
@@ -26,11 +21,8 @@
 #pragma once
 
 #include "bodies/bodies_view.h"
-#include "bodies/slots.h"
 #include "broad_phase/dense_half.h"
 #include "broad_phase/hashed_half.h"
-#include "broad_phase/inspection.h"
-#include "core/span.h"
 
 namespace ballpit {
 
@@ -73,7 +65,12 @@ struct SortedGridCandidates {
       if (end_of_class < last) last = end_of_class;
       if (!grids.grid[k].is_periodic && !grids.grid[k].is_hashed) {
         visit_dense_batch(grids, offsets, slots_view, k, first, last, visit);
-        visit_finer(k, first, last, visit);
+        for (int finer = k + 1; finer < grids.count; ++finer) {
+          for (int slot = first; slot < last; ++slot) {
+            visit_reach(grids, offsets, finer, slots_view.position(slot), slots_view.radius[slot], 0,
+                        [&](const SlotRange& range) { visit(slot, range); });
+          }
+        }
       } else {
         for (int slot = first; slot < last; ++slot) {
           for_each_range(slot, [&](const SlotRange& range) { visit(slot, range); });
@@ -81,17 +78,32 @@ struct SortedGridCandidates {
       }
     }
   }
+};
 
- private:
-  /// For slots first … last − 1, all of class k: what they reach in each finer class.
-  template <class Visit>
-  void visit_finer(int k, int first, int last, Visit&& visit) const {
-    for (int finer = k + 1; finer < grids.count; ++finer) {
-      for (int slot = first; slot < last; ++slot) {
-        visit_reach(grids, offsets, finer, slots_view.position(slot), slots_view.radius[slot], 0,
-                    [&](const SlotRange& range) { visit(slot, range); });
-      }
-    }
+/// Key of the counting sort: the bucket of body i's cell.
+template <class V>
+struct BucketOfBody {
+  ClassGrids<V> grids;
+  Span<const V> position;
+  PerBody<Scalar<V>> radius;
+
+  HOST_DEVICE int operator()(int i) const {
+    const int k = grids.count == 1 ? 0 : grids.class_of(radius[i]);
+    const Grid<V>& grid = grids.grid[k];
+    return grids.first_bucket[k] + grid.index(grid.cell_of(position[i]));
+  }
+};
+
+/// Kernel: the tag of a slot's cell.
+template <class V>
+struct StoreTag {
+  ClassGrids<V> grids;
+  SlotsView<V> slots;
+  Span<unsigned> tag;
+
+  HOST_DEVICE void operator()(int slot) const {
+    const Grid<V>& grid = grids.grid[grids.class_of(slots.radius[slot])];
+    tag[slot] = grid.tag(grid.cell_of(slots.position(slot)));
   }
 };
 
@@ -141,12 +153,50 @@ class SortedGrid {
     return {grids_, slots, offsets_.span()};
   }
 
-  std::vector<GridInspection> inspect(Exec& exec) const;
+  std::vector<GridInspection> inspect(Exec& exec) const {
+    const SlotsView<V> slots = slots_.view();
+    const std::vector<int> body = exec.download(slots.body), offsets = exec.download(offsets_.span());
+    std::vector<V> position(static_cast<size_t>(slots.count));
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      const auto values = exec.download(slots.coordinate[axis]);
+      for (size_t s = 0; s < position.size(); ++s) position[static_cast<size_t>(body[s])][axis] = values[s];
+    }
+    std::vector<GridInspection> result;
+    for (int k = 0; k < grids_.count; ++k) {
+      const int first = offsets[static_cast<size_t>(grids_.first_bucket[k])];
+      const int last = offsets[static_cast<size_t>(grids_.first_bucket[k] + grids_.grid[k].size())];
+      const std::vector<int> bodies(body.begin() + first, body.begin() + last);
+      GridInspection seen = list_cells(grids_.grid[k], position, bodies);
+      seen.arrays = CellArrays{true, grids_.grid[k].is_hashed, range_starts(k, seen.cells, offsets), bodies};
+      result.push_back(std::move(seen));
+    }
+    return result;
+  }
 
   int64_t bytes() const { return slots_.bytes() + offsets_.bytes() + tag_.bytes(); }
 
  private:
-  std::vector<int> range_starts(int k, const IVec3& cells, const std::vector<int>& offsets) const;
+  /// Where each range begins among the bodies of class k, and at last where all end: of all buckets of a hashed grid,
+  /// of all cells of a dense one but its border's.
+  std::vector<int> range_starts(int k, const IVec3& cells, const std::vector<int>& offsets) const {
+    const Grid<V>& grid = grids_.grid[k];
+    const auto first = offsets.begin() + grids_.first_bucket[k], end = first + grid.size();
+    std::vector<int> result;
+    if (grid.is_hashed) {
+      result.assign(first, end);
+    } else {
+      IVec3 border(0), cell(0);
+      for (int axis = 0; axis < kDimensions<V>; ++axis) border[axis] = grid.border;
+      for (cell.z = 0; cell.z < cells.z; ++cell.z) {
+        for (cell.y = 0; cell.y < cells.y; ++cell.y) {
+          for (cell.x = 0; cell.x < cells.x; ++cell.x) result.push_back(first[grid.index(cell + border)]);
+        }
+      }
+    }
+    result.push_back(*end);
+    for (int& begin : result) begin -= *first;
+    return result;
+  }
 
   // Spheres in the three cells that are read of a row: about as many as a vector holds.
   static constexpr double kPerRow = 10;
@@ -189,49 +239,5 @@ class SortedGrid {
   Buffer<int> offsets_;
   Buffer<unsigned> tag_;
 };
-
-template <class V, class Exec>
-std::vector<GridInspection> SortedGrid<V, Exec>::inspect(Exec& exec) const {
-  const SlotsView<V> slots = slots_.view();
-  const std::vector<int> body = exec.download(slots.body), offsets = exec.download(offsets_.span());
-  std::vector<V> position(static_cast<size_t>(slots.count));
-  for (int axis = 0; axis < kDimensions<V>; ++axis) {
-    const auto values = exec.download(slots.coordinate[axis]);
-    for (size_t s = 0; s < position.size(); ++s) position[static_cast<size_t>(body[s])][axis] = values[s];
-  }
-  std::vector<GridInspection> result;
-  for (int k = 0; k < grids_.count; ++k) {
-    const int first = offsets[static_cast<size_t>(grids_.first_bucket[k])];
-    const int last = offsets[static_cast<size_t>(grids_.first_bucket[k] + grids_.grid[k].size())];
-    const std::vector<int> bodies(body.begin() + first, body.begin() + last);
-    GridInspection seen = list_cells(grids_.grid[k], position, bodies);
-    seen.arrays = CellArrays{true, grids_.grid[k].is_hashed, range_starts(k, seen.cells, offsets), bodies};
-    result.push_back(std::move(seen));
-  }
-  return result;
-}
-
-/// Where each range begins among the bodies of class k, and at last where all end: of all buckets of a hashed grid, of
-/// all cells of a dense one but its border's.
-template <class V, class Exec>
-std::vector<int> SortedGrid<V, Exec>::range_starts(int k, const IVec3& cells, const std::vector<int>& offsets) const {
-  const Grid<V>& grid = grids_.grid[k];
-  const auto first = offsets.begin() + grids_.first_bucket[k], end = first + grid.size();
-  std::vector<int> result;
-  if (grid.is_hashed) {
-    result.assign(first, end);
-  } else {
-    IVec3 border(0), cell(0);
-    for (int axis = 0; axis < kDimensions<V>; ++axis) border[axis] = grid.border;
-    for (cell.z = 0; cell.z < cells.z; ++cell.z) {
-      for (cell.y = 0; cell.y < cells.y; ++cell.y) {
-        for (cell.x = 0; cell.x < cells.x; ++cell.x) result.push_back(first[grid.index(cell + border)]);
-      }
-    }
-  }
-  result.push_back(*end);
-  for (int& begin : result) begin -= *first;
-  return result;
-}
 
 }  // namespace ballpit

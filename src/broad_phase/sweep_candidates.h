@@ -11,7 +11,6 @@
 #pragma once
 
 #include "bodies/slots.h"
-#include "core/span.h"
 
 namespace ballpit {
 

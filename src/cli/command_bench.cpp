@@ -2,19 +2,15 @@
 // ballpit bench: time per step by method, backend, threads and number of spheres, on a gas of elastic spheres.
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/summary.h"
-#include "core/error.h"
 #include "core/interrupt.h"
-#include "measure/gas.h"
 #include "measure/machine.h"
 #include "measure/statistics.h"
 #include "measure/step_timing.h"
@@ -37,8 +33,8 @@ std::vector<std::string> names_of() {
 }
 
 /// Each once, in the order given.
-std::vector<std::string> parse_names(std::string_view option, const std::string& text,
-                                     const std::vector<std::string>& allowed) {
+std::vector<std::string> parse_choices(std::string_view option, const std::string& text,
+                                       const std::vector<std::string>& allowed) {
   std::vector<std::string> names;
   for (const std::string& name : split_list(text)) {
     parse_choice(option, name, allowed);
@@ -107,29 +103,27 @@ Json json_of(const StepTiming& timing, const std::vector<StepTiming>& all) {
   return entry;
 }
 
-void print_row(const StepTiming& timing, const std::vector<StepTiming>& all) {
+std::string row_of(const StepTiming& timing, const std::vector<StepTiming>& all) {
   const StepCase& which = timing.which;
-  std::cout << fmt::format("{:9}  {:<15} {:<7} {:>7}  ", timing.count, which.method, which.backend.name,
-                           which.threads > 0 ? std::to_string(which.threads) : "-");
-  if (!timing.skipped.empty()) {
-    std::cout << fmt::format("skipped: {}\n", timing.skipped);
-    return;
-  }
+  const std::string start = fmt::format("{:9}  {:<15} {:<7} {:>7}  ", timing.count, which.method, which.backend.name,
+                                        which.threads > 0 ? std::to_string(which.threads) : "-");
+  if (!timing.skipped.empty()) return fmt::format("{}skipped: {}\n", start, timing.skipped);
   const Spread spread = spread_of(timing.seconds);
-  std::cout << fmt::format("{:10.4f}  {:9.4f} to {:9.4f}  {:11.1f}", 1e3 * spread.median, 1e3 * spread.lower,
-                           1e3 * spread.upper, 1e9 * spread.median / static_cast<double>(timing.count));
-  if (const std::optional<double> speedup = speedup_of(timing, all)) std::cout << fmt::format("  {:7.1f}", *speedup);
-  std::cout << "\n";
+  const std::optional<double> speedup = speedup_of(timing, all);
+  return fmt::format("{}{:10.4f}  {:9.4f} to {:9.4f}  {:11.1f}{}\n", start, 1e3 * spread.median, 1e3 * spread.lower,
+                     1e3 * spread.upper, 1e9 * spread.median / static_cast<double>(timing.count),
+                     speedup ? fmt::format("  {:7.1f}", *speedup) : "");
 }
 
 /// The stages that take at least a hundredth of a step.
-void print_stages(const StepTiming& timing) {
-  if (timing.seconds.empty()) return;
+std::string stages_of(const StepTiming& timing) {
+  if (timing.seconds.empty()) return "";
   const double least = 0.01 * spread_of(timing.seconds).median;
+  std::string text;
   for (const StepStage& stage : timing.stages) {
-    if (stage.seconds >= least)
-      std::cout << fmt::format("{:9}    {:<22} {:14.4f}\n", "", stage.name, 1e3 * stage.seconds);
+    if (stage.seconds >= least) text += fmt::format("{:9}    {:<22} {:14.4f}\n", "", stage.name, 1e3 * stage.seconds);
   }
+  return text;
 }
 
 /// Machine, scene, and an entry for each timing.
@@ -140,59 +134,57 @@ Json json_of(const TimingPlan& plan, const std::vector<StepTiming>& timings) {
           {"repeat", plan.blocks},         {"baseline", plan.cases.front().method}, {"entries", entries}};
 }
 
-void print_table(const TimingPlan& plan, const std::vector<StepTiming>& timings, bool with_stages) {
+std::string text_of(const TimingPlan& plan, const std::vector<StepTiming>& timings, bool with_stages) {
   const Json machine = describe_machine();
-  const auto text = [&](const char* key) { return machine[key].get<std::string>(); };
-  std::cout << fmt::format("{}, {} cores{}; {}, {}\n", text("cpu"), machine["cores"].dump(),
-                           machine.contains("cuda") ? "; " + text("cuda") : "", text("compiler"), text("build_type"));
-  std::cout << fmt::format(
-      "a gas of equal elastic spheres, {:.0f} % of the volume; medians and quartiles of {} blocks of steps\n",
-      100 * kGasVolumeFraction, plan.blocks);
-  std::cout << fmt::format("speedup: against {} on the same processor\n\n", plan.cases.front().method);
-  std::cout << fmt::format("{:>9}  {:<15} {:<7} {:>7}  {:>10}  {:>22}  {:>11}  {:>7}\n", "spheres", "method", "backend",
-                           "threads", "ms a step", "quartiles", "ns a sphere", "speedup");
+  const auto known = [&](const char* key) { return machine[key].get<std::string>(); };
+  std::string text =
+      fmt::format("{}, {} cores{}; {}, {}\n", known("cpu"), machine["cores"].dump(),
+                  machine.contains("cuda") ? "; " + known("cuda") : "", known("compiler"), known("build_type"));
+  text += fmt::format(
+      "a gas of equal elastic spheres, {:.0f} % of the volume; medians and quartiles of {} blocks of steps\n"
+      "speedup: against {} on the same processor\n\n",
+      100 * kGasVolumeFraction, plan.blocks, plan.cases.front().method);
+  text += fmt::format("{:>9}  {:<15} {:<7} {:>7}  {:>10}  {:>22}  {:>11}  {:>7}\n", "spheres", "method", "backend",
+                      "threads", "ms a step", "quartiles", "ns a sphere", "speedup");
   for (const StepTiming& timing : timings) {
-    print_row(timing, timings);
-    if (with_stages) print_stages(timing);
+    text += row_of(timing, timings);
+    if (with_stages) text += stages_of(timing);
   }
+  return text;
 }
 
-class BenchCommand final : public Command {
+class BenchCommand {
  public:
   BenchCommand() { plan_.counts = {1000, 10'000, 100'000}; }
 
-  void add_options(CommandOptions& command) override {
+  void add_options(CommandOptions& command) {
     command.add({"--counts", "N,…", "numbers of spheres", fmt::format("{}", fmt::join(plan_.counts, ","))},
                 [this](const std::string& text) {
                   plan_.counts = parse_numbers("--counts", text, Range{int64_t{1}, int64_t{100'000'000}});
                 });
     command.add({"--methods", "NAME,…", "some of " + join(methods_) + "; default: all"},
-                [this](const std::string& text) { methods_ = parse_names("--methods", text, methods_); });
+                [this](const std::string& text) { methods_ = parse_choices("--methods", text, methods_); });
     command.add({"--threads", "N,…", "numbers of CPU threads, 0 for all cores; default: 1 and all cores"},
                 [this](const std::string& text) {
                   threads_ = parse_numbers("--threads", text, Range{0, 256});
                 });
     command.add(
         {"--backends", "NAME,…", "some of " + join(names_of<BackendName>()) + "; default: all that can serve here"},
-        [this](const std::string& text) { backends_ = parse_names("--backends", text, names_of<BackendName>()); });
+        [this](const std::string& text) { backends_ = parse_choices("--backends", text, names_of<BackendName>()); });
     command.add_number({"--repeat", "N", "blocks of steps to measure of each"}, plan_.blocks, Range{1, 1000});
     command.add_number({"--limit", "SECONDS", "longest time for each; sizes predicted to exceed it are skipped"},
                        plan_.limit, Range{1e-3, 1e6});
     command.add_flag("--stages", stages_, "show each stage that takes a hundredth of a step, or more");
     command.add_flag("--json", json_, "print one JSON object");
-    settings_.add_to(command, "Simulation", kStepSettings);
+    add_settings(command, "Simulation", given_, kStepSettings);
   }
 
-  void run() override {
+  void run() {
     catch_interrupts();
     complete_plan();
     warn_of_small_cells(plan_.settings);
     const std::vector<StepTiming> timings = measure();
-    if (json_) {
-      print_json(json_of(plan_, timings));
-    } else {
-      print_table(plan_, timings, stages_);
-    }
+    print(json_, json_of(plan_, timings), text_of(plan_, timings, stages_));
   }
 
  private:
@@ -200,8 +192,8 @@ class BenchCommand final : public Command {
     keep_each_once(plan_.counts);
     for (int& t : threads_) t = thread_count(t);
     keep_each_once(threads_);
-    apply_given(plan_.settings, settings_.given());
-    check_given(plan_.settings, settings_.given());
+    apply_given(plan_.settings, given_);
+    check_given(plan_.settings, given_);
     for (const Backend& backend : choose_backends(backends_)) {
       for (const int t : backend.name == "cpu" ? threads_ : std::vector<int>{0}) {
         for (const std::string& method : methods_) plan_.cases.push_back({method, backend, t});
@@ -218,7 +210,7 @@ class BenchCommand final : public Command {
     throw RunError("bench", fmt::format("interrupted after {} of {} entries", timings.size(), total));
   }
 
-  SettingOptions settings_;
+  std::vector<GivenOption> given_;
   TimingPlan plan_;
   std::vector<std::string> methods_ = names_of<BroadPhase>(), backends_;
   std::vector<int> threads_{1, 0};
@@ -227,6 +219,6 @@ class BenchCommand final : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_bench_command() { return std::make_unique<BenchCommand>(); }
+std::function<void()> make_bench_command(CommandOptions& options) { return make_command<BenchCommand>(options); }
 
 }  // namespace ballpit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ballpit doctor: what this machine offers, and what is missing.
-#include <iostream>
+#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -10,13 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
-#include "cli/commands.h"
 #include "cli/summary.h"
-#include "core/error.h"
 #include "core/program.h"
 #include "render/gl_context.h"
 #include "version.h"
-#include "world/world.h"
 
 namespace ballpit {
 
@@ -24,17 +21,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-struct Tool {
-  std::string name, path;  ///< no path: it is missing
-};
-
 struct Machine {
   unsigned threads = std::thread::hardware_concurrency();
   Backend cuda = cuda_backend();
   std::vector<EglDeviceInfo> egl_devices = list_egl_devices();
   std::optional<GlInfo> gl;
   std::string gl_error;
-  std::vector<Tool> tools;
+  std::map<std::string, std::string> tools;  ///< name and path; an empty path: it is missing
 };
 
 Machine examine_machine() {
@@ -44,12 +37,12 @@ Machine examine_machine() {
   } catch (const RunError& error) {
     machine.gl_error = error.what();
   }
-  for (const char* tool : {"ffmpeg", "gnuplot"}) machine.tools.push_back({tool, find_program(tool)});
+  for (const char* tool : {"ffmpeg", "gnuplot"}) machine.tools[tool] = find_program(tool);
   return machine;
 }
 
 Json json_of(const Machine& machine) {
-  Json devices = Json::array(), gl{{"error", machine.gl_error}}, tools;
+  Json devices = Json::array(), gl{{"error", machine.gl_error}};
   for (const EglDeviceInfo& device : machine.egl_devices) {
     devices.push_back({{"index", device.index}, {"name", device.name}, {"software", device.software}});
   }
@@ -59,7 +52,6 @@ Json json_of(const Machine& machine) {
           {"platform", info->platform},
           {"software", info->software}};
   }
-  for (const Tool& tool : machine.tools) tools[tool.name] = tool.path;
   return {{"version", kVersion},
           {"compiler", kCompiler},
           {"build_type", kBuildType},
@@ -70,12 +62,13 @@ Json json_of(const Machine& machine) {
             {"reason", machine.cuda.unavailable_reason}}},
           {"egl_devices", devices},
           {"gl", gl},
-          {"tools", tools}};
+          {"tools", machine.tools}};
 }
 
-void print_text(const Machine& machine) {
-  const auto line = [](const std::string& name, const std::string& text) {
-    std::cout << fmt::format("{:<13} {}\n", name, text);
+std::string text_of(const Machine& machine) {
+  std::string text;
+  const auto line = [&](const std::string& name, const std::string& what) {
+    text += fmt::format("{:<13} {}\n", name, what);
   };
   line("ballpit", fmt::format("{}, {}, {}", kVersion, kCompiler, kBuildType));
   line("CPU threads", std::to_string(machine.threads));
@@ -87,28 +80,19 @@ void print_text(const Machine& machine) {
   const auto& gl = machine.gl;
   line("OpenGL",
        gl ? fmt::format("{}, {}, {}", gl->version, gl->renderer, gl->platform) : "not here: " + machine.gl_error);
-  for (const Tool& tool : machine.tools) line(tool.name, tool.path.empty() ? "not here (optional)" : tool.path);
+  for (const auto& [tool, path] : machine.tools) line(tool, path.empty() ? "not here (optional)" : path);
+  return text;
 }
-
-class DoctorCommand final : public Command {
- public:
-  void add_options(CommandOptions& command) override { command.add_flag("--json", json_, "print one JSON object"); }
-
-  void run() override {
-    const Machine machine = examine_machine();
-    if (json_) {
-      print_json(json_of(machine));
-    } else {
-      print_text(machine);
-    }
-  }
-
- private:
-  bool json_ = false;
-};
 
 }  // namespace
 
-std::unique_ptr<Command> make_doctor_command() { return std::make_unique<DoctorCommand>(); }
+std::function<void()> make_doctor_command(CommandOptions& options) {
+  const auto as_json = std::make_shared<bool>();
+  options.add_flag("--json", *as_json, "print one JSON object");
+  return [as_json] {
+    const Machine machine = examine_machine();
+    print(*as_json, json_of(machine), text_of(machine));
+  };
+}
 
 }  // namespace ballpit

@@ -8,13 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-#include "core/error.h"
 #include "core/file.h"
 #include "core/interrupt.h"
-#include "core/numbers.h"
 #include "lab/charts/gnuplot.h"
 #include "lab/report/experiment.h"
 #include "lab/report/report.h"
@@ -83,9 +80,9 @@ class LabProgress {
   Clock::time_point last_;
 };
 
-class LabCommand final : public Command {
+class LabCommand {
  public:
-  void add_options(CommandOptions& command) override {
+  void add_options(CommandOptions& command) {
     command.add({.name = "EXPERIMENT",
                  .type = "NAME",
                  .help = "all, or one of " + join(names_in(experiments())),
@@ -100,7 +97,7 @@ class LabCommand final : public Command {
     command.add_number({"--seed", "N", "start of the random numbers"}, seed_, Range{uint64_t{0}, uint64_t{INT64_MAX}});
   }
 
-  void run() override {
+  void run() {
     folder_ = out_;
     check_outputs();
     make_folder(folder_ / "cache");
@@ -166,14 +163,12 @@ class LabCommand final : public Command {
   }
 
   ReportSection run_one(const Experiment& experiment, LabProgress& progress) {
-    LabOptions options;
-    options.is_quick = is_quick_;
-    options.seed = seed_;
-    options.cache = folder_ / "cache" / (std::string(experiment.name) + ".csv");
-    options.tell = [&](bool was_kept) { progress.count(was_kept); };
-    options.name = experiment.name;
-    options.stop = was_interrupted;
-    Lab lab(options);
+    Lab lab({.is_quick = is_quick_,
+             .seed = seed_,
+             .cache = folder_ / "cache" / (std::string(experiment.name) + ".csv"),
+             .tell = [&](bool was_kept) { progress.count(was_kept); },
+             .name = std::string(experiment.name),
+             .stop = was_interrupted});
     ReportSection section{&experiment, experiment.run(lab), {}, command_of(experiment)};
     write_tables(section, lab.load());
     draw_charts(section);
@@ -223,6 +218,6 @@ class LabCommand final : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_lab_command() { return std::make_unique<LabCommand>(); }
+std::function<void()> make_lab_command(CommandOptions& options) { return make_command<LabCommand>(options); }
 
 }  // namespace ballpit

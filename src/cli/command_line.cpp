@@ -5,8 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/commands.h"
-#include "core/error.h"
 #include "version.h"
 
 namespace ballpit {
@@ -88,23 +86,12 @@ void check_command(int argc, char** argv, std::span<const CommandEntry> commands
 
 }  // namespace
 
-struct CommandOptions::Declared {
-  std::string text;
-  CLI::Option* option;
-  std::function<void(const std::string&)> read;
-};
-
-CommandOptions::CommandOptions(CLI::App* command) : command_(command) {}
-CommandOptions::~CommandOptions() = default;
-
 void CommandOptions::add(const OptionText& option, std::function<void(const std::string&)> read) {
-  Declared& declared = *options_.emplace_back(std::make_unique<Declared>());
-  declared.option = command_->add_option(option.name, declared.text, option.help);
-  declared.option->required(option.is_required);
-  if (!option.type.empty()) declared.option->type_name(option.type);
-  if (!option.preset.empty()) declared.option->default_str(option.preset);
-  if (!option.group.empty()) declared.option->group(option.group);
-  declared.read = std::move(read);
+  CLI::Option* declared = command_->add_option(option.name, CLI::callback_t(), option.help);
+  declared->required(option.is_required)->type_name(option.type.empty() ? "TEXT" : option.type);
+  if (!option.preset.empty()) declared->default_str(option.preset);
+  if (!option.group.empty()) declared->group(option.group);
+  options_.emplace_back(declared, std::move(read));
 }
 
 void CommandOptions::add_flag(const std::string& name, bool& value, const std::string& help) {
@@ -112,12 +99,15 @@ void CommandOptions::add_flag(const std::string& name, bool& value, const std::s
 }
 
 void CommandOptions::add_path(const OptionText& option, std::string& path) {
-  add(option, [&path, name = option.name](const std::string& text) { path = parse_path(name, text); });
+  add(option, [&path, name = option.name](const std::string& text) {
+    if (text.empty()) throw UserError(name, "nothing", "a path");
+    path = text;
+  });
 }
 
 void CommandOptions::read() const {
-  for (const auto& declared : options_) {
-    if (declared->option->count() > 0) declared->read(declared->text);
+  for (const auto& [option, read] : options_) {
+    if (option->count() > 0) read(option->results().front());
   }
 }
 
@@ -125,16 +115,13 @@ void run_command_line(int argc, char** argv, std::span<const CommandEntry> entri
   CLI::App app("Ballpit visualizes fast collision-detection algorithms on bouncing spheres.", "ballpit");
   app.set_version_flag("--version", std::string("ballpit ") + kVersion);
   app.require_subcommand(1);
-  std::vector<std::unique_ptr<Command>> commands;
-  std::vector<std::unique_ptr<CommandOptions>> options;
   for (const CommandEntry& entry : entries) {
-    Command* command = commands.emplace_back(entry.create()).get();
-    CLI::App* sub = app.add_subcommand(std::string(entry.name), std::string(entry.help));
-    CommandOptions* declared = options.emplace_back(std::make_unique<CommandOptions>(sub)).get();
-    command->add_options(*declared);
-    sub->final_callback([command, declared] {
-      declared->read();
-      command->run();
+    CLI::App* command = app.add_subcommand(std::string(entry.name), std::string(entry.help));
+    CommandOptions options(command);
+    const std::function<void()> run = entry.make(options);
+    command->final_callback([options, run] {
+      options.read();
+      run();
     });
   }
   check_command(argc, argv, entries);

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The options that a command declares, and the parsing of a command line. CLI11 splits the words and prints the help;
-// values are read by our own code. Only command_line.cpp includes CLI11, which takes seconds to compile.
+// The commands, the options that they declare, and the parsing of a command line. CLI11 splits the words and prints the
+// help; values are read by our own code. Only command_line.cpp includes CLI11, which takes seconds to compile.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "show/parse.h"
+#include "show/options.h"
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace ballpit {
-
-struct CommandEntry;
 
 /// An option or argument as --help describes it.
 struct OptionText {
@@ -33,8 +34,7 @@ struct OptionText {
 /// The options of one command. Their variables must outlive the parsing.
 class CommandOptions {
  public:
-  explicit CommandOptions(CLI::App* command);
-  ~CommandOptions();
+  explicit CommandOptions(CLI::App* command) : command_(command) {}
 
   /// `read` gets the value if the option is given. It throws UserError if the value is wrong.
   void add(const OptionText& option, std::function<void(const std::string& text)> read);
@@ -58,10 +58,27 @@ class CommandOptions {
   void read() const;
 
  private:
-  struct Declared;
-
   CLI::App* command_;
-  std::vector<std::unique_ptr<Declared>> options_;
+  std::vector<std::pair<CLI::Option*, std::function<void(const std::string&)>>> options_;
+};
+
+/// Declares the options of a command and returns what runs it, which throws UserError or RunError. Each command has a
+/// file of its own: command_render.cpp and so on.
+using MakeCommand = std::function<void()>(CommandOptions& options);
+MakeCommand make_show_command, make_render_command, make_simulate_command, make_pairs_command, make_bench_command,
+    make_lab_command, make_list_command, make_doctor_command;
+
+/// For a command with functions add_options() and run().
+template <class Command>
+std::function<void()> make_command(CommandOptions& options) {
+  const auto command = std::make_shared<Command>();
+  command->add_options(options);
+  return [command] { command->run(); };
+}
+
+struct CommandEntry {
+  std::string_view name, help;
+  MakeCommand* make;
 };
 
 /// Parses the command line and runs the command that it names. Throws UserError if the command line is wrong, and what

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // ballpit list: all scenes, methods and other choices, from the tables that the rest of the program uses.
 #include <array>
-#include <iostream>
 #include <span>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
-#include "cli/commands.h"
 #include "cli/summary.h"
 #if BALLPIT_HAS_LABORATORY
 #include "lab/report/experiment.h"
@@ -16,72 +15,13 @@
 #include "methods/methods.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
-#include "render/theme.h"
-#include "scene/catalog.h"
-#include "world/observables.h"
-#include "world/world.h"
+#include "scene/read_scene.h"
 
 namespace ballpit {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-Json list_scenes() {
-  Json scenes = Json::array();
-  for (const SceneInfo& scene : built_in_scenes()) {
-    scenes.push_back({{"name", scene.name},
-                      {"title", scene.title},
-                      {"description", scene.description},
-                      {"title_de", scene.title_de},
-                      {"description_de", scene.description_de}});
-  }
-  return scenes;
-}
-
-Json list_methods() {
-  Json list = Json::array();
-  for (const Method& method : methods()) {
-    if (method.family == Family::backend) continue;
-    list.push_back({{"family", name_of(method.family)},
-                    {"name", method.name},
-                    {"label", method.label},
-                    {"backends", method.backends},
-                    {"cost", method.cost},
-                    {"source", method.source}});
-  }
-  return list;
-}
-
-Json list_backends(std::span<const Backend> backends) {
-  Json list = Json::array();
-  for (const Backend& backend : backends) {
-    const bool is_available = backend.unavailable_reason.empty();
-    list.push_back({{"name", backend.name},
-                    {"available", is_available},
-                    {"description", is_available ? backend.description : backend.unavailable_reason}});
-  }
-  return list;
-}
-
-template <class Table>
-Json list_labels(const Table& table) {
-  Json list = Json::array();
-  for (const auto& entry : table) list.push_back({{"name", entry.name}, {"label", entry.label}});
-  return list;
-}
-
-Json list_observables() {
-  Json list = Json::array();
-  for (const Observable& observable : observables()) {
-    list.push_back({{"name", observable.name},
-                    {"label", observable.label},
-                    {"unit", observable.unit},
-                    {"planar_unit", observable.planar_unit},
-                    {"estimator", observable.estimator}});
-  }
-  return list;
-}
 
 #if !BALLPIT_HAS_LABORATORY
 struct Experiment {
@@ -91,15 +31,65 @@ struct Experiment {
 std::span<const Experiment> experiments() { return {}; }
 #endif
 
-Json list_experiments() {
+/// An object for each entry of a table.
+template <class Table, class Describe>
+Json list_of(const Table& table, const Describe& describe) {
   Json list = Json::array();
-  for (const Experiment& experiment : experiments()) {
-    list.push_back({{"name", experiment.name},
-                    {"title", experiment.title},
-                    {"question", experiment.question},
-                    {"quick_seconds", experiment.quick_seconds},
-                    {"full_seconds", experiment.full_seconds}});
-  }
+  for (const auto& entry : table) list.push_back(describe(entry));
+  return list;
+}
+
+template <class Table>
+Json list_labels(const Table& table) {
+  return list_of(table, [](const auto& entry) { return Json{{"name", entry.name}, {"label", entry.label}}; });
+}
+
+/// All methods but the backends, which have a list of their own.
+std::vector<Method> stage_methods() {
+  std::vector<Method> result(methods().begin(), methods().end());
+  std::erase_if(result, [](const Method& method) { return method.family == Family::backend; });
+  return result;
+}
+
+std::string description_of(const Backend& backend, const char* prefix) {
+  return backend.unavailable_reason.empty() ? backend.description : prefix + backend.unavailable_reason;
+}
+
+Json json_of(std::span<const Backend> backends) {
+  Json list;
+  list["scenes"] = list_of(built_in_scenes(), [](const SceneInfo& scene) {
+    return Json{{"name", scene.name},
+                {"title", scene.title},
+                {"description", scene.description},
+                {"title_de", scene.title_de},
+                {"description_de", scene.description_de}};
+  });
+  list["methods"] = list_of(stage_methods(), [](const Method& method) {
+    return Json{{"family", name_of(method.family)}, {"name", method.name}, {"label", method.label},
+                {"backends", method.backends},      {"cost", method.cost}, {"source", method.source}};
+  });
+  list["backends"] = list_of(backends, [](const Backend& backend) {
+    return Json{{"name", backend.name},
+                {"available", backend.unavailable_reason.empty()},
+                {"description", description_of(backend, "")}};
+  });
+  list["overlays"] = list_labels(overlay_table());
+  list["colorings"] = list_labels(coloring_table());
+  list["themes"] = list_labels(themes());
+  list["observables"] = list_of(observables(), [](const Observable& observable) {
+    return Json{{"name", observable.name},
+                {"label", observable.label},
+                {"unit", observable.unit},
+                {"planar_unit", observable.planar_unit},
+                {"estimator", observable.estimator}};
+  });
+  list["experiments"] = list_of(experiments(), [](const Experiment& experiment) {
+    return Json{{"name", experiment.name},
+                {"title", experiment.title},
+                {"question", experiment.question},
+                {"quick_seconds", experiment.quick_seconds},
+                {"full_seconds", experiment.full_seconds}};
+  });
   return list;
 }
 
@@ -110,68 +100,47 @@ std::string label_with_unit(const Observable& observable) {
   return fmt::format("{} [{}{}]", label, unit, planar == unit ? "" : fmt::format("; in the plane {}", planar));
 }
 
-void print_line(std::string_view name, std::string_view text) { std::cout << fmt::format("  {:<22} {}\n", name, text); }
-
-template <class Table>
-void print_labels(const char* heading, const Table& table) {
-  std::cout << fmt::format("{}\n", heading);
-  for (const auto& entry : table) print_line(entry.name, entry.label);
-}
-
-void print_text(std::span<const Backend> backends) {
-  std::cout << "Scenes\n";
-  for (const SceneInfo& scene : built_in_scenes()) print_line(scene.name, scene.description);
+std::string text_of(std::span<const Backend> backends) {
+  std::string text = "Scenes\n";
+  const auto add = [&](std::string_view name, std::string_view what) {
+    text += fmt::format("  {:<22} {}\n", name, what);
+  };
+  const auto add_labels = [&](const char* heading, const auto& table) {
+    text += heading;
+    for (const auto& entry : table) add(entry.name, entry.label);
+  };
+  for (const SceneInfo& scene : built_in_scenes()) add(scene.name, scene.description);
   std::string_view family;
-  for (const Method& method : methods()) {
-    if (method.family == Family::backend) continue;
+  for (const Method& method : stage_methods()) {
     if (family != name_of(method.family)) {
       family = name_of(method.family);
-      std::cout << fmt::format("--{}\n", family);
+      text += fmt::format("--{}\n", family);
     }
-    print_line(method.name, fmt::format("{}: {}", method.label, method.cost));
+    add(method.name, fmt::format("{}: {}", method.label, method.cost));
   }
-  std::cout << "--backend\n";
-  for (const Backend& backend : backends) {
-    const std::string& reason = backend.unavailable_reason;
-    print_line(backend.name, reason.empty() ? backend.description : "not here: " + reason);
-  }
-  print_labels("--overlay", overlay_table());
-  print_labels("--color", coloring_table());
-  print_labels("--theme", themes());
-  std::cout << "--observe\n";
+  text += "--backend\n";
+  for (const Backend& backend : backends) add(backend.name, description_of(backend, "not here: "));
+  add_labels("--overlay\n", overlay_table());
+  add_labels("--color\n", coloring_table());
+  add_labels("--theme\n", themes());
+  text += "--observe\n";
   for (const Observable& observable : observables()) {
-    print_line(observable.name, fmt::format("{}: {}", label_with_unit(observable), observable.estimator));
+    add(observable.name, fmt::format("{}: {}", label_with_unit(observable), observable.estimator));
   }
-  if (!experiments().empty()) std::cout << "Experiments of lab\n";
-  for (const Experiment& experiment : experiments()) print_line(experiment.name, experiment.question);
+  if (!experiments().empty()) text += "Experiments of lab\n";
+  for (const Experiment& experiment : experiments()) add(experiment.name, experiment.question);
+  return text;
 }
-
-class ListCommand final : public Command {
- public:
-  void add_options(CommandOptions& command) override { command.add_flag("--json", json_, "print one JSON object"); }
-
-  void run() override {
-    const std::array backends{cpu_backend(), cuda_backend()};
-    if (!json_) {
-      print_text(backends);
-      return;
-    }
-    print_json({{"scenes", list_scenes()},
-                {"methods", list_methods()},
-                {"backends", list_backends(backends)},
-                {"overlays", list_labels(overlay_table())},
-                {"colorings", list_labels(coloring_table())},
-                {"themes", list_labels(themes())},
-                {"observables", list_observables()},
-                {"experiments", list_experiments()}});
-  }
-
- private:
-  bool json_ = false;
-};
 
 }  // namespace
 
-std::unique_ptr<Command> make_list_command() { return std::make_unique<ListCommand>(); }
+std::function<void()> make_list_command(CommandOptions& options) {
+  const auto as_json = std::make_shared<bool>();
+  options.add_flag("--json", *as_json, "print one JSON object");
+  return [as_json] {
+    const std::array backends{cpu_backend(), cuda_backend()};
+    print(*as_json, json_of(backends), text_of(backends));
+  };
+}
 
 }  // namespace ballpit

@@ -3,24 +3,20 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/summary.h"
-#include "core/error.h"
 #include "core/file.h"
 #include "core/interrupt.h"
 #include "render/gl_context.h"
 #include "render/overlays/overlay.h"
 #include "show/demo_renderer.h"
 #include "show/film.h"
-#include "show/film_key.h"
 #include "show/notes.h"
 #include "window/panel.h"
 
@@ -28,9 +24,9 @@ namespace ballpit {
 
 namespace {
 
-class RenderCommand final : public Command {
+class RenderCommand {
  public:
-  void add_options(CommandOptions& command) override {
+  void add_options(CommandOptions& command) {
     command.add_path(
         {.name = "--out", .type = "DIR", .help = "folder for frame_00000.png, frame_00001.png, …", .is_required = true},
         out_);
@@ -53,14 +49,13 @@ class RenderCommand final : public Command {
     arguments_.add_to(command);
   }
 
-  void run() override {
-    if (look_.scales_panel() && !has_panel_) throw UserError("--ui-scale", "without --panel", "together with it");
+  void run() {
+    if (look_.ui_scale && !has_panel_) throw UserError("--ui-scale", "without --panel", "together with it");
     if (clicks_ && !has_panel_) throw UserError("--click", *clicks_ + " without --panel", "together with it");
 
     const auto [width, height] = size_;
-    const View look = look_.view();
-    Demo demo(arguments_.scene(), arguments_.given());
-    demo.view = look;
+    Demo demo(arguments_.scene, arguments_.given);
+    demo.view = look_.view();
     demo.touch();
     Session& session = demo.session;
     check_output_folder(out_);
@@ -68,8 +63,7 @@ class RenderCommand final : public Command {
     plan.key = film_key(demo, plan, {size_, supersample_, has_panel_, clicks_.value_or("")});
     first_ = plan.first = frames_to_keep(plan.key);
     GlContext context(session.backend() == "cuda" ? 0 : -1);
-    RenderOptions options{theme_named(look.theme), supersample_,
-                          has_panel_ ? Panel::width_in(width, height, look.ui_scale) : 0};
+    RenderOptions options{.supersample = supersample_};
     DemoRenderer drawing(width, height, options);
     if (copies_bodies_) drawing.copy_bodies();
     std::optional<Panel> panel;
@@ -89,12 +83,12 @@ class RenderCommand final : public Command {
       advance(film, session);
       if (was_interrupted()) break;
       draw(PanelInput{});
-      if (film.next() == first_ && look_.names_overlays()) print_lacks(demo);
+      if (film.next() == first_ && look_.overlays) print_lacks(demo);
       if (panel && film.next() == first_) draw(PanelInput{});  // the panel knows its height from its first frame
-      film.push(drawing.renderer().read_pixels());
+      film.frames.push(drawing.renderer().read_pixels());
       progress.show(film.next());
     }
-    film.finish();
+    film.frames.finish();
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (was_interrupted() && film.next() < frames_) {
       throw RunError(session.scene().name, fmt::format("interrupted after {} of {} frames", film.next(), frames_),
@@ -155,28 +149,26 @@ class RenderCommand final : public Command {
     warn_of_other_frames();
     const int made = std::max(frames_ - first_, 0);
     const double rate = made > 0 ? made / seconds_ : 0.0;
-    const Report report = session.world().report();
-    if (json_) {
-      print_json({{"scene", session.scene().name},
-                  {"count", report.count},
-                  {"out", out_},
-                  {"frames", frames_},
-                  {"rendered", made},
-                  {"size", text_of(size_)},
-                  {"time", session.world().time()},
-                  {"seconds", seconds_},
-                  {"frames_per_second", rate},
-                  {"simulation_seconds", report.seconds},
-                  {"backend", session.backend()},
-                  {"bodies", path},
-                  {"renderer", context.info().renderer}});
-      return;
-    }
-    std::cout << fmt::format("{} frames of {} ({} spheres, {}) in {}\n", made, session.scene().name, report.count,
-                             text_of(size_), out_)
-              << fmt::format("{:g} frames a second: {:g} s, of which simulation ({}) {:g} s\n", rate, seconds_,
-                             session.backend(), report.seconds)
-              << fmt::format("drawn by {}, bodies {}\n", context.info().renderer, path);
+    const Report& report = session.report();
+    const nlohmann::ordered_json json{{"scene", session.scene().name},
+                                      {"count", report.count},
+                                      {"out", out_},
+                                      {"frames", frames_},
+                                      {"rendered", made},
+                                      {"size", text_of(size_)},
+                                      {"time", session.world().time()},
+                                      {"seconds", seconds_},
+                                      {"frames_per_second", rate},
+                                      {"simulation_seconds", report.seconds},
+                                      {"backend", session.backend()},
+                                      {"bodies", path},
+                                      {"renderer", context.info().renderer}};
+    print(json_, json,
+          fmt::format(
+              "{} frames of {} ({} spheres, {}) in {}\n{:g} frames a second: {:g} s, of which simulation ({}) {:g} "
+              "s\ndrawn by {}, bodies {}\n",
+              made, session.scene().name, report.count, text_of(size_), out_, rate, seconds_, session.backend(),
+              report.seconds, context.info().renderer, path));
   }
 
   /// Frames of an earlier, longer run are not removed, but they could be taken for frames of this run.
@@ -199,6 +191,6 @@ class RenderCommand final : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_render_command() { return std::make_unique<RenderCommand>(); }
+std::function<void()> make_render_command(CommandOptions& options) { return make_command<RenderCommand>(options); }
 
 }  // namespace ballpit

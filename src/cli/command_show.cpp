@@ -13,16 +13,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands.h"
 #include "cli/options.h"
-#include "core/error.h"
 #include "core/interrupt.h"
-#include "core/numbers.h"
-#include "render/painter.h"
-#include "render/renderer.h"
-#include "scene/catalog.h"
-#include "show/demo.h"
-#include "show/demo_renderer.h"
 #include "show/notes.h"
 #include "window/panel.h"
 #include "window/remembered.h"
@@ -50,7 +42,7 @@ class Show {
   Show(Window& window, Demo& demo)
       : window_(window),
         demo_(demo),
-        drawing_(window.width(), window.height(), options()),
+        drawing_(window.size().width, window.size().height, options()),
         panel_(drawing_.renderer().sheet()),
         saver_(demo) {}
 
@@ -65,7 +57,7 @@ class Show {
       last = now;
       handle(events);
       saver_.is_filming() ? saver_.advance() : demo_.advance(elapsed, kFrame / 2);
-      if (window_.width() < 16 || window_.height() < 16) {  // minimised
+      if (const PictureSize size = window_.size(); size.width < 16 || size.height < 16) {  // minimised
         sleep(kFrame);
         continue;
       }
@@ -78,9 +70,8 @@ class Show {
 
  private:
   RenderOptions options() const {
-    RenderOptions options;
-    options.left = Panel::width_in(window_.width(), window_.height(), demo_.view.ui_scale);
-    return options;
+    const auto [width, height] = window_.size();
+    return {.left = Panel::width_in(width, height, demo_.view.ui_scale)};
   }
 
   void handle(const WindowEvents& events) {
@@ -91,9 +82,8 @@ class Show {
       pressed_at_ = events.mouse;
       is_turning_ = !panel_.has_mouse();
     }
-    const float height = static_cast<float>(std::max(window_.height(), 1));
     if (is_turning_ && events.is_mouse_down && events.mouse != mouse_) {
-      const Vec2 moved = (events.mouse - mouse_) / height;
+      const Vec2 moved = (events.mouse - mouse_) / static_cast<float>(std::max(window_.size().height, 1));
       demo_.view.orbit(moved.x, moved.y);
       demo_.touch();
     }
@@ -110,13 +100,14 @@ class Show {
     for (const Key& key : key_table()) {
       if (key.code != code) continue;
       demo_.perform(key);
-      if (key.action == Action::save_picture) saver_.save_picture(window_size());
+      if (!key.act) saver_.save_picture(window_.size());
     }
   }
 
   void pick(Vec2 at) {
-    const float left = static_cast<float>(options().left), width = static_cast<float>(window_.width()) - left,
-                height = static_cast<float>(window_.height());
+    const PictureSize size = window_.size();
+    const auto left = static_cast<float>(options().left), height = static_cast<float>(size.height);
+    const float width = static_cast<float>(size.width) - left;
     const FrameView view = demo_.frame_view(width / height);  // with the bodies
     demo_.view.selected =
         body_at(view.camera, view.inspection.bodies, {2 * (at.x - left) / width - 1, 1 - 2 * at.y / height});
@@ -125,9 +116,8 @@ class Show {
 
   void draw(const WindowEvents& events, float elapsed) {
     Renderer& renderer = drawing_.renderer();
-    if (renderer.width() != window_.width() || renderer.height() != window_.height()) {
-      renderer.resize(window_.width(), window_.height());
-    }
+    const auto [width, height] = window_.size();
+    if (renderer.width() != width || renderer.height() != height) renderer.resize(width, height);
     const Demo::Version version = demo_.version();
     drawing_.draw(demo_, options());
     panel_.density = window_.density();
@@ -140,10 +130,8 @@ class Show {
     drawn_ = version;
   }
 
-  PictureSize window_size() const { return {window_.width(), window_.height()}; }
-
   void handle(PanelRequests& requests) {
-    if (requests.picture) saver_.save_picture(window_size());
+    if (requests.picture) saver_.save_picture(window_.size());
     if (requests.state) saver_.save_state();
     if (requests.film && saver_.is_filming()) {
       saver_.stop_film();
@@ -173,9 +161,9 @@ class Show {
   Clock::time_point titled_{};
 };
 
-class ShowCommand final : public Command {
+class ShowCommand {
  public:
-  void add_options(CommandOptions& command) override {
+  void add_options(CommandOptions& command) {
     command.add({"--size", "WIDTHxHEIGHT", "the window's size in pixels", text_of(kSize)},
                 [this](const std::string& text) { size_ = parse_size(text); });
     look_.add_to(command);
@@ -184,12 +172,12 @@ class ShowCommand final : public Command {
     arguments_.add_to(command);
   }
 
-  void run() override {
+  void run() {
     const std::filesystem::path file = remembers_ ? remembered_file() : "";
     if (remembers_) check_remembered(file);
     const std::unique_ptr<Demo> demo = start(recall(file));
     catch_interrupts();
-    Window window(size_->width, size_->height, "Ballpit");
+    Window window(*size_, "Ballpit");
     try {
       Show(window, *demo).run();
     } catch (const Interrupted&) {
@@ -223,11 +211,11 @@ class ShowCommand final : public Command {
 
   /// The command line overrides what is remembered. Remembered options belong to the remembered scene.
   std::unique_ptr<Demo> start(const std::optional<Remembered>& last) {
-    const bool is_same_scene = last && (!arguments_.names_scene() || lasting_name(arguments_.scene()) == last->scene);
+    const bool is_same_scene = last && (!arguments_.is_scene_given || lasting_name(arguments_.scene) == last->scene);
     std::unique_ptr<Demo> demo;
     if (is_same_scene) {
       std::vector<GivenOption> given = last->given;
-      for (const GivenOption& option : arguments_.given()) {
+      for (const GivenOption& option : arguments_.given) {
         std::erase_if(given, [&](const GivenOption& old) { return old.name == option.name; });
         given.push_back(option);
       }
@@ -237,7 +225,7 @@ class ShowCommand final : public Command {
         note_ignored(error);
       }
     }
-    if (!demo) demo = std::make_unique<Demo>(arguments_.scene(), arguments_.given());
+    if (!demo) demo = std::make_unique<Demo>(arguments_.scene, arguments_.given);
     demo->view = look_.view(last ? last->view : View{});
     demo->touch();
     if (!size_) size_ = last ? last->size : kSize;
@@ -249,7 +237,7 @@ class ShowCommand final : public Command {
     const auto side = [&](int pixels) {
       return std::clamp(static_cast<int>(std::lround(static_cast<float>(pixels) / window.density())), 16, 16384);
     };
-    return {side(window.width()), side(window.height())};
+    return {side(window.size().width), side(window.size().height)};
   }
 
   SceneArguments arguments_;
@@ -261,6 +249,6 @@ class ShowCommand final : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_show_command() { return std::make_unique<ShowCommand>(); }
+std::function<void()> make_show_command(CommandOptions& options) { return make_command<ShowCommand>(options); }
 
 }  // namespace ballpit

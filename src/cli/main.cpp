@@ -12,8 +12,6 @@
 #include <malloc.h>
 
 #include "cli/command_line.h"
-#include "cli/commands.h"
-#include "core/error.h"
 
 using namespace ballpit;
 

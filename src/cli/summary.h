@@ -1,32 +1,44 @@
 // SPDX-License-Identifier: MIT
-// The outcome of a run, as JSON and as text.
+// What commands print: the figures and observables of a run, as JSON and as aligned lines of text.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "show/session.h"
+#include "world/observables.h"
 
 namespace ballpit {
 
-/// Writes JSON to standard output. Bytes that are not UTF-8, which names of files may hold, are replaced.
-void print_json(const nlohmann::ordered_json& json);
+/// Writes one of both to standard output. Bytes that are not UTF-8, as in names of files, are replaced in JSON.
+void print(bool as_json, const nlohmann::ordered_json& json, const std::string& text);
 
 /// Name, seconds and launches of each stage.
 nlohmann::ordered_json json_of(const std::vector<Stage>& stages);
 
-struct RunSummary {
-  std::string scene, backend;
-  Settings settings;
-  Report report;
+/// Settings, and the report of the present state.
+nlohmann::ordered_json json_of(Session& session);
+std::string text_of(Session& session);
+
+/// The observables of a list "a,b,c", or "all". Throws UserError with the names that exist.
+std::vector<Observable> parse_observables(const std::string& text);
+
+/// Whether any of them needs Settings::keeps_tally.
+bool need_tally(std::span<const Observable> wanted);
+
+struct Observed {
+  std::string_view name, unit;
+  ObservedValue value;
 };
 
-RunSummary summary_of(Session& session);
-nlohmann::ordered_json json_of(const RunSummary& summary);
+std::vector<Observed> observe(Session& session, std::span<const Observable> wanted);
 
-/// Aligned lines.
-std::string text_of(const RunSummary& summary);
+/// Value and unit of each by name; null, or "-", if there is no value.
+nlohmann::ordered_json json_of(std::span<const Observed> observed);
+std::string text_of(std::span<const Observed> observed);
 
 }  // namespace ballpit

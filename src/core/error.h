@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two kinds of failure that a user sees; only `main` catches them. A bug is an assert instead. The constructors give each
-// message its form.
+// The two kinds of failure that a user sees; only `main` catches them. A bug is an assert instead.
 #pragma once
 
 #include <stdexcept>
@@ -13,8 +12,7 @@ namespace ballpit {
 /// The user's input is wrong: "WHERE: found FOUND, allowed ALLOWED", and "; HINT" if there is one. Exit status 2.
 class UserError : public std::runtime_error {
  public:
-  /// `where` names an option ("--dt"), an argument ("SCENE"), a file, or a key with its file and line. An empty `found` becomes
-  /// "nothing"; blanks are quoted.
+  /// `where`: "--dt", "SCENE", a file, or a key with its file and line. An empty `found` becomes "nothing"; blanks are quoted.
   UserError(std::string_view where, std::string_view found, std::string_view allowed, std::string_view hint = {});
 
   /// The same error in a larger place: "OUTER: WHERE: found …".
@@ -52,15 +50,21 @@ std::string join(const Range& names, const std::string& separator = ", ") {
   return result;
 }
 
+/// The names of a table's entries.
+template <class Table>
+std::vector<std::string> names_in(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& entry : table) names.emplace_back(entry.name);
+  return names;
+}
+
 /// The entry of a table with this name. Throws UserError that lists the names of the table.
 template <class Table>
 const auto& entry_named(const Table& table, std::string_view name, std::string_view option) {
-  std::vector<std::string_view> names;
   for (const auto& entry : table) {
     if (entry.name == name) return entry;
-    names.push_back(entry.name);
   }
-  throw UserError(option, name, join(names));
+  throw UserError(option, name, join(names_in(table)));
 }
 
 }  // namespace ballpit

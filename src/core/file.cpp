@@ -104,8 +104,7 @@ int open_special(const Target& target) {
 
 /// Locks a temporary file. Returns false if it belongs to another run: not a regular file, another user's, locked or renamed.
 bool lock_part(int descriptor, const fs::path& part) {
-  struct stat opened {
-  }, named{};
+  struct stat opened = {}, named = {};
   if (::fstat(descriptor, &opened) != 0 || !S_ISREG(opened.st_mode) || opened.st_uid != ::geteuid()) return false;
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   return ::lstat(part.c_str(), &named) == 0 && named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
@@ -233,8 +232,7 @@ void check_output_folder(const fs::path& folder) {
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
   if (a.empty() || b.empty()) return false;
-  struct stat one {
-  }, other{};
+  struct stat one = {}, other = {};
   const bool is_there = ::stat(a.c_str(), &one) == 0;
   if (is_there != (::stat(b.c_str(), &other) == 0)) return false;
   if (is_there) return one.st_dev == other.st_dev && one.st_ino == other.st_ino;

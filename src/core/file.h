@@ -46,22 +46,19 @@ class NewFile {
 /// Writes `bytes` to `path` as NewFile does.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Throws the error that writing to `path` would throw later, as far as it is known, and changes nothing. Commands call it
-/// before they start to work.
+/// Throws the error that writing to `path` would throw later, as far as it is known, and changes nothing.
 void check_output(const std::filesystem::path& path);
 
 /// The same for new files in a folder, which may be missing.
 void check_output_folder(const std::filesystem::path& folder);
 
-/// Whether two paths lead to the same file, pipe or device, also through links, and also to a file that does not exist yet.
-/// False for empty paths.
+/// Whether two paths lead to the same file, pipe or device, which may be missing. False for empty paths.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Makes a folder and its parents if they are missing. Throws RunError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Appends whole lines to a file, which it makes if it is missing. A single write, so that an end of the program never leaves
-/// a part of them. Throws RunError.
+/// Appends whole lines to a file, which it makes if it is missing, in a single write. Throws RunError.
 void append_to_file(const std::filesystem::path& path, std::string_view lines);
 
 /// Shortens a file to the first `bytes`. Throws RunError.
@@ -72,5 +69,11 @@ void shorten_file(const std::filesystem::path& path, int64_t bytes);
 
 /// The whole content of a file. Throws UserError naming the path and the system's reason.
 std::string read_file(const std::filesystem::path& path);
+
+/// A text file that is compiled into the program. cmake/embed_files.cmake generates tables of them.
+struct EmbeddedFile {
+  std::string_view name;  ///< "bouncing-balls.toml"
+  std::string_view text;
+};
 
 }  // namespace ballpit

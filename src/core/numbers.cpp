@@ -34,9 +34,7 @@ std::string number_text(double value) {
 void append_number(std::string& text, double value) {
   // Not by fmt, which writes 100000 where 1e+05 is shorter.
   std::array<char, 32> buffer;
-  const char* const begin = buffer.data();
-  const char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  text.append(begin, end);
+  text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
 }
 
 void append_numbers(std::string& text, std::initializer_list<double> values, char separator) {

@@ -22,9 +22,8 @@ namespace {
 class MemoryFile {
  public:
   explicit MemoryFile(const std::string& text = "") : descriptor_(::memfd_create("ballpit", MFD_CLOEXEC)) {
-    const bool is_written = ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-    if (!is_written)
-      throw RunError("memory", std::string("cannot hold the input of a program: ") + std::strerror(errno));
+    if (::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size())) return;
+    throw RunError("memory", std::string("cannot hold the input of a program: ") + std::strerror(errno));
   }
   ~MemoryFile() { ::close(descriptor_); }
   MemoryFile(const MemoryFile&) = delete;

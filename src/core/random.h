@@ -7,21 +7,24 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/host_device.h"
 #include "core/math.h"
 
 namespace ballpit {
+
+/// Mixes 64 bits, so that each input bit changes all output bits.
+HOST_DEVICE inline uint64_t mix_bits(uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return x ^ (x >> 31);
+}
 
 class Random {
  public:
   explicit Random(uint64_t seed) : state_(seed) {}
 
   /// The next 64 random bits.
-  uint64_t bits() {
-    uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-  }
+  uint64_t bits() { return mix_bits(state_ += 0x9E3779B97F4A7C15u); }
 
   /// Uniform in [0, 1), a multiple of 2⁻⁵³.
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
@@ -31,10 +34,7 @@ class Random {
 
   /// Uniform in the box [low, high), component by component in the order x, y, z.
   Vec3d uniform(const Vec3d& low, const Vec3d& high) {
-    const double x = uniform(low.x, high.x);
-    const double y = uniform(low.y, high.y);
-    const double z = uniform(low.z, high.z);
-    return {x, y, z};
+    return {uniform(low.x, high.x), uniform(low.y, high.y), uniform(low.z, high.z)};  // braces keep the order
   }
 
   /// A unit vector of uniform direction, planar for `dimensions` 2. Draws a point in the ball and normalises it.

@@ -51,6 +51,10 @@ class PerBody {
   HOST_DEVICE PerBody() = default;
   HOST_DEVICE PerBody(const T* data, int stride) : data_(data), stride_(stride) {}
 
+  /// One value for all, or one each.
+  template <class U>
+  PerBody(Span<U> values) : data_(values.data()), stride_(values.size() == 1 ? 0 : 1) {}
+
   HOST_DEVICE T operator[](int64_t i) const { return data_[i * stride_]; }
   HOST_DEVICE const T* data() const { return data_; }
   HOST_DEVICE bool is_uniform() const { return stride_ == 0; }

@@ -33,14 +33,13 @@ uint8_t axes_of(const V& normal) {
   return axes;
 }
 
-double cell_limit(const Scene& scene) { return 64 + kMaxCellsPerSphere * double(scene.bodies.size()); }
-
 }  // namespace
 
 template <class V>
 EventDriven<V>::EventDriven(const Scene& scene, const EventRules<V>& rules)
     : rules_(rules),
-      cells_(rules.box, 2 * largest(scene.bodies.radius), cell_limit(scene), scene.bodies.size()),
+      cells_(rules.box, 2 * largest(scene.bodies.radius), 64 + kMaxCellsPerSphere * double(scene.bodies.size()),
+             scene.bodies.size()),
       queue_(scene.bodies.size()),
       flights_(scene.bodies.position.size()),
       forecasts_(scene.bodies.position.size()),
@@ -95,10 +94,13 @@ void EventDriven<V>::next_event() {
   const Forecast& f = forecasts_[size_t(i)];
   now_ = f.time();
   flights_[size_t(i)].advance(now_, rules_.gravity);
-  if (f.contact_time <= f.face_time) {
-    is_void(f) ? forecast_anew(i) : collide(i, f.partner);
-  } else {
+  if (!(f.contact_time <= f.face_time)) {
     f.is_wall ? hit_wall(i) : cross_face(i);
+  } else if (is_void(f)) {
+    check(i, flights_[size_t(i)].velocity);
+    forecast(i);
+  } else {
+    collide(i, f.partner);
   }
 }
 
@@ -138,13 +140,6 @@ void EventDriven<V>::count_event(int i) {
     fail(i, "collisions follow each other without end",
          is_short ? "a longer --contact-duration may end them" : "it has no room to move between its neighbours");
   }
-}
-
-/// The forecast contact is void: the partner has collided meanwhile.
-template <class V>
-void EventDriven<V>::forecast_anew(int i) {
-  check(i, flights_[size_t(i)].velocity);
-  forecast(i);
 }
 
 /// Spheres i and j exchange Δp = (1 + e)·μ·(v12·n)·n, with the reduced mass μ.
@@ -229,7 +224,7 @@ void EventDriven<V>::cross_face(int i) {
     f.cell[f.axis] += f.side;
   }
   cells_.link(i, f.cell);
-  forecast_after_crossing(i);
+  forecast(i, {f.axis, f.side});
 }
 
 /// Throws if the position of sphere i, or the velocity that an event is about to give it, is not valid. Called before

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Event-driven motion of hard spheres: advances from one event to the next, each at its exact time, without time steps.
+// Event-driven motion of hard spheres: advances from one event to the next, each at its exact time, without time steps
+// (docs/responses.md).
 //
 //     forecast of each sphere                            queue              the earliest event
 //     ┌──────────────────────────────┐
@@ -10,14 +11,10 @@
 //        with spheres around                               void      the partner collided meanwhile: new forecast
 //
 // The sphere of a pair that was forecast last knew the present flights of both, so its forecast holds the pair's
-// contact or an earlier event, and no contact is missed. A sphere stores its state at its own latest event and is
-// advanced only by its next one. States in between are computed on request and not stored.
+// contact or an earlier event, and no contact is missed. A sphere stores its state at its own latest event.
 //
-// Collisions take no time and come one after another. Inelastic ones may then come infinitely often in a finite time (a
-// ball that comes to rest; inelastic collapse). The TC model prevents this: a collision that follows a sphere's
-// previous one within the duration of a contact loses no energy. Collisions at right angles are independent: a sphere
-// that runs into a corner hits two or three walls at the same time and loses energy at each. So a sphere remembers
-// along which axes its velocity has changed lately, and only collisions along these axes lose no energy.
+// Inelastic collisions may come infinitely often in a finite time. The TC model prevents this: a collision that follows
+// a sphere's previous one within the duration of a contact, along an axis of that one, loses no energy.
 //
 // Each event reads about forty different cache lines. Those of the coming events are prefetched, as far ahead as the
 // tournament shows (schedule()). A collision among 100 000 spheres then costs 1.7 times as much as one among 1 000,
@@ -26,14 +23,9 @@
 // Cost: O(log n) a collision; 156 to 188 bytes a sphere (flight 64, forecast 48, queue 32 to 64, cells 12). Sources:
 // Alder, Wainwright, "Studies in Molecular Dynamics. I. General Method" (1959), doi 10.1063/1.1730376; one event for
 // each sphere: Lubachevsky, "How to simulate billiards and similar systems" (1991), doi 10.1016/0021-9991(91)90222-7;
-// TC model: Luding, McNamara, "How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model"
-// (1998), doi 10.1007/s100350050017.
+// TC model: Luding, McNamara (1998), doi 10.1007/s100350050017.
 #pragma once
 
-#include <limits>
-#include <vector>
-
-#include "bodies/box.h"
 #include "bodies/tally.h"
 #include "event_driven/cells.h"
 #include "event_driven/tournament.h"
@@ -102,9 +94,7 @@ class EventDriven {
   void start_epoch();
   void count_event(int i);
 
-  void forecast(int i);
-  void forecast_anew(int i);
-  void forecast_after_crossing(int i);
+  void forecast(int i, BlockPart part = {});
   void forecast_faces(int i);
   void forecast_contacts(int i, BlockPart part);
   bool is_void(const Forecast& f) const { return flights_[size_t(f.partner)].collisions != f.partner_collisions; }

@@ -4,29 +4,13 @@
 
 namespace ballpit {
 
-namespace {
-
-constexpr int kMinToPrefetch = 5000;  // spheres; fewer fit into a cache
-
-}  // namespace
-
-/// Computes the forecast of sphere i, which has been advanced to the present, anew.
+/// Computes the forecast of sphere i, which has been advanced to the present: anew, or after it has crossed a face of
+/// its cell. Then no velocity has changed, so its forecast contact still holds, and only the spheres ahead are new.
 template <class V>
-void EventDriven<V>::forecast(int i) {
-  forecasts_[size_t(i)].contact_time = kNever;
+void EventDriven<V>::forecast(int i, BlockPart part) {
+  if (part.axis < 0) forecasts_[size_t(i)].contact_time = kNever;
   forecast_faces(i);
-  forecast_contacts(i, {});
-  schedule(i);
-}
-
-/// The forecast contact of sphere i still holds after it has crossed a face, since no velocity has changed. Only the
-/// spheres ahead are new.
-template <class V>
-void EventDriven<V>::forecast_after_crossing(int i) {
-  const Forecast& f = forecasts_[size_t(i)];
-  const BlockPart ahead{f.axis, f.side};
-  forecast_faces(i);
-  forecast_contacts(i, ahead);
+  forecast_contacts(i, part);
   schedule(i);
 }
 
@@ -42,6 +26,7 @@ BlockPart EventDriven<V>::part_of(const Forecast& f) const {
 /// is fetched.
 template <class V>
 void EventDriven<V>::schedule(int i) {
+  constexpr int kMinToPrefetch = 5000;  // spheres; fewer fit into a cache
   queue_.set(i, forecasts_[size_t(i)].time());
   if (size() < kMinToPrefetch || events_ == 0) return;
   const int soon = queue_.first_near(i, 6), sooner = queue_.first_near(i, 4), next = queue_.first_near(i, 2);
@@ -112,9 +97,7 @@ void EventDriven<V>::forecast_contacts(int i, BlockPart part) {
   }
 }
 
-template void EventDriven<Vec2d>::forecast(int);
-template void EventDriven<Vec3d>::forecast(int);
-template void EventDriven<Vec2d>::forecast_after_crossing(int);
-template void EventDriven<Vec3d>::forecast_after_crossing(int);
+template void EventDriven<Vec2d>::forecast(int, BlockPart);
+template void EventDriven<Vec3d>::forecast(int, BlockPart);
 
 }  // namespace ballpit

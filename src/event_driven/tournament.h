@@ -13,7 +13,6 @@
 // doi 10.1016/0010-4655(95)00120-2.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "event_driven/flight.h"

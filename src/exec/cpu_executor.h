@@ -15,12 +15,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "core/span.h"
 #include "exec/host_buffer.h"
 #include "exec/stage_times.h"
 #include "exec/thread_pool.h"
@@ -224,7 +222,7 @@ class CpuExecutor {
 
   template <class Kernel>
   void run(int64_t n, int64_t grain, const Kernel& kernel) {
-    pool_.run_blocks(n, grain, LoopBody(&run_range<Kernel>, &kernel));
+    pool_.run_blocks(n, grain, {&run_range<Kernel>, &kernel});
   }
 
   /// Runs a local copy of the kernel, which no pointer can alias, with all calls inlined, so that its spans and scalars

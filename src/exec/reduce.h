@@ -10,10 +10,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
-#include "core/host_device.h"
 #include "core/span.h"
 #include "exec/atomics.h"
 
@@ -23,8 +21,8 @@ inline constexpr int64_t kReduceBlock = 64;
 
 /// Combine: a + b.
 struct Sum {
-  template <class T>
-  HOST_DEVICE T operator()(const T& a, const T& b) const {
+  template <class T, class U>
+  HOST_DEVICE T operator()(const T& a, const U& b) const {
     return a + b;
   }
 };

@@ -2,6 +2,7 @@
 // Times by stage: every launch of an executor has a name, and timings, panel and profilers show the same names.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -19,20 +20,15 @@ struct Stage {
 class StageTimes {
  public:
   void add(const char* name, double seconds) {
-    Stage& stage = find(name);
-    stage.seconds += seconds;
-    ++stage.launches;
+    auto stage = std::ranges::find(stages_, name, &Stage::name);
+    if (stage == stages_.end()) stage = stages_.insert(stage, Stage{name});
+    stage->seconds += seconds;
+    ++stage->launches;
   }
   const std::vector<Stage>& stages() const { return stages_; }
   void clear() { stages_.clear(); }
 
  private:
-  Stage& find(const char* name) {
-    for (Stage& stage : stages_) {
-      if (stage.name == name) return stage;
-    }
-    return stages_.emplace_back(Stage{name});
-  }
   std::vector<Stage> stages_;
 };
 

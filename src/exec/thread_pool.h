@@ -16,17 +16,11 @@ namespace ballpit {
 inline constexpr int kMaxThreads = 256;
 
 /// A loop's body: a function that runs a block of indices, and its data.
-class LoopBody {
- public:
-  using RunBlock = void (*)(const void* data, int64_t begin, int64_t end);
+struct LoopBody {
+  void (*run_block)(const void* data, int64_t begin, int64_t end);
+  const void* data;
 
-  LoopBody(RunBlock run_block, const void* data) : run_block_(run_block), data_(data) {}
-
-  void operator()(int64_t begin, int64_t end) const { run_block_(data_, begin, end); }
-
- private:
-  RunBlock run_block_;
-  const void* data_;
+  void operator()(int64_t begin, int64_t end) const { run_block(data, begin, end); }
 };
 
 class ThreadPool {

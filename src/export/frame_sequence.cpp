@@ -73,22 +73,14 @@ void FrameSequence::encode_frames() {
 
 std::string frame_name(int index) { return fmt::format("frame_{:05}.png", index); }
 
-namespace {
-
-void remove_left_overs(const fs::path& folder) {
-  std::vector<fs::path> parts;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("frame_") && name.ends_with(".part")) parts.push_back(entry.path());
-  }
-  for (const fs::path& part : parts) fs::remove(part);
-}
-
-}  // namespace
-
 int next_frame_index(const fs::path& folder) try {
   if (!fs::exists(folder)) return 0;
-  remove_left_overs(folder);
+  std::vector<fs::path> left_overs;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("frame_") && name.ends_with(".part")) left_overs.push_back(entry.path());
+  }
+  for (const fs::path& path : left_overs) fs::remove(path);
   int count = 0;
   while (fs::is_regular_file(folder / frame_name(count))) ++count;
   if (count > 0 && !is_whole_png(read_file(folder / frame_name(count - 1)))) --count;

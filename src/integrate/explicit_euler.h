@@ -10,7 +10,6 @@
 // Integration" (2006), section I.1. Its siblings: symplectic_euler.h, velocity_verlet.h, rk4.h.
 #pragma once
 
-#include "core/host_device.h"
 #include "integrate/force_integrator.h"
 
 namespace ballpit {

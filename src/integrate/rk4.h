@@ -12,7 +12,6 @@
 #pragma once
 
 #include "bodies/bodies_view.h"
-#include "core/span.h"
 #include "integrate/force_integrator.h"
 
 namespace ballpit {

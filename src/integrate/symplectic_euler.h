@@ -10,8 +10,6 @@
 // velocity_verlet.h, rk4.h.
 #pragma once
 
-#include "core/host_device.h"
-#include "core/span.h"
 #include "integrate/force_integrator.h"
 
 namespace ballpit {

@@ -6,15 +6,12 @@
 //     v  ← v½ + dt/2 · forces(x, v½) / m
 //
 // Second order, symplectic, stable for springs if ω·dt < 2; only first order if a dashpot makes the force jump at the
-// start of a contact. The first forces are evaluated with the present velocities instead of reusing those of the
-// previous step. So a state consists of positions and velocities only, and a saved state continues bit-identically
-// (docs/model.md: where bodies are sorted). If forces do not depend on velocities, both evaluations are equal, and one
+// start of a contact. The first forces are evaluated with the present velocities, so a state consists of positions and
+// velocities only (docs/responses.md). If forces do not depend on velocities, both evaluations are equal, and one
 // suffices. Cost: one search for contacts; one evaluation of the forces, or two. Source: Swope, Andersen, Berens,
 // Wilson (1982), doi 10.1063/1.442716. Its siblings: explicit_euler.h, symplectic_euler.h, rk4.h.
 #pragma once
 
-#include "core/host_device.h"
-#include "core/span.h"
 #include "integrate/force_integrator.h"
 
 namespace ballpit {
@@ -43,8 +40,8 @@ struct HalfKick {
   HOST_DEVICE void operator()(int k) const { velocity[k] += acceleration[k] * (dt / 2); }
 };
 
-/// Pass 0 evaluates the forces at the start, where those of the step before do not serve; pass 1 moves the bodies, and evaluates
-/// the forces at the end.
+/// Pass 0 evaluates the forces at the start, where those of the step before do not serve; pass 1 moves the bodies, and
+/// evaluates the forces at the end.
 template <class V, class Exec>
 class VelocityVerlet : public ForceIntegrator<V, Exec> {
   using Real = Scalar<V>;

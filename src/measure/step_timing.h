@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Times steps of the gas for each method, backend and number of threads. All cases with one number of spheres are
-// measured in turns (A B C A B C …), so that other load on the machine affects all equally. Each starts from the same
-// moving gas.
+// The gas of `ballpit bench`, and times of its steps for each method, backend and number of threads. All cases with one
+// number of spheres are measured in turns (A B C A B C …), so that other load on the machine affects all equally. Each
+// starts from the same moving gas.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,15 @@
 #include "world/world.h"
 
 namespace ballpit {
+
+inline constexpr double kGasVolumeFraction = 0.3;  ///< of the box
+inline constexpr double kGasStep = 1.0 / 960;      ///< [s] in which a sphere moves a tenth of its radius at most
+inline constexpr int kGasStepsToEquilibrium = 20;  ///< after which the number of contacts stays constant
+
+/// A gas of equal elastic spheres, whose density is the same for any number: `count` spheres of 1 cm radius and up to
+/// 1 m/s in a cube, on a cubic lattice, each displaced at random without touching another, in shuffled order. Equal
+/// seeds give equal scenes.
+Scene make_gas(int64_t count, uint64_t seed = 1);
 
 struct StepCase {
   std::string method;  ///< broad phase

@@ -2,10 +2,6 @@
 #include "methods/methods.h"
 
 #include <algorithm>
-#include <array>
-#include <vector>
-
-#include "core/error.h"
 
 namespace ballpit {
 
@@ -77,33 +73,23 @@ const Method& find_method(MethodId id) {
                        [&](const Method& method) { return method.family == id.family && method.name == id.name; });
 }
 
-std::optional<Misfit> misfit(Response response, std::string_view option, std::string_view value) {
+std::string allowed_instead(Response response, std::string_view option, std::string_view value) {
   const Method& method = find_method(response);
-  const std::string with = " with --response ";
-  const auto unless = [&](std::string_view allowed) {
-    return Misfit{std::string(value), std::string(allowed) + with + std::string(method.name)};
+  const std::string name(method.name), with = " with --response " + name;
+  const auto refuses = [&](std::string_view key, std::string_view values) {
+    return option == key && value != "auto" && !lists(values, value);
   };
-  if (option == "integrator" && value != "auto" && !lists(method.integrators, value)) {
-    return unless(method.integrators);
-  }
-  if (option == "backend" && value != "auto" && !lists(method.backends, value)) {
-    return unless("auto, " + std::string(method.backends));
-  }
-  if (option == "precision" && !lists(method.precisions, value)) {
-    return unless(method.precisions);
-  }
+  if (refuses("integrator", method.integrators)) return std::string(method.integrators) + with;
+  if (refuses("backend", method.backends)) return "auto, " + std::string(method.backends) + with;
+  if (refuses("precision", method.precisions)) return std::string(method.precisions) + with;
   std::vector<std::string_view> users;
   for (const Method& other : kMethods) {
     if (other.family == Family::response && lists(other.options, option)) users.push_back(other.name);
   }
-  if (users.empty() || lists(method.options, option)) return std::nullopt;
-  return Misfit{std::string(value), with.substr(1) + join(users) + ", not " + std::string(method.name)};
+  if (users.empty() || lists(method.options, option)) return "";
+  return "with --response " + join(users) + ", not " + name;
 }
 
 bool uses(const Method& method, std::string_view option) { return lists(method.options, option); }
-
-bool goes_with(Response response, std::string_view option, std::string_view value) {
-  return !misfit(response, option, value);
-}
 
 }  // namespace ballpit

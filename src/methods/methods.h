@@ -2,10 +2,7 @@
 // One table of all methods, for the command line, the panel, tests and documentation.
 #pragma once
 
-#include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 
 #include "methods/choices.h"
 
@@ -46,18 +43,15 @@ std::span<const Method> methods();
 /// The entry of a method.
 const Method& find_method(MethodId id);
 
-/// A value that does not fit a response: "rk4", and what is allowed: "symplectic-euler with --response impulse".
-struct Misfit {
-  std::string found, allowed;
-};
-
-/// Empty if `--option value` fits the response.
-std::optional<Misfit> misfit(Response response, std::string_view option, std::string_view value);
+/// What is allowed if `--option value` does not fit the response: "symplectic-euler with --response impulse"; empty if it fits.
+std::string allowed_instead(Response response, std::string_view option, std::string_view value);
 
 /// Whether a broad phase or a response uses an option.
 bool uses(const Method& method, std::string_view option);
 
 /// Whether `--option value` fits the response.
-bool goes_with(Response response, std::string_view option, std::string_view value);
+inline bool goes_with(Response response, std::string_view option, std::string_view value) {
+  return allowed_instead(response, option, value).empty();
+}
 
 }  // namespace ballpit

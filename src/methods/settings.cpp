@@ -2,10 +2,8 @@
 #include "methods/settings.h"
 
 #include <algorithm>
-#include <array>
 #include <type_traits>
 
-#include "core/error.h"
 #include "methods/methods.h"
 #include "methods/number_range.h"
 
@@ -18,22 +16,33 @@ struct Words {
   std::string_view name, value_name, help, preset = "";
 };
 
-SettingInfo info_of(SettingGroup group, const Words& words, std::function<std::string(const Settings&)> get) {
-  const std::string preset(words.preset);
+/// `read` turns a text into a value, or none if it is not allowed; `write` turns a value into its text.
+template <class Member, class Read, class Write>
+SettingInfo setting(SettingGroup group, const Words& words, const std::string& allowed, Member Settings::*member,
+                    Read read, Write write) {
+  const auto get = [=](const Settings& settings) { return std::string(write(settings.*member)); };
   return {.name = words.name,
           .value_name = words.value_name,
           .help = words.help,
           .group = group,
-          .preset = preset.empty() ? get(Settings{}) : preset,
-          .get = std::move(get)};
+          .allowed = allowed,
+          .preset = words.preset.empty() ? get(Settings{}) : std::string(words.preset),
+          .set =
+              [=](Settings& settings, std::string_view text) {
+                const auto value = read(text);
+                if (value) settings.*member = *value;
+                return value.has_value();
+              },
+          .get = get};
 }
 
 /// A number in a range.
 template <class Member, class T>
 SettingInfo number(SettingGroup group, const Words& words, Member Settings::*member, const Range<T>& range,
                    const std::optional<SettingSlider>& slider = {}) {
-  SettingInfo info = info_of(group, words, [=](const Settings& settings) { return typed(settings.*member); });
-  info.allowed = text_of(range);
+  SettingInfo info = setting(
+      group, words, text_of(range), member, [=](std::string_view text) { return number_in(range, text); },
+      [](const Member& value) { return typed(value); });
   info.slider = slider;
   info.in_use = [=](const Settings& settings) {
     if constexpr (std::is_arithmetic_v<Member>)
@@ -41,47 +50,52 @@ SettingInfo number(SettingGroup group, const Words& words, Member Settings::*mem
     else
       return settings.*member ? static_cast<double>(*(settings.*member)) : slider->fallback(settings);
   };
-  info.set = [=](Settings& settings, std::string_view text) {
-    const std::optional<T> value = number_in(range, text);
-    if (value) settings.*member = *value;
-    return value.has_value();
-  };
   return info;
 }
 
 /// One of the names of an enum.
 template <class Enum>
 SettingInfo choice(SettingGroup group, const Words& words, Enum Settings::*member) {
-  SettingInfo info =
-      info_of(group, words, [=](const Settings& settings) { return std::string(name_of(settings.*member)); });
-  info.allowed = join(kNames<Enum>);
+  SettingInfo info = setting(group, words, join(kNames<Enum>), member, find_named<Enum>, name_of<Enum>);
   info.choices = kNames<Enum>;
-  info.set = [=](Settings& settings, std::string_view text) {
-    const std::optional<Enum> value = find_named<Enum>(text);
-    if (value) settings.*member = *value;
-    return value.has_value();
-  };
   return info;
 }
 
-/// "on" or "off".
 SettingInfo toggle(SettingGroup group, const Words& words, bool Settings::*member) {
   static constexpr std::array<std::string_view, 2> kOnOff{"on", "off"};
-  SettingInfo info = info_of(group, words, [=](const Settings& settings) { return settings.*member ? "on" : "off"; });
-  info.allowed = join(kOnOff);
-  info.choices = kOnOff;
-  info.set = [=](Settings& settings, std::string_view text) {
-    if (text != "on" && text != "off") return false;
-    settings.*member = text == "on";
-    return true;
+  const auto read = [](std::string_view text) {
+    return text == "on" || text == "off" ? std::optional(text == "on") : std::nullopt;
   };
+  SettingInfo info = setting(group, words, join(kOnOff), member, read, [](bool is_on) { return is_on ? "on" : "off"; });
+  info.choices = kOnOff;
   return info;
 }
 
-std::vector<SettingInfo> make_table() {
+}  // namespace
+
+double skin_of(const Settings& settings) {
+  return settings.skin.value_or(settings.broadphase == BroadPhase::automatic ? 0.1 : 0.0);
+}
+
+int iterations_of(const Settings& settings) {
+  return settings.iterations.value_or(settings.response == Response::impulse ? 4 : 1);
+}
+
+Integrator integrator_of(const Settings& settings) {
+  if (settings.integrator != Integrator::automatic) return settings.integrator;
+  const std::string_view names = find_method(settings.response).integrators;
+  return named<Integrator>(names.substr(0, names.find(',')));
+}
+
+Precision precision_of(const Settings& settings) {
+  const bool is_double_only = find_method(settings.response).precisions == name_of(Precision::float64);
+  return is_double_only ? Precision::float64 : settings.precision;
+}
+
+const std::vector<SettingInfo>& setting_table() {
   constexpr auto kDetection = SettingGroup::detection, kResponse = SettingGroup::response, kTime = SettingGroup::time,
                  kRun = SettingGroup::run;
-  return {
+  static const std::vector<SettingInfo> table{
       choice(kDetection, {"broadphase", "NAME", "how candidate pairs are found"}, &Settings::broadphase),
       number(kDetection,
              {"cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed",
@@ -142,43 +156,13 @@ std::vector<SettingInfo> make_table() {
              Range{int64_t{1}, int64_t{100'000'000}}),
       number(kRun, {"seed", "N", "start of the random numbers", "1"}, &Settings::seed, Range{uint64_t{0}, UINT64_MAX}),
   };
-}
-
-}  // namespace
-
-double skin_of(const Settings& settings) {
-  return settings.skin.value_or(settings.broadphase == BroadPhase::automatic ? 0.1 : 0.0);
-}
-
-int iterations_of(const Settings& settings) {
-  return settings.iterations.value_or(settings.response == Response::impulse ? 4 : 1);
-}
-
-Integrator integrator_of(const Settings& settings) {
-  if (settings.integrator != Integrator::automatic) return settings.integrator;
-  const std::string_view names = find_method(settings.response).integrators;
-  return named<Integrator>(names.substr(0, names.find(',')));
-}
-
-Precision precision_of(const Settings& settings) {
-  const bool is_double_only = find_method(settings.response).precisions == name_of(Precision::float64);
-  return is_double_only ? Precision::float64 : settings.precision;
-}
-
-const std::vector<SettingInfo>& setting_table() {
-  static const std::vector<SettingInfo> table = make_table();
   return table;
 }
 
 void apply_setting(Settings& settings, std::string_view name, std::string_view value, std::string_view where) {
   const std::vector<SettingInfo>& table = setting_table();
-  const auto info =
-      std::find_if(table.begin(), table.end(), [&](const SettingInfo& entry) { return entry.name == name; });
-  if (info == table.end()) {
-    std::vector<std::string_view> names;
-    for (const SettingInfo& entry : table) names.push_back(entry.name);
-    throw UserError(where, "no option of this name", join(names));
-  }
+  const auto info = std::ranges::find(table, name, &SettingInfo::name);
+  if (info == table.end()) throw UserError(where, "no option of this name", join(names_in(table)));
   if (!info->set(settings, value)) throw UserError(where, value, info->allowed);
 }
 

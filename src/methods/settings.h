@@ -5,11 +5,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "methods/choices.h"
 
@@ -42,8 +38,7 @@ struct Settings {
   bool keeps_tally = false;  ///< fill Report::tally; not an option, set if observables need it
 };
 
-/// The skin of the candidate list. If none is set: a tenth if the program chooses the broad phase, else 0, so that the
-/// broad phase that was named works in every step.
+/// The skin of the candidate list. If none is set: a tenth if the program chooses the broad phase, else 0.
 double skin_of(const Settings& settings);
 
 /// Iterations of impulse or position-based in a substep.

@@ -15,9 +15,6 @@
 
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
-#include "exec/reduce.h"
 #include "narrow_phase/contact_rows.h"
 
 namespace ballpit {
@@ -50,14 +47,26 @@ struct IsNearBorder {
   }
 };
 
-/// Kernel: radii enlarged by the skin.
+/// Kernel: larger radii.
 template <class Real>
 struct GrowRadius {
   PerBody<Real> radius;
-  Real factor;
+  Real factor, margin;
   Span<Real> grown;
-  HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] * factor; }
+  HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] * factor + margin; }
 };
+
+/// The bodies with radius · factor + margin [m], stored in `memory`.
+template <class V, class Exec, class Buffer>
+BodiesView<V> grow_radii(Exec& exec, BodiesView<V> bodies, Scalar<V> factor, Scalar<V> margin, Buffer& memory) {
+  const bool is_uniform = bodies.radius.is_uniform();
+  memory.resize(is_uniform ? 1 : bodies.size());
+  if (bodies.size() > 0) {
+    exec.parallel_for("grow radii", memory.size(), GrowRadius<Scalar<V>>{bodies.radius, factor, margin, memory.span()});
+  }
+  bodies.radius = {memory.span().data(), is_uniform ? 0 : 1};
+  return bodies;
+}
 
 /// Predicate: body i has moved farther than its skin.
 template <class V>
@@ -90,10 +99,7 @@ class CandidateList {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  CandidateList() = default;  ///< an unused list
   /// `skin` is a fraction of each radius, 0: no list. `guard` bounds the rounding error of a distance [m].
-  CandidateList(double skin, double guard) { plan(skin, guard); }
-
   void plan(double skin, double guard) {
     skin_ = static_cast<Real>(skin);
     guard_ = static_cast<Real>(guard);
@@ -145,13 +151,7 @@ class CandidateList {
 
   /// The bodies with enlarged radii, for the search that makes the list.
   BodiesView<V> grown(Exec& exec, const BodiesView<V>& bodies) {
-    grown_.resize(bodies.radius.is_uniform() ? 1 : bodies.size());
-    if (bodies.size() > 0) {
-      exec.parallel_for("grow radii", grown_.size(), GrowRadius<Real>{bodies.radius, factor(), grown_.span()});
-    }
-    BodiesView<V> result = bodies;
-    result.radius = {grown_.span().data(), bodies.radius.is_uniform() ? 0 : 1};
-    return result;
+    return grow_radii(exec, bodies, factor(), Real(0), grown_);
   }
   Real factor() const { return 1 + skin_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds contacts: the broad phase, the candidate list where there is a skin, and the narrow phase. A world and a pair search
-// each have one.
+// Finds contacts: the broad phase, the candidate list where there is a skin, and the narrow phase. A world and a pair
+// search each have one.
 //
 //     bodies ──▶ candidate list fresh? ──yes──▶ test the list ─────────────────────────┐
 //                    │ no, or no skin                                                   ├──▶ contacts in canonical order
@@ -8,23 +8,19 @@
 //
 // Contacts and their order do not depend on the path.
 //
-// The collider alone knows what is up to date. What it found holds until moved(), for one margin; the candidate list holds as
-// long as no body has left its skin (candidate_list.h). So every stage may be asked for again: it then costs nothing.
+// The collider alone knows what is up to date. What it found holds until moved(), for one margin; the candidate list
+// holds as long as no body has left its skin (candidate_list.h). So asking for a stage again costs nothing.
 #pragma once
 
 #include <stdexcept>
-#include <utility>
 #include <variant>
 
 #include "broad_phase/brute_force.h"
-#include "broad_phase/choose_broad_phase.h"
 #include "broad_phase/linked_cell.h"
 #include "broad_phase/sort_and_sweep.h"
 #include "broad_phase/sorted_grid.h"
 #include "narrow_phase/contact_list.h"
-#include "narrow_phase/filter_list.h"
-#include "narrow_phase/list_search.h"
-#include "narrow_phase/range_search.h"
+#include "narrow_phase/vector_search.h"
 
 namespace ballpit {
 
@@ -33,15 +29,6 @@ enum class ContactKind {
   touching,      ///< in contact; measured, and listed by body
   near,          ///< all contacts and perhaps others, not measured: the candidate list as it is
   near_by_body,  ///< the same, listed by body
-};
-
-/// Kernel: radii with a margin.
-template <class Real>
-struct AddMargin {
-  PerBody<Real> radius;
-  Real margin;
-  Span<Real> grown;
-  HOST_DEVICE void operator()(int i) const { grown[i] = radius[i] + margin; }
 };
 
 template <class V, class Exec>
@@ -60,7 +47,31 @@ class Collider {
   }
 
   /// Starts anew, in the memory held. `choice` names a broad phase; `skin` is a fraction of each radius.
-  void plan(BroadPhaseChoice choice, BroadPhaseParameters<V> parameters, double skin);
+  void plan(BroadPhaseChoice choice, BroadPhaseParameters<V> parameters, double skin) {
+    choice_ = std::move(choice);
+    planned_ = parameters_ = std::move(parameters);
+    list_.plan(skin, 2 * rounding_guard(box()));
+    for (SizeClass<V>& spheres : planned_.classes) spheres.largest *= list_.factor();
+    switch (choice_.method) {
+      case BroadPhase::brute_force:
+        use<BruteForce<V, Exec>>();
+        break;
+      case BroadPhase::sort_and_sweep:
+        use<SortAndSweep<V, Exec>>();
+        break;
+      case BroadPhase::linked_cell:
+        use<LinkedCell<V, Exec>>();
+        break;
+      case BroadPhase::sorted_grid:
+        use<SortedGrid<V, Exec>>();
+        break;
+      case BroadPhase::automatic:
+        throw std::logic_error("a broad phase is chosen before");
+    }
+    source_ = Source::none;
+    linked_search_ = -1;
+    searches_ = 0;
+  }
 
   /// Call after changing positions.
   void moved() {
@@ -75,12 +86,34 @@ class Collider {
     linked_search_ = -1;
   }
 
-  /// Stage 1, broad phase: finds candidates, unless the candidate list is fresh. Spheres within `margin` [m] of each other
-  /// count as touching.
-  void find_candidates(Exec& exec, const BodiesView<V>& bodies, Real margin = 0);
+  /// Stage 1, broad phase: finds candidates, unless the candidate list is fresh. Spheres within `margin` [m] of each
+  /// other count as touching.
+  void find_candidates(Exec& exec, const BodiesView<V>& bodies, Real margin = 0) {
+    if (source_ != Source::none && margin_ == margin) return;
+    margin_ = margin;
+    bodies_ = margin > 0 ? grow_radii(exec, bodies, Real(1), margin, grown_) : bodies;
+    is_tested_ = false;
+    source_ = has_fresh_list(exec) ? Source::list : Source::broad_phase;
+    if (source_ == Source::broad_phase) prepare(exec, bodies_);
+  }
 
   /// Stage 2, narrow phase: the pairs of this kind, after find_candidates() with the same margin.
-  ContactsView<V> find_contacts(Exec& exec, const BodiesView<V>& bodies, ContactKind kind);
+  ContactsView<V> find_contacts(Exec& exec, const BodiesView<V>& bodies, ContactKind kind) {
+    const bool is_list = kind != ContactKind::touching && source_ == Source::list;
+    if (!is_list) test_candidates(exec);
+    const Span<const Pair> pairs = is_list ? list_.candidates().pairs : this->pairs();
+    const Span<const int> first = is_list ? list_.candidates().first : this->first();
+    if (kind == ContactKind::near) return {pairs, {}, first, {}, {}};
+    if (kind == ContactKind::touching) {
+      contacts_.build(exec, pairs, first, bodies, box());
+      return contacts_.view();
+    }
+    if (linked_search_ != searches_) {
+      near_.link(exec, pairs, first);
+      linked_search_ = searches_;
+    }
+    return near_.view();
+  }
 
   /// Both stages: the pairs in contact.
   Span<const Pair> pairs(Exec& exec, const BodiesView<V>& bodies) {
@@ -103,7 +136,11 @@ class Collider {
   bool shows_all_inside(Exec& exec, const BodiesView<V>& bodies) { return list_.shows_all_inside(exec, bodies, box()); }
 
   /// Pairs tested to find the contacts, without those tested for the candidate list.
-  int64_t tests(Exec& exec) const;
+  int64_t tests(Exec& exec) const {
+    if (source_ == Source::list) return list_.candidates().pairs.size();
+    return std::visit([&](auto& method) { return search_.template tests<decltype(method.candidates())>(exec); },
+                      broad_phase_);
+  }
 
   int64_t searches() const { return searches_; }  ///< by the broad phase since plan()
   const BroadPhaseChoice& choice() const { return choice_; }
@@ -111,13 +148,22 @@ class Collider {
   const Box<V>& box() const { return parameters_.box; }
 
   /// The broad phase, prepared for these positions also where the candidate list made that unnecessary.
-  AnyBroadPhase& prepared(Exec& exec, const BodiesView<V>& bodies);
+  AnyBroadPhase& prepared(Exec& exec, const BodiesView<V>& bodies) {
+    if (list_.is_used()) {
+      if (source_ == Source::broad_phase) test_candidates(exec);  // before its structure changes
+      std::visit([&](auto& method) { method.prepare(exec, list_.grown(exec, bodies)); }, broad_phase_);
+    }
+    return broad_phase_;
+  }
 
   /// The broad phase as the last search has left it, and what each of its list-walking threads has tested.
   const AnyBroadPhase& broad_phase() const { return broad_phase_; }
-  Span<const int> tested() const { return list_search_.tested(); }
+  Span<const int> tested() const { return search_.tested(); }
 
-  int64_t bytes() const;
+  int64_t bytes() const {
+    return std::visit([](auto& method) { return method.bytes(); }, broad_phase_) + search_.bytes() +
+           list_filter_.bytes() + rows_.bytes() + list_.bytes();
+  }
 
  private:
   /// Where the candidates of the present positions are.
@@ -132,19 +178,42 @@ class Collider {
     }
   }
 
-  BodiesView<V> with_margin(Exec& exec, const BodiesView<V>& bodies);
-  bool has_fresh_list(Exec& exec);
-  void prepare(Exec& exec, const BodiesView<V>& bodies);
-  void test_candidates(Exec& exec);
-  void test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows);
+  /// Whether the candidate list holds all contacts of bodies_. Makes a new list where that is due.
+  bool has_fresh_list(Exec& exec) {
+    const ListState state = list_.state(exec, bodies_, box(), margin_);
+    if (state == ListState::due) {
+      const BodiesView<V> grown = list_.grown(exec, bodies_);
+      prepare(exec, grown);
+      test_broad_phase(exec, grown, list_.rows());
+      list_.start(exec, bodies_, box(), margin_);
+    }
+    return state != ListState::off;
+  }
+
+  void prepare(Exec& exec, const BodiesView<V>& bodies) {
+    ++searches_;
+    std::visit([&](auto& method) { method.prepare(exec, bodies); }, broad_phase_);
+  }
+
+  void test_candidates(Exec& exec) {
+    if (is_tested_) return;
+    is_tested_ = true;
+    if (source_ == Source::list) {
+      list_filter_.find(exec, list_.candidates(), bodies_, box(), rows_);
+    } else {
+      test_broad_phase(exec, bodies_, rows_);
+    }
+  }
+
+  void test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
+    std::visit([&](auto& method) { search_.find(exec, method.candidates(), bodies, box(), rows); }, broad_phase_);
+  }
 
   BroadPhaseChoice choice_;
   BroadPhaseParameters<V> parameters_, planned_;  // without and with skins
   AnyBroadPhase broad_phase_{BruteForce<V, Exec>(BroadPhaseParameters<V>{})};
   CandidateList<V, Exec> list_;
-  ListSearch<V, Exec> list_search_;
-  RangeSearch<V, Exec> range_search_;
-  ListFilter<V, Exec> list_filter_;
+  Search<V, Exec> search_, list_filter_;  // in the candidates of the broad phase, and in the list
   ContactRows<Exec> rows_;                // pairs in contact
   ContactList<V, Exec> contacts_, near_;  // listed by body
   typename Exec::template Buffer<Real> grown_;
@@ -156,143 +225,5 @@ class Collider {
   int64_t linked_search_ = -1;  // the search whose pairs near_ lists
   int64_t searches_ = 0;
 };
-
-template <class V, class Exec>
-void Collider<V, Exec>::plan(BroadPhaseChoice choice, BroadPhaseParameters<V> parameters, double skin) {
-  choice_ = std::move(choice);
-  planned_ = parameters_ = std::move(parameters);
-  list_.plan(skin, 2 * rounding_guard(box()));
-  for (SizeClass<V>& spheres : planned_.classes) spheres.largest *= list_.factor();
-  switch (choice_.method) {
-    case BroadPhase::brute_force:
-      use<BruteForce<V, Exec>>();
-      break;
-    case BroadPhase::sort_and_sweep:
-      use<SortAndSweep<V, Exec>>();
-      break;
-    case BroadPhase::linked_cell:
-      use<LinkedCell<V, Exec>>();
-      break;
-    case BroadPhase::sorted_grid:
-      use<SortedGrid<V, Exec>>();
-      break;
-    case BroadPhase::automatic:
-      throw std::logic_error("a broad phase is chosen before");
-  }
-  source_ = Source::none;
-  linked_search_ = -1;
-  searches_ = 0;
-}
-
-template <class V, class Exec>
-void Collider<V, Exec>::find_candidates(Exec& exec, const BodiesView<V>& bodies, Real margin) {
-  if (source_ != Source::none && margin_ == margin) return;
-  margin_ = margin;
-  bodies_ = margin > 0 ? with_margin(exec, bodies) : bodies;
-  is_tested_ = false;
-  source_ = has_fresh_list(exec) ? Source::list : Source::broad_phase;
-  if (source_ == Source::broad_phase) prepare(exec, bodies_);
-}
-
-template <class V, class Exec>
-ContactsView<V> Collider<V, Exec>::find_contacts(Exec& exec, const BodiesView<V>& bodies, ContactKind kind) {
-  const bool is_list = kind != ContactKind::touching && source_ == Source::list;
-  if (!is_list) test_candidates(exec);
-  const Span<const Pair> pairs = is_list ? list_.candidates().pairs : this->pairs();
-  const Span<const int> first = is_list ? list_.candidates().first : this->first();
-  if (kind == ContactKind::near) return {pairs, {}, first, {}, {}};
-  if (kind == ContactKind::touching) {
-    contacts_.build(exec, pairs, first, bodies, box());
-    return contacts_.view();
-  }
-  if (linked_search_ != searches_) {
-    near_.link(exec, pairs, first);
-    linked_search_ = searches_;
-  }
-  return near_.view();
-}
-
-template <class V, class Exec>
-int64_t Collider<V, Exec>::tests(Exec& exec) const {
-  if (source_ == Source::list) return list_.candidates().pairs.size();
-  return std::visit(
-      [&](auto& method) {
-        if constexpr (GivesRanges<decltype(method.candidates())>) {
-          return range_search_.candidates(exec);
-        } else {
-          return list_search_.candidates(exec);
-        }
-      },
-      broad_phase_);
-}
-
-template <class V, class Exec>
-auto Collider<V, Exec>::prepared(Exec& exec, const BodiesView<V>& bodies) -> AnyBroadPhase& {
-  if (list_.is_used()) {
-    if (source_ == Source::broad_phase) test_candidates(exec);  // before its structure changes
-    std::visit([&](auto& method) { method.prepare(exec, list_.grown(exec, bodies)); }, broad_phase_);
-  }
-  return broad_phase_;
-}
-
-template <class V, class Exec>
-int64_t Collider<V, Exec>::bytes() const {
-  return std::visit([](auto& method) { return method.bytes(); }, broad_phase_) + list_search_.bytes() +
-         range_search_.bytes() + list_filter_.bytes() + rows_.bytes() + list_.bytes();
-}
-
-template <class V, class Exec>
-BodiesView<V> Collider<V, Exec>::with_margin(Exec& exec, const BodiesView<V>& bodies) {
-  const bool is_uniform = bodies.radius.is_uniform();
-  grown_.resize(is_uniform ? 1 : bodies.size());
-  exec.parallel_for("grow radii", grown_.size(), AddMargin<Real>{bodies.radius, margin_, grown_.span()});
-  BodiesView<V> result = bodies;
-  result.radius = {grown_.span().data(), is_uniform ? 0 : 1};
-  return result;
-}
-
-/// Whether the candidate list holds all contacts of bodies_. Makes a new list where that is due.
-template <class V, class Exec>
-bool Collider<V, Exec>::has_fresh_list(Exec& exec) {
-  const ListState state = list_.state(exec, bodies_, box(), margin_);
-  if (state == ListState::due) {
-    const BodiesView<V> grown = list_.grown(exec, bodies_);
-    prepare(exec, grown);
-    test_broad_phase(exec, grown, list_.rows());
-    list_.start(exec, bodies_, box(), margin_);
-  }
-  return state != ListState::off;
-}
-
-template <class V, class Exec>
-void Collider<V, Exec>::prepare(Exec& exec, const BodiesView<V>& bodies) {
-  ++searches_;
-  std::visit([&](auto& method) { method.prepare(exec, bodies); }, broad_phase_);
-}
-
-template <class V, class Exec>
-void Collider<V, Exec>::test_candidates(Exec& exec) {
-  if (is_tested_) return;
-  is_tested_ = true;
-  if (source_ == Source::list) {
-    list_filter_.find(exec, list_.candidates(), bodies_, box(), rows_);
-  } else {
-    test_broad_phase(exec, bodies_, rows_);
-  }
-}
-
-template <class V, class Exec>
-void Collider<V, Exec>::test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
-  std::visit(
-      [&](auto& method) {
-        const auto candidates = method.candidates();
-        if constexpr (GivesRanges<decltype(candidates)>) {
-          range_search_.find(exec, candidates, box(), bodies.size(), rows);
-        } else {
-          list_search_.find(exec, candidates, bodies, box(), rows);
-        }
-      },
-      broad_phase_);
-}
 
 }  // namespace ballpit

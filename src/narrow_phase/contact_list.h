@@ -16,8 +16,6 @@
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
 
 namespace ballpit {
 
@@ -59,10 +57,22 @@ class ContactList {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  void build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies, const Box<V>& box);
+  void build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies,
+             const Box<V>& box) {
+    link(exec, pairs, first);
+    geometry_.resize(pairs.size());
+    exec.parallel_for("measure contacts", pairs.size(), MeasureContact<V>{bodies, box, pairs, geometry_.span()});
+  }
 
   /// The lists alone, without the geometry.
-  void link(Exec& exec, Span<const Pair> pairs, Span<const int> first);
+  void link(Exec& exec, Span<const Pair> pairs, Span<const int> first) {
+    pairs_ = pairs;
+    first_ = first;
+    geometry_.resize(0);
+    incoming_.resize(pairs.size());
+    incoming_first_.resize(first.size());
+    exec.bin("sort incoming", SecondBody{pairs}, IncomingAt{pairs}, incoming_first_.span(), incoming_.span());
+  }
 
   Span<ContactGeometry<V>> geometry() { return geometry_.span(); }
   ContactsView<V> view() const { return {pairs_, geometry_.span(), first_, incoming_first_.span(), incoming_.span()}; }
@@ -74,23 +84,5 @@ class ContactList {
   Buffer<int> incoming_first_;
   Buffer<IncomingContact> incoming_;
 };
-
-template <class V, class Exec>
-void ContactList<V, Exec>::build(Exec& exec, Span<const Pair> pairs, Span<const int> first, const BodiesView<V>& bodies,
-                                 const Box<V>& box) {
-  link(exec, pairs, first);
-  geometry_.resize(pairs.size());
-  exec.parallel_for("measure contacts", pairs.size(), MeasureContact<V>{bodies, box, pairs, geometry_.span()});
-}
-
-template <class V, class Exec>
-void ContactList<V, Exec>::link(Exec& exec, Span<const Pair> pairs, Span<const int> first) {
-  pairs_ = pairs;
-  first_ = first;
-  geometry_.resize(0);
-  incoming_.resize(pairs.size());
-  incoming_first_.resize(first.size());
-  exec.bin("sort incoming", SecondBody{pairs}, IncomingAt{pairs}, incoming_first_.span(), incoming_.span());
-}
 
 }  // namespace ballpit

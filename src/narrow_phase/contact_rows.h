@@ -11,15 +11,9 @@
 
 #include "bodies/pair.h"
 #include "core/error.h"
-#include "core/span.h"
 #include "exec/reduce.h"
-#include "narrow_phase/sort_row.h"
 
 namespace ballpit {
-
-/// How many contacts a thread keeps from counting to filling. Equal spheres have at most twelve, and on average half of
-/// them have a higher index.
-inline constexpr int kKept = 8;
 
 /// `count` as an index. Throws RunError if it is too large for one.
 inline int checked_count(int64_t count, const char* what) {
@@ -30,15 +24,74 @@ inline int checked_count(int64_t count, const char* what) {
   return static_cast<int>(count);
 }
 
-struct CountAt {
-  Span<const int> values;
-  HOST_DEVICE int64_t operator()(int i) const { return values[i]; }
-};
+namespace row_sorting {
 
-/// The sum of counts, in 64 bits.
-template <class Exec>
-int64_t sum_of(Exec& exec, Span<const int> counts) {
-  return reduce(exec, "sum candidates", counts.size(), int64_t{0}, CountAt{counts}, Sum{});
+inline constexpr int kMaxInsertion = 48;
+
+/// Sorts two pairs of one row, without a branch, which would be hard to predict.
+HOST_DEVICE inline void order(Pair& a, Pair& b) {
+  const Pair first = a, second = b;
+  const bool is_swapped = second.j < first.j;
+  a = {first.i, is_swapped ? second.j : first.j};
+  b = {first.i, is_swapped ? first.j : second.j};
+}
+
+HOST_DEVICE inline void insert_all(Pair* row, int count) {
+  for (int k = 1; k < count; ++k) {
+    const Pair moved = row[k];
+    int at = k;
+    for (; at > 0 && row[at - 1].j > moved.j; --at) row[at] = row[at - 1];
+    row[at] = moved;
+  }
+}
+
+/// Moves row[at] down in a heap of `count` until none of its children is larger.
+HOST_DEVICE inline void sink(Pair* row, int at, int count) {
+  const Pair moved = row[at];
+  for (int child = 2 * at + 1; child < count; child = 2 * at + 1) {
+    if (child + 1 < count && row[child + 1].j > row[child].j) ++child;
+    if (row[child].j <= moved.j) break;
+    row[at] = row[child];
+    at = child;
+  }
+  row[at] = moved;
+}
+
+HOST_DEVICE inline bool is_sorted(const Pair* row, int count) {
+  for (int k = 1; k < count; ++k) {
+    if (row[k - 1].j > row[k].j) return false;
+  }
+  return true;
+}
+
+}  // namespace row_sorting
+
+/// Sorts `count` pairs of a row by j, on any processor: a short row, the usual case, by insertion, a long one by
+/// heapsort, so that a body with thousands of contacts does not need millions of moves.
+HOST_DEVICE inline void sort_row(Pair* row, int count) {
+  using namespace row_sorting;
+  if (count == 2) {
+    order(row[0], row[1]);
+    return;
+  }
+  if (count == 3) {
+    order(row[0], row[1]);
+    order(row[1], row[2]);
+    order(row[0], row[1]);
+    return;
+  }
+  if (count <= kMaxInsertion) {
+    insert_all(row, count);
+    return;
+  }
+  if (is_sorted(row, count)) return;
+  for (int at = count / 2 - 1; at >= 0; --at) sink(row, at, count);
+  for (int last = count - 1; last > 0; --last) {
+    const Pair largest = row[0];
+    row[0] = row[last];
+    row[last] = largest;
+    sink(row, 0, last);
+  }
 }
 
 template <class Exec>

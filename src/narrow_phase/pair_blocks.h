@@ -4,12 +4,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "bodies/pair.h"
-#include "core/span.h"
 #include "exec/cpu_executor.h"
 #include "narrow_phase/contact_rows.h"
 

@@ -7,9 +7,6 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
-#include "bodies/pair.h"
-#include "core/span.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace ballpit {
 namespace HWY_NAMESPACE {
@@ -191,7 +188,7 @@ void FilterPairs(const V* position, const float* radius, const Box<V>& box, Span
 }
 
 template <class V>
-void TestPairs(Span<const V> position, const PerBody<float>& radius, const Box<V>& box, Span<const Pair> pairs,
+void TestPairs(Span<const V> position, const PerBody<Scalar<V>>& radius, const Box<V>& box, Span<const Pair> pairs,
                PairBuffer& found) {
   const auto test = [&](auto filter) { filter(position.data(), radius.data(), box, pairs, found); };
   if (radius.is_uniform()) {
@@ -201,20 +198,8 @@ void TestPairs(Span<const V> position, const PerBody<float>& radius, const Box<V
   }
 }
 
-void TestRanges2(const SlotsView<Vec2>& slots, const Box<Vec2>& box, Span<const RangeTask> tasks, PairBuffer& found) {
-  TestRanges(slots, box, tasks, found);
-}
-void TestRanges3(const SlotsView<Vec3>& slots, const Box<Vec3>& box, Span<const RangeTask> tasks, PairBuffer& found) {
-  TestRanges(slots, box, tasks, found);
-}
-void TestPairs2(Span<const Vec2> position, const PerBody<float>& radius, const Box<Vec2>& box, Span<const Pair> pairs,
-                PairBuffer& found) {
-  TestPairs(position, radius, box, pairs, found);
-}
-void TestPairs3(Span<const Vec3> position, const PerBody<float>& radius, const Box<Vec3>& box, Span<const Pair> pairs,
-                PairBuffer& found) {
-  TestPairs(position, radius, box, pairs, found);
-}
+VectorTests<Vec2> Tests2() { return {TestRanges<Vec2>, TestPairs<Vec2>}; }
+VectorTests<Vec3> Tests3() { return {TestRanges<Vec3>, TestPairs<Vec3>}; }
 
 const char* Instructions() { return hwy::TargetName(HWY_TARGET); }
 
@@ -225,29 +210,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ballpit {
 
-HWY_EXPORT(TestRanges2);
-HWY_EXPORT(TestRanges3);
-HWY_EXPORT(TestPairs2);
-HWY_EXPORT(TestPairs3);
+HWY_EXPORT(Tests2);
+HWY_EXPORT(Tests3);
 HWY_EXPORT(Instructions);
 
 template <>
-void test_ranges(const SlotsView<Vec2>& slots, const Box<Vec2>& box, Span<const RangeTask> tasks, PairBuffer& found) {
-  HWY_DYNAMIC_DISPATCH(TestRanges2)(slots, box, tasks, found);
+VectorTests<Vec2> vector_tests() {
+  return HWY_DYNAMIC_DISPATCH(Tests2)();
 }
 template <>
-void test_ranges(const SlotsView<Vec3>& slots, const Box<Vec3>& box, Span<const RangeTask> tasks, PairBuffer& found) {
-  HWY_DYNAMIC_DISPATCH(TestRanges3)(slots, box, tasks, found);
-}
-template <>
-void test_pairs(Span<const Vec2> position, const PerBody<float>& radius, const Box<Vec2>& box, Span<const Pair> pairs,
-                PairBuffer& found) {
-  HWY_DYNAMIC_DISPATCH(TestPairs2)(position, radius, box, pairs, found);
-}
-template <>
-void test_pairs(Span<const Vec3> position, const PerBody<float>& radius, const Box<Vec3>& box, Span<const Pair> pairs,
-                PairBuffer& found) {
-  HWY_DYNAMIC_DISPATCH(TestPairs3)(position, radius, box, pairs, found);
+VectorTests<Vec3> vector_tests() {
+  return HWY_DYNAMIC_DISPATCH(Tests3)();
 }
 
 const char* range_test_instructions() { return HWY_DYNAMIC_DISPATCH(Instructions)(); }

@@ -13,10 +13,7 @@
 #include <type_traits>
 
 #include "bodies/box.h"
-#include "bodies/pair.h"
 #include "bodies/slots.h"
-#include "core/span.h"
-#include "exec/cpu_executor.h"
 #include "narrow_phase/pair_blocks.h"
 
 namespace ballpit {
@@ -31,14 +28,20 @@ struct RangeTask {
   SlotRange range;
 };
 
-/// Executes the tasks and appends the pairs in contact, lower body first. Compares tags if the slots have them.
+/// The tests, by the best instructions of this processor.
 template <class V>
-void test_ranges(const SlotsView<V>& slots, const Box<V>& box, Span<const RangeTask> tasks, PairBuffer& found);
+struct VectorTests {
+  /// Executes the tasks and appends the pairs in contact, lower body first. Compares tags if the slots have them.
+  void (*test_ranges)(const SlotsView<V>& slots, const Box<V>& box, Span<const RangeTask> tasks, PairBuffer& found);
 
-/// Tests pairs of bodies and appends those in contact, in the same order.
+  /// Tests pairs of bodies and appends those in contact, in the same order.
+  void (*test_pairs)(Span<const V> position, const PerBody<Scalar<V>>& radius, const Box<V>& box,
+                     Span<const Pair> pairs, PairBuffer& found);
+};
+
+/// For Vec2 and Vec3.
 template <class V>
-void test_pairs(Span<const V> position, const PerBody<Scalar<V>>& radius, const Box<V>& box, Span<const Pair> pairs,
-                PairBuffer& found);
+VectorTests<V> vector_tests();
 
 /// The instruction set that these functions use on this processor: "AVX3".
 const char* range_test_instructions();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/body_buffer.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cassert>
 
@@ -11,9 +10,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr GLuint kPosition = 0;
-constexpr GLuint kRadius = 1;
-constexpr GLuint kMark = 2;
+constexpr GLuint kPosition = 0, kRadius = 1, kMark = 2;  // attributes of the vertex shaders
 
 /// A new buffer of fixed size; at least one byte, since OpenGL has no empty buffers.
 GlBuffer make_buffer(int64_t bytes) {
@@ -26,6 +23,23 @@ template <class T>
 void fill(const GlBuffer& buffer, const std::vector<T>& values) {
   if (values.empty()) return;
   glNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data());
+}
+
+void draw_quads(const Shader& shader, const BodyBuffer& bodies, bool writes_depth) {
+  shader.use();
+  bodies.bind(1);
+  glDepthMask(writes_depth ? GL_TRUE : GL_FALSE);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(bodies.count()));
+  glDepthMask(GL_TRUE);
+}
+
+/// Whether every sphere in the domain is smaller than a pixel and a half, so that a point shows it as well.
+bool all_are_points(const BodyBuffer& bodies, const FrameView& view, int height) {
+  constexpr float kSmallRadius = 1.5f;  // [pixel]
+  const Camera& camera = view.camera;
+  const Vec3 nearest = glm::clamp(camera.eye, view.domain.min, view.domain.max);
+  const float distance = std::max(length(nearest - camera.eye), camera.near);
+  return bodies.max_radius() < kSmallRadius * camera.pixel_size(distance, height);
 }
 
 }  // namespace
@@ -90,21 +104,24 @@ void BodyBuffer::upload(const BodySnapshot& bodies) {
   if (!equal_radii) fill(radius_, bodies.radius);
 }
 
-BodyTarget BodyBuffer::begin_map() {
-  const auto map = [&](const GlBuffer& buffer, int64_t bytes) {
+void BodyBuffer::map(const std::function<void(const BodyTarget&)>& write) {
+  struct Unmap {
+    const BodyBuffer& all;
+    ~Unmap() {
+      for (const GlBuffer* buffer : {&all.position_, &all.radius_, &all.mark_}) glUnmapNamedBuffer(buffer->name());
+    }
+  };
+  const Unmap unmap{*this};
+  const auto memory_of = [&](const GlBuffer& buffer, int64_t bytes) {
     void* const memory = glMapNamedBufferRange(buffer.name(), 0, std::max<int64_t>(bytes, 1),
                                                GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
     if (!memory) throw RunError("OpenGL", "cannot map its buffer of bodies into memory");
     return memory;
   };
   const int64_t n = shape_.count, radii = shape_.has_equal_radii ? 0 : n;
-  return {{static_cast<float*>(map(position_, n * shape_.dimensions * 4)), n * shape_.dimensions},
-          {static_cast<float*>(map(radius_, radii * 4)), radii},
-          {static_cast<uint8_t*>(map(mark_, n)), n}};
-}
-
-void BodyBuffer::end_map() {
-  for (const GlBuffer* buffer : {&position_, &radius_, &mark_}) glUnmapNamedBuffer(buffer->name());
+  write({{static_cast<float*>(memory_of(position_, n * shape_.dimensions * 4)), n * shape_.dimensions},
+         {static_cast<float*>(memory_of(radius_, radii * 4)), radii},
+         {static_cast<uint8_t*>(memory_of(mark_, n)), n}});
 }
 
 void BodyBuffer::set_marks(const std::vector<Mark>& marks) {
@@ -112,14 +129,27 @@ void BodyBuffer::set_marks(const std::vector<Mark>& marks) {
   fill(mark_, marks);
 }
 
-void BodyBuffer::bind(Rate rate) const {
-  const GLuint divisor = rate == Rate::body_per_instance ? 1 : 0;
+void BodyBuffer::bind(GLuint divisor) const {
   for (GLuint attribute : {kPosition, kRadius, kMark}) {
     glVertexArrayBindingDivisor(vertex_array_.name(), attribute, divisor);
   }
   glBindVertexArray(vertex_array_.name());
   // The value of a disabled array belongs to the context's state, not to the vertex array's.
   if (shape_.has_equal_radii) glVertexAttrib1f(kRadius, shape_.radius);
+}
+
+void BodyRenderer::draw(const BodyBuffer& bodies, const FrameView& view, int height) {
+  if (view.domain.is_planar()) {
+    draw_quads(disc_, bodies, false);
+  } else if (all_are_points(bodies, view, height)) {
+    point_.use();
+    bodies.bind(0);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(bodies.count()));
+  } else {
+    draw_quads(shadow_, bodies, false);
+    draw_quads(sphere_, bodies, true);
+    draw_quads(outline_, bodies, false);
+  }
 }
 
 }  // namespace ballpit

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The bodies in GPU memory, in the layout of the simulation: `dimensions` floats of position per body (OpenGL reads a missing
 // z as 0), one radius for all or one each, one mark each. So the processor that steps the bodies can write the buffers itself
-// (body_writer.h), and a planar scene stores no third coordinate.
+// (BodyBuffer::map(), BodyWriter), and a planar scene stores no third coordinate.
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "bodies/body_snapshot.h"
-#include "bodies/pair.h"
-#include "render/gl_object.h"
+#include "render/frame_view.h"
+#include "render/shader.h"
 
 namespace ballpit {
 
@@ -23,9 +25,6 @@ std::vector<Mark> contact_marks(int64_t count, const std::vector<Pair>& contacts
 
 class BodyBuffer {
  public:
-  /// What a call of the vertex shader gets: a corner of a body's quad, or a body.
-  enum class Rate { body_per_instance, body_per_vertex };
-
   BodyBuffer();
 
   /// Makes room for bodies of this shape. If they do not fit, the buffers are replaced, and generation() changes.
@@ -37,22 +36,15 @@ class BodyBuffer {
 
   /// Calls write(target) with the buffers mapped into the host's memory. Call resize() before. Throws RunError if they cannot
   /// be mapped.
-  template <class Write>
-  void map(Write&& write) {
-    struct Unmap {
-      BodyBuffer& buffer;
-      ~Unmap() { buffer.end_map(); }
-    };
-    const Unmap unmap{*this};
-    write(begin_map());
-  }
+  void map(const std::function<void(const BodyTarget&)>& write);
+
   void set_marks(const std::vector<Mark>& marks);
 
-  /// Makes this the source of vertex attributes 0 (position), 1 (radius) and 2 (mark).
-  void bind(Rate rate) const;
+  /// Makes this the source of vertex attributes 0 (position), 1 (radius) and 2 (mark). `divisor` 1: of a body for each
+  /// instance; 0: for each vertex.
+  void bind(GLuint divisor) const;
 
   int64_t count() const { return shape_.count; }
-  int dimensions() const { return shape_.dimensions; }
   float max_radius() const { return shape_.radius; }  ///< [m]
 
   GLuint position_buffer() const { return position_.name(); }
@@ -62,16 +54,51 @@ class BodyBuffer {
 
  private:
   void attach_buffers();
-  BodyTarget begin_map();
-  void end_map();
 
   GlVertexArray vertex_array_;
-  GlBuffer position_;
-  GlBuffer radius_;
-  GlBuffer mark_;
+  GlBuffer position_, radius_, mark_;
   BodyShape shape_;
   int64_t capacity_ = 0;
   int generation_ = 0;
 };
+
+/// Draws bodies without a triangle mesh. Spatial scenes: one quad for each sphere, in whose pixels the eye's ray meets
+/// the sphere exactly, with exact depth. A second pass blends the pixels of the outline by how much the sphere covers
+/// them, in any order. Planar scenes: flat discs with an outline; later bodies lie over earlier ones.
+/// Cost: proportional to the covered pixels, twice for outlines.
+/// Source: Sigg et al. 2006, "GPU-Based Ray-Casting of Quadratic Surfaces", doi 10.2312/SPBG/SPBG06/059-065.
+class BodyRenderer {
+ public:
+  /// `height` of the picture [pixel].
+  void draw(const BodyBuffer& bodies, const FrameView& view, int height);
+
+ private:
+  Shader disc_{"disc.vert", "disc.frag"};
+  Shader sphere_{"sphere.vert", "sphere.frag"};
+  Shader outline_{"outline.vert", "outline.frag"};
+  Shader point_{"point.vert", "point.frag"};
+  Shader shadow_{"shadow.vert", "shadow.frag"};  // of spheres on the floor
+};
+
+class World;
+
+/// Lets a world on a GPU write its bodies into OpenGL's own memory, without a copy on the host.
+class BodyWriter {
+ public:
+  virtual ~BodyWriter() = default;
+
+  /// Writes positions, radii and contact marks of the present state. Returns false if this is not possible, now and later:
+  /// trouble() gives the reason, and the caller must upload an inspection.
+  virtual bool write(World& world, BodyBuffer& buffer) = 0;
+
+  virtual std::string trouble() const = 0;
+
+  /// Releases the buffers of the last write. Call before resizing them.
+  virtual void release() = 0;
+};
+
+/// By CUDA's OpenGL interoperability. It fails if OpenGL draws in software or on another device. Defined
+/// by the CUDA library, or its stub.
+std::unique_ptr<BodyWriter> make_cuda_body_writer();
 
 }  // namespace ballpit

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace ballpit {
 
@@ -11,44 +12,35 @@ namespace {
 
 constexpr float kMargin = 0.06f;  // of the picture, on each side at least
 
-std::array<Vec3, 8> corners(Vec3 min, Vec3 max) {
-  std::array<Vec3, 8> result;
-  for (int i = 0; i < 8; ++i) result[i] = {i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z};
-  return result;
+using Corners = std::array<Vec3, 8>;
+
+/// The smallest and the largest value of all points.
+template <class Value>
+std::pair<float, float> range_of(const Corners& points, const Value& value) {
+  float low = INFINITY, high = -INFINITY;
+  for (const Vec3& point : points) {
+    low = std::min(low, value(point));
+    high = std::max(high, value(point));
+  }
+  return {low, high};
 }
 
 /// The depth E of the closest eye that has all points in view along one picture axis. A point at (a, f), across and forward,
 /// is in view of an eye at (e, E) if |a − e| ≤ k (f − E). Each point gives two half-planes for (e, E); the extreme ones
 /// intersect at the closest eye.
-float closest_eye(const std::array<Vec3, 8>& points, Vec3 across, Vec3 forward, float k) {
-  float high = -INFINITY;  // of  a − k f
-  float low = -INFINITY;   // of −a − k f
-  for (const Vec3& point : points) {
-    const float a = dot(point, across);
-    const float f = dot(point, forward);
-    high = std::max(high, a - k * f);
-    low = std::max(low, -a - k * f);
-  }
-  return -(high + low) / (2 * k);
+float closest_eye(const Corners& points, Vec3 across, Vec3 forward, float k) {
+  const float high = range_of(points, [&](const Vec3& p) { return dot(p, across) - k * dot(p, forward); }).second;
+  const float low = range_of(points, [&](const Vec3& p) { return dot(p, across) + k * dot(p, forward); }).first;
+  return (low - high) / (2 * k);
 }
 
 /// The e from which the points extend equally far to both sides of the picture, for an eye at depth E: by bisection.
-float centred_eye(const std::array<Vec3, 8>& points, Vec3 across, Vec3 forward, float depth) {
-  float low = INFINITY;
-  float high = -INFINITY;
-  for (const Vec3& point : points) {
-    low = std::min(low, dot(point, across));
-    high = std::max(high, dot(point, across));
-  }
+float centred_eye(const Corners& points, Vec3 across, Vec3 forward, float depth) {
+  auto [low, high] = range_of(points, [&](const Vec3& p) { return dot(p, across); });
   for (int step = 0; step < 40; ++step) {
     const float middle = (low + high) / 2;
-    float left = INFINITY;
-    float right = -INFINITY;
-    for (const Vec3& point : points) {
-      const float place = (dot(point, across) - middle) / (dot(point, forward) - depth);
-      left = std::min(left, place);
-      right = std::max(right, place);
-    }
+    const auto [left, right] =
+        range_of(points, [&](const Vec3& p) { return (dot(p, across) - middle) / (dot(p, forward) - depth); });
     (left + right > 0 ? low : high) = middle;
   }
   return (low + high) / 2;
@@ -112,19 +104,14 @@ Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float 
   const Vec3 upward = glm::cross(right, forward);
 
   const float k = std::tan(camera.fov / 2) * (1 - 2 * kMargin);
-  const std::array<Vec3, 8> points = corners(min, max);
+  Corners points;
+  for (int i = 0; i < 8; ++i) points[static_cast<size_t>(i)] = corner_of(min, max, i);
   const float depth =
       std::min(closest_eye(points, right, forward, k * aspect), closest_eye(points, upward, forward, k));
   camera.eye = centred_eye(points, right, forward, depth) * right +
                centred_eye(points, upward, forward, depth) * upward + depth * forward;
 
-  float nearest = INFINITY;
-  float farthest = 0;
-  for (const Vec3& point : points) {
-    const float distance = dot(point, forward) - depth;
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, distance);
-  }
+  const auto [nearest, farthest] = range_of(points, [&](const Vec3& p) { return dot(p, forward) - depth; });
   camera.target = camera.eye + (nearest + farthest) / 2 * forward;
   camera.near = nearest / 8;  // spheres may rise above an open box, and the camera may move closer
   camera.far = 2 * farthest;

@@ -30,6 +30,11 @@ struct Camera {
 inline constexpr float kThreeQuarterAzimuth = 30.0f * 3.14159265f / 180,
                        kThreeQuarterElevation = 20.0f * 3.14159265f / 180;
 
+/// Corner k of a box, 0 to 7: bit 0 of k chooses the x of `max`, bit 1 its y, bit 2 its z.
+inline Vec3 corner_of(const Vec3& min, const Vec3& max, int k) {
+  return {k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z};
+}
+
 /// A camera that shows the whole box with a margin: the three-quarter view in perspective for 3 dimensions, along −z without
 /// perspective for 2. The eye is as close as possible with all eight corners in view.
 Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect);

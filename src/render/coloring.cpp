@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/coloring.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "bodies/body_snapshot.h"
-#include "broad_phase/inspection.h"
-#include "core/error.h"
 #include "render/painter.h"
 
 namespace ballpit {

@@ -11,7 +11,6 @@
 
 #include "render/body_buffer.h"
 #include "render/theme.h"
-#include "world/inspection.h"
 
 namespace ballpit {
 
@@ -28,7 +27,7 @@ struct ColoringEntry {
   std::string_view name;   ///< "speed", as typed
   std::string_view label;  ///< "Speed", as the audience reads it
   Colored (*color)(const Inspection&);
-  Wanted wanted = {};  ///< of the inspection; no state if the marks of a BodyWriter are sufficient
+  Wanted wanted = {};  ///< of the inspection; no state if the marks that a world writes are sufficient
 };
 
 /// All colourings; the first is the default.

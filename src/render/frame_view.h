@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/math.h"
 #include "render/camera.h"
 #include "world/inspection.h"
 
@@ -25,6 +25,10 @@ struct DomainBox {
 
 /// Refers to the inspection, which must live until the picture is drawn.
 struct FrameView {
+  bool shows(std::string_view overlay) const {
+    return std::find(overlays.begin(), overlays.end(), overlay) != overlays.end();
+  }
+
   const Inspection& inspection;
   DomainBox domain;
   Camera camera;
@@ -33,7 +37,7 @@ struct FrameView {
   std::string coloring = "contact";   ///< from coloring_table()
   float step = 0;                     ///< [s] until the next search for contacts
   Wanted left_out{};                  ///< data that overlays want, but that is too large to be in the inspection
-  bool is_written = false;            ///< a BodyWriter has written bodies and contact marks into the renderer's buffer
+  bool is_written = false;            ///< the world has written bodies and contact marks into the renderer's buffer
 };
 
 }  // namespace ballpit

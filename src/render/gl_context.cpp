@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "render/gl_debug.h"
 
 namespace ballpit {
 
@@ -115,9 +114,7 @@ EGLContext try_context(EGLDisplay display, std::string& reason) {
     return EGL_NO_CONTEXT;
   };
   if (display == EGL_NO_DISPLAY) return fail(egl_error("eglGetPlatformDisplay"));
-  EGLint major = 0;
-  EGLint minor = 0;
-  if (!eglInitialize(display, &major, &minor)) return fail(egl_error("eglInitialize"));
+  if (!eglInitialize(display, nullptr, nullptr)) return fail(egl_error("eglInitialize"));
   if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context")) {
     return fail("no EGL_KHR_surfaceless_context");
   }
@@ -139,9 +136,29 @@ EGLContext try_context(EGLDisplay display, std::string& reason) {
   return context;
 }
 
-std::string gl_string(GLenum name) {
-  const auto* text = reinterpret_cast<const char*>(glGetString(name));
-  return text ? text : "unknown";
+/// Describes the context that is current in this thread.
+GlInfo current_gl_info(const std::string& platform) {
+  const auto text_of = [](GLenum name) {
+    const auto* text = reinterpret_cast<const char*>(glGetString(name));
+    return std::string(text ? text : "unknown");
+  };
+  const std::string renderer = text_of(GL_RENDERER);
+  const bool is_software = renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos ||
+                           renderer.find("SWR") != renderer.npos;
+  return {renderer, text_of(GL_VERSION), platform, is_software};
+}
+
+const char* error_name(GLenum error) {
+  constexpr const char* kNames[] = {"GL_INVALID_ENUM",
+                                    "GL_INVALID_VALUE",
+                                    "GL_INVALID_OPERATION",
+                                    "GL_STACK_OVERFLOW",
+                                    "GL_STACK_UNDERFLOW",
+                                    "GL_OUT_OF_MEMORY",
+                                    "GL_INVALID_FRAMEBUFFER_OPERATION",
+                                    "GL_CONTEXT_LOST"};
+  const GLenum k = error - GL_INVALID_ENUM;
+  return k < std::size(kNames) ? kNames[k] : "an unknown error";
 }
 
 }  // namespace
@@ -157,16 +174,6 @@ std::string trouble_with(const GlLibrary& library) {
     trouble = fmt::format("{} has no {}()", library.file, library.function);
   }
   return trouble.empty() ? "" : fmt::format("{}; on Debian, the package {} has it", trouble, library.package);
-}
-
-GlInfo current_gl_info(std::string platform) {
-  GlInfo info;
-  info.renderer = gl_string(GL_RENDERER);
-  info.version = gl_string(GL_VERSION);
-  info.platform = std::move(platform);
-  info.software = info.renderer.find("llvmpipe") != std::string::npos ||
-                  info.renderer.find("softpipe") != std::string::npos || info.renderer.find("SWR") != std::string::npos;
-  return info;
 }
 
 std::vector<EglDeviceInfo> list_egl_devices() {
@@ -201,6 +208,31 @@ GlContext::GlContext(int cuda_device) {
 GlContext::~GlContext() {
   if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
+}
+
+void enable_gl_debug() {
+  glEnable(GL_DEBUG_OUTPUT);
+  glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  glDebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_ERROR, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_HIGH, 0, nullptr, GL_TRUE);
+}
+
+void check_gl(const std::string& doing) {
+  if (glGetGraphicsResetStatus() != GL_NO_ERROR) {
+    throw RunError(doing, "the OpenGL context is lost, since the driver has reset the graphics device", "start again");
+  }
+  std::vector<std::string> errors;
+  // A lost context reports errors without end.
+  for (GLenum error = glGetError(); error != GL_NO_ERROR && errors.size() < 8; error = glGetError()) {
+    errors.push_back(error_name(error));
+  }
+  std::string message(8192, '\0');
+  GLsizei length = 0;  // with the zero at the end
+  while (glGetDebugMessageLog(1, static_cast<GLsizei>(message.size()), nullptr, nullptr, nullptr, nullptr, &length,
+                              message.data()) == 1) {
+    errors.push_back(message.substr(0, static_cast<size_t>(length > 0 ? length - 1 : 0)));
+  }
+  if (!errors.empty()) throw RunError(doing, "OpenGL reports " + join(errors, "; "));
 }
 
 }  // namespace ballpit

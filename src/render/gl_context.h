@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An OpenGL 4.5 core context without a window, by EGL: on a graphics device if there is one, else in software. Also gives
-// `ballpit doctor` the devices and drivers.
+// An OpenGL 4.5 core context without a window, by EGL: on a graphics device if there is one, else in software. Also
+// gives `ballpit doctor` the devices and drivers, and turns the errors that OpenGL reports (KHR_debug) into exceptions.
 #pragma once
 
 #include <string>
@@ -11,9 +11,7 @@ namespace ballpit {
 /// A library of OpenGL that libepoxy, GLFW and Dear ImGui open by name while the program runs, a function in it, and its
 /// Debian package. libepoxy ends the program if one is missing, so check with trouble_with() before its first call.
 struct GlLibrary {
-  const char* file;
-  const char* function;
-  const char* package;
+  const char *file, *function, *package;
 };
 
 inline constexpr GlLibrary kEglLibrary{"libEGL.so.1", "eglGetProcAddress", "libegl1"};  // contexts without a display
@@ -29,9 +27,6 @@ struct GlInfo {
   std::string platform;  ///< of the context: "EGL device 0", "EGL surfaceless"
   bool software = false;
 };
-
-/// Describes the context that is current in this thread.
-GlInfo current_gl_info(std::string platform);
 
 struct EglDeviceInfo {
   int index = 0;
@@ -60,5 +55,11 @@ class GlContext {
   void* context_ = nullptr;  ///< EGLContext
   GlInfo info_;
 };
+
+/// Makes the current context keep messages about errors for check_gl().
+void enable_gl_debug();
+
+/// Throws RunError with all errors of the current context since the last check; `doing` names the operation.
+void check_gl(const std::string& doing);
 
 }  // namespace ballpit

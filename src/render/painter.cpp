@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/painter.h"
 
-#include <algorithm>
-
 namespace ballpit {
 
 namespace {
@@ -59,12 +57,11 @@ void Painter::note(const std::vector<NotePart>& parts) {
   noted += height;
 }
 
-Strip Painter::take_strip(float height) {
+float Painter::take_strip(float height) {
   const float bottom = static_cast<float>(sheet.height()) - taken;
   taken += height;
-  const Strip strip{bottom - height, bottom};
-  sheet.box({0, strip.top}, {static_cast<float>(sheet.width()), strip.bottom}, ground());
-  return strip;
+  sheet.box({0, bottom - height}, {static_cast<float>(sheet.width()), bottom}, ground());
+  return bottom - height;
 }
 
 std::string counted(int64_t number, const std::string& noun) {

@@ -9,12 +9,14 @@
 //     └──────────────────────────┘
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "core/numbers.h"
-#include "render/shapes.h"
+#include "render/frame_view.h"
 #include "render/sheet.h"
 #include "render/theme.h"
 
@@ -27,11 +29,6 @@ struct NotePart {
   Swatch swatch;
   Vec3 color;
   std::string text;
-};
-
-/// From top to bottom, over the picture's whole width [pixel].
-struct Strip {
-  float top, bottom;
 };
 
 struct Painter {
@@ -47,12 +44,61 @@ struct Painter {
   void note(const std::vector<NotePart>& parts);
   void note(const std::string& text) { note({{Swatch::none, {}, text}}); }
 
-  /// Takes a strip at the lower edge and gives it a translucent ground.
-  Strip take_strip(float height);
+  /// Takes a strip at the lower edge, over the whole width, and gives it a translucent ground. Returns its top [pixel].
+  float take_strip(float height);
 
   Rgba ink(float opacity = 1) const { return to_rgba(theme.text, opacity); }
   Rgba ground() const { return to_rgba(theme.background, 0.85f); }
 };
+
+/// Computes the pixel of a point in space, for drawing on the sheet.
+class Projection {
+ public:
+  Projection(const Camera& camera, const Sheet& sheet)
+      : camera_(camera),
+        view_(camera.view()),
+        clip_(camera.projection() * view_),
+        size_(sheet.width(), sheet.height()) {}
+
+  /// [m] Distance from the plane of the eye.
+  float depth(const Vec3& point) const { return -(view_ * Vec4(point, 1)).z; }
+
+  bool sees(const Vec3& point) const { return depth(point) > camera_.near; }
+
+  /// [pixel] from the upper left corner; y goes down. Only for points that sees() accepts.
+  Vec2 at(const Vec3& point) const {
+    const Vec4 clip = clip_ * Vec4(point, 1);
+    return Vec2(1 + clip.x / clip.w, 1 - clip.y / clip.w) / 2.0f * size_;
+  }
+
+  /// [pixel] of a length [m] at a point, perpendicular to the view.
+  float length_at(const Vec3& point, float length) const {
+    return length / camera_.pixel_size(depth(point), static_cast<int>(size_.y));
+  }
+
+  /// A point at the same pixel, but nearer by `distance`: a point inside a sphere moves in front of that sphere, but stays
+  /// behind other spheres that hide it.
+  Vec3 lift(const Vec3& point, float distance) const {
+    const Vec3 towards_eye = camera_.is_orthographic() ? camera_.eye - camera_.target : camera_.eye - point;
+    return point + distance * normalize(towards_eye);
+  }
+
+ private:
+  Camera camera_;
+  Mat4 view_, clip_;
+  Vec2 size_;
+};
+
+/// Makes lines of overlays thinner where spheres are small, so that the lines do not hide the spheres.
+/// A factor for widths: 1, or less if the mean sphere is small in the picture. `unit`: 1/1080 of its height [pixel].
+inline float line_scale(const FrameView& view, const Projection& projection, float unit) {
+  constexpr float kFull = 24, kMin = 0.25f;  // the radius [unit] from which the factor is 1; the smallest factor
+  const std::vector<float>& radius = view.inspection.bodies.radius;
+  const Vec3 middle = (view.domain.min + view.domain.max) / 2.0f;
+  if (radius.empty() || !projection.sees(middle)) return 1;
+  const float mean = std::accumulate(radius.begin(), radius.end(), 0.0f) / static_cast<float>(radius.size());
+  return std::clamp(projection.length_at(middle, mean) / (kFull * unit), kMin, 1.0f);
+}
 
 /// (1, "contact") → "1 contact"; (1200, "contact") → "1 200 contacts".
 std::string counted(int64_t number, const std::string& noun);

@@ -1,29 +1,93 @@
 // SPDX-License-Identifier: MIT
 #include "render/renderer.h"
 
-#include <algorithm>
-#include <string>
-#include <utility>
+#include <fmt/format.h>
 
-#include "core/error.h"
-#include "render/domain_box.h"
-#include "render/gl_debug.h"
+#include "render/gl_context.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
 
 namespace {
 
+/// Returns `side`. Throws UserError unless the device can draw pictures of that size.
+int checked_side(int width, int height, int side) {
+  GLint texture = 0;
+  GLint viewport[2] = {0, 0};
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+  const int largest = std::min({texture, viewport[0], viewport[1]});
+  if (width >= 1 && height >= 1 && width <= largest && height <= largest) return side;
+  throw UserError("--size", fmt::format("{}x{} pixels, supersampling included", width, height),
+                  fmt::format("sides of 1 to {} pixels here", largest));
+}
+
+/// In the layout of shaders/frame/frame.glsl (std140).
+struct FrameBlock {
+  Mat4 view, projection;
+  Vec4 key_light, halfway, sky, units, shadow, background, mark_color[2 + kScaleColors];
+  Vec2 viewport;
+  float pixel, line_unit;
+};
+
+/// For a picture of this size [pixel]: for all shaders used from now on.
+void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& theme, int width, int height) {
+  FrameBlock uniforms;
+  const DomainBox& domain = view.domain;
+  const Camera camera = in_units(view.camera, domain.min, domain.longest_edge());
+  uniforms.view = camera.view();
+  uniforms.projection = camera.projection();
+  // The light is behind the viewer's left shoulder and moves with the camera, so the lit sides are always visible.
+  const Vec3 light = normalize(Vec3(-0.5f, 0.75f, 0.75f));
+  uniforms.key_light = Vec4(light, theme.key);
+  uniforms.halfway = Vec4(normalize(light + Vec3(0, 0, 1)), 0);
+  uniforms.sky = Vec4(Vec3(uniforms.view * Vec4(0, 1, 0, 0)), theme.ambient);
+  uniforms.units = Vec4(domain.min, 1 / domain.longest_edge());
+  uniforms.shadow = Vec4(theme.shadow, 0, 0, 0);
+  uniforms.background = Vec4(theme.background, 1);
+  for (int mark = 0; mark < 2 + kScaleColors; ++mark) uniforms.mark_color[mark] = Vec4(color_of(theme, mark), 1);
+  uniforms.viewport = Vec2(width, height);
+  uniforms.pixel = camera.pixel_size(1.0f, height);
+  uniforms.line_unit = static_cast<float>(height) / 1080.0f;
+  glNamedBufferData(buffer.name(), sizeof(uniforms), &uniforms, GL_DYNAMIC_DRAW);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer.name());
+}
+
+constexpr float kWidth = 4.0f;  // of edges [1/1080 of the picture's height]
+constexpr float kOpacity = 0.6f;
+constexpr float kRise = 0.1f;  // of the box's height: by how much upright edges of an open box are longer
+
+/// Planar scenes have no floor.
+void draw_floor(const DomainBox& domain, Painter& painter) {
+  if (domain.is_planar()) return;
+  const Vec3 size = domain.max - domain.min;
+  painter.faces.draw({{domain.min, {size.x, 0, 0}, {0, 0, size.z}, to_rgba(painter.theme.floor)}});
+}
+
+/// The edges of the box. Without a ceiling, the upright ones continue above it and fade.
+void draw_edges(const DomainBox& domain, Painter& painter) {
+  const Rgba color = to_rgba(painter.theme.domain, kOpacity), faded = to_rgba(painter.theme.domain, 0);
+  std::vector<Line> lines;
+  for_each_edge(domain.min, domain.max - domain.min, domain.is_planar() ? 4 : 8,
+                [&](const Vec3& from, const Vec3& along) {
+                  const Vec3 to = from + along;
+                  if (domain.open_top && along.y == 0 && from.y > domain.min.y) return;
+                  lines.push_back({from, color, to, color});
+                  if (domain.open_top && along.y > 0) lines.push_back({to, color, to + kRise * along, faded});
+                });
+  painter.lines.draw(lines, kWidth * painter.line_unit);
+}
+
 /// Where to draw a picture that is averaged afterwards; none if it is drawn as it is.
 std::optional<RenderTarget> large_target(const RenderTarget& picture, int supersample) {
   if (supersample < 1 || supersample > 4) throw UserError("--supersample", std::to_string(supersample), "1 to 4");
   if (supersample == 1) return std::nullopt;
-  return RenderTarget(picture.width() * supersample, picture.height() * supersample);
+  return RenderTarget(picture.width * supersample, picture.height * supersample);
 }
 
 void draw_overlays(const FrameView& view, Painter& painter, bool before_bodies) {
   for (const OverlayEntry& entry : overlay_table()) {
-    if (std::find(view.overlays.begin(), view.overlays.end(), entry.name) == view.overlays.end()) continue;
+    if (!view.shows(entry.name)) continue;
     const std::string lack = before_bodies ? "" : entry.lack(view.inspection);
     if (!lack.empty()) painter.note(std::string(entry.label) + ": " + lack);
     if (before_bodies == (entry.is_under_discs && view.domain.is_planar())) entry.draw(view, painter);
@@ -31,6 +95,24 @@ void draw_overlays(const FrameView& view, Painter& painter, bool before_bodies) 
 }
 
 }  // namespace
+
+RenderTarget::RenderTarget(int its_width, int its_height)
+    : width(checked_side(its_width, its_height, its_width)), height(checked_side(its_width, its_height, its_height)) {
+  glTextureStorage2D(color.name(), 1, GL_RGBA8, width, height);
+  glTextureStorage2D(depth.name(), 1, GL_DEPTH_COMPONENT32F, width, height);
+  check_gl(fmt::format("making a picture of {}x{} pixels", width, height));
+  glNamedFramebufferTexture(framebuffer.name(), GL_COLOR_ATTACHMENT0, color.name(), 0);
+  glNamedFramebufferTexture(framebuffer.name(), GL_DEPTH_ATTACHMENT, depth.name(), 0);
+  const GLenum status = glCheckNamedFramebufferStatus(framebuffer.name(), GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE) {
+    throw RunError("OpenGL", fmt::format("cannot draw into the picture: framebuffer status {}", status));
+  }
+}
+
+void RenderTarget::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+  glViewport(0, 0, width, height);
+}
 
 Renderer::Renderer(int width, int height, const RenderOptions& options)
     : options_(options), picture_(width, height), large_(large_target(picture_, options.supersample)) {
@@ -61,8 +143,8 @@ void Renderer::draw(const FrameView& view) {
   canvas().bind();
   set_state();
   const int left = options_.left * options_.supersample;
-  glViewport(left, 0, canvas().width() - left, canvas().height());
-  uniforms_.set(view, options_.theme, canvas().width() - left, canvas().height());
+  glViewport(left, 0, canvas().width - left, canvas().height);
+  set_uniforms(uniforms_, view, options_.theme, canvas().width - left, canvas().height);
   draw_scene(view, coloring, colored);
   if (large_) average();
   picture_.bind();
@@ -83,7 +165,7 @@ void Renderer::set_state() {
 }
 
 void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, const Colored& colored) {
-  const int height = canvas().height();
+  const int height = canvas().height;
   Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f, {}, {}};
   draw_floor(view.domain, painter);
   draw_overlays(view, painter, true);
@@ -100,7 +182,7 @@ void Renderer::average() {
   glDisable(GL_DEPTH_TEST);
   average_.set("per_side", options_.supersample);
   average_.use();
-  glBindTextureUnit(0, large_->color());
+  glBindTextureUnit(0, large_->color.name());
   glBindVertexArray(no_attributes_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -110,7 +192,7 @@ Image Renderer::read_pixels() {
   const size_t row = static_cast<size_t>(image.width) * 4;
   image.pixels.resize(row * static_cast<size_t>(image.height));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer.name());
   glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
   check_gl("reading a frame");
   for (int y = 0; y < image.height / 2; ++y) {  // OpenGL's rows go from bottom to top
@@ -123,7 +205,7 @@ Image Renderer::read_pixels() {
 
 void Renderer::copy_to_window() {
   const int w = width(), h = height();
-  glBlitNamedFramebuffer(picture_.framebuffer(), 0, 0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBlitNamedFramebuffer(picture_.framebuffer.name(), 0, 0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   check_gl("showing a frame");
 }
 

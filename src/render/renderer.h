@@ -5,19 +5,23 @@
 
 #include <optional>
 
-#include "render/body_buffer.h"
-#include "render/body_renderer.h"
 #include "render/coloring.h"
-#include "render/frame_uniforms.h"
-#include "render/frame_view.h"
 #include "render/image.h"
 #include "render/painter.h"
-#include "render/render_target.h"
-#include "render/shapes.h"
-#include "render/sheet.h"
-#include "render/theme.h"
 
 namespace ballpit {
+
+/// A framebuffer to draw a picture into, with textures for colour and depth.
+struct RenderTarget {
+  /// Throws UserError if the device cannot draw pictures of that size.
+  RenderTarget(int its_width, int its_height);
+
+  void bind() const;  ///< directs drawing to the whole picture
+
+  int width, height;  ///< [pixel]
+  GlTexture color, depth;
+  GlFramebuffer framebuffer;
+};
 
 struct RenderOptions {
   Theme theme = themes().front();
@@ -40,14 +44,11 @@ class Renderer {
   /// Copies the picture to the window's framebuffer.
   void copy_to_window();
 
-  int width() const { return picture_.width(); }
-  int height() const { return picture_.height(); }
+  int width() const { return picture_.width; }
+  int height() const { return picture_.height; }
 
-  /// What is drawn, for a BodyWriter.
-  BodyBuffer& bodies() { return bodies_; }
-
-  /// Where text is drawn; a panel shares it.
-  Sheet& sheet() { return sheet_; }
+  BodyBuffer& bodies() { return bodies_; }  ///< what is drawn, for a world that writes its bodies
+  Sheet& sheet() { return sheet_; }         ///< where text is drawn; a panel shares it
 
   /// Changes style or size; what is shown stays the same.
   void set_options(const RenderOptions& options);
@@ -64,7 +65,7 @@ class Renderer {
   std::optional<RenderTarget> large_;  // where supersampled pictures are drawn
   Sheet sheet_;
   BodyBuffer bodies_;
-  FrameUniforms uniforms_;
+  GlBuffer uniforms_;  // what all shaders share: light, camera, colours (shaders/frame/frame.glsl)
   BodyRenderer body_renderer_;
   LineRenderer lines_;
   FaceRenderer faces_;

@@ -12,7 +12,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/math.h"
 #include "render/shapes.h"
 
 struct ImGuiContext;
@@ -29,7 +28,7 @@ struct Anchor {
   float x = 0, y = 0;
 };
 inline constexpr Anchor kUpperLeft{0, 0}, kUpperRight{1, 0}, kLowerLeft{0, 1}, kCentre{0.5f, 0.5f}, kLeft{0, 0.5f},
-    kRight{1, 0.5f}, kTop{0.5f, 0}, kBottom{0.5f, 1};
+    kTop{0.5f, 0}, kBottom{0.5f, 1};
 
 class Sheet {
  public:
@@ -46,7 +45,6 @@ class Sheet {
   int width() const { return width_ - left_; }  ///< [pixel] beside a panel
   int picture_width() const { return width_; }  ///< [pixel] with it
   int height() const { return height_; }        ///< [pixel]
-  int left() const { return left_; }            ///< [pixel] of the width, for a panel
   float unit() const;                           ///< [pixel] 1/1080 of the height
 
   Vec2 size_of(std::string_view text, TextSize size = TextSize::normal) const;  ///< [pixel]

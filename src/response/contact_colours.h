@@ -13,12 +13,9 @@
 // 10.1145/2980179.2982437.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
 #include "exec/reduce.h"
 
 namespace ballpit {
@@ -93,7 +90,6 @@ class ContactColours {
     }
   }
 
-  int count() const { return static_cast<int>(first_.size()) - 1; }
   int64_t bytes() const { return colour_.bytes() + order_.bytes() + named_.bytes() + offsets_.bytes(); }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Impulses: contacts exchange momentum so that spheres part with the speed that restitution requires; remaining overlap
-// is pushed apart. There is no friction: impulses act along normals only, so no sphere rotates.
+// is pushed apart. There is no friction. docs/responses.md explains and measures every rule.
 //
 //     for each contact (i, j), normal n from i to j, inverse masses w:
 //         u  = (v_j − v_i) · n                     present speed of parting
@@ -8,43 +8,114 @@
 //         λ' = max(0, λ + (u* − u) / (c_i·w_i + c_j·w_j))      total impulse: a contact never pulls
 //     v_i ← v_i + w_i · Σ ∓ (λ' − λ) · n
 //
-// Only the total impulse must not pull, so an iteration may take back an excess of an earlier one. Otherwise spheres
-// that part at e = 1 would gain energy from each other's errors.
-//
-// By default all contacts are solved at once from the same velocities (Jacobi), which is parallel and has a fixed
-// order. A body with several contacts would then answer each of them in full and gain energy. So its mass is split
-// among its c contacts: each contact solves its own pair of parts, and the parts are averaged. Averaging never adds
-// kinetic energy, so an iteration with e = 0 does not either, and momentum is exchanged in equal and opposite portions.
-// The first iteration solves a single contact exactly; heaps converge over iterations and steps. Walls at right angles
-// are independent: a body solves all of them in one part, so a corner is exact, too. With u₀ from before the kick, a
-// ball that bounces with e = 1 rises to the height that it fell from: the kick in the step of the impact is not
-// reflected. A ball at rest stays at rest.
+// Only the total impulse must not pull, so an iteration may take back an excess of an earlier one. By default all
+// contacts are solved at once from the same velocities (Jacobi), and the mass of a body is split among its c contacts:
+// an average of the parts never adds energy. Walls are at right angles, so they are one part. With --solver
+// gauss-seidel contacts are solved one after another, with c = 1 and the velocities that the ones before have left:
+// walls first, then contacts colour by colour (contact_colours.h). That needs fewer iterations, but more launches.
 //
 // The overlap that a contact entered during the last step is removed by moving the bodies, unless their new velocities
-// remove it anyway: this adds no energy. Older overlap carries a heap. Under gravity it gets a speed of parting,
-// u* = push · overlap / dt, at most push_limit, so that n layers rest at an overlap of at most about c/push·n·g·dt².
-// Without gravity it is removed by moving the bodies as well.
-//
-// With --solver gauss-seidel contacts are solved colour by colour, with c = 1. A stack then needs a quarter of the
-// iterations, but each costs one launch per colour, so Jacobi is the default.
+// remove it anyway. Older overlap carries a heap. Under gravity it gets a speed of parting, u* = push · overlap / dt,
+// at most push_limit; without gravity it is removed by moving the bodies as well.
 //
 // Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), one launch (Jacobi).
 // Source: mass splitting: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
-// simulation" (2012), doi 10.1145/2185520.2185601; impulse of a pair: Δp = (1+e)·μ·(v₁₂·n)·n with the reduced mass μ.
+// simulation" (2012), doi 10.1145/2185520.2185601; Gauss–Seidel: Catto, "Iterative Dynamics with Temporal Coherence"
+// (2005). Its siblings: kinematic.h, penalty.h, position_based.h.
 #pragma once
 
 #include <utility>
 
-#include "bodies/bodies_view.h"
-#include "bodies/contacts.h"
-#include "core/span.h"
+#include "bodies/tally.h"
 #include "response/contact_colours.h"
-#include "response/impulse_gauss_seidel.h"
-#include "response/impulse_jacobi.h"
-#include "response/impulse_notes.h"
-#include "response/walls_view.h"
+#include "response/impulse_law.h"
 
 namespace ballpit {
+
+/// Kernel: one Jacobi iteration for body i; reads the velocities and sums of the last iteration, writes new ones.
+/// Bodies gather: both bodies of a contact compute its impulse, so no two threads write to the same memory.
+template <class V>
+struct ResolveVelocity {
+  using Real = Scalar<V>;
+  ImpulseView<V> view;
+  Span<const ContactConstraint<V>> constraints;
+  Span<const V> velocity;
+  Span<const Real> exchanged;  ///< total impulse of each contact so far [kg·m/s]
+  Span<V> next_velocity;
+  Span<Real> next_exchanged;
+  WallSums<V> walls;
+  bool is_first;  ///< iteration: sums count as 0; the memory is not initialized
+
+  HOST_DEVICE void operator()(int i) const {
+    const V own = velocity[i];
+    const Real inverse_mass = view.bodies.inverse_mass[i];
+    if (view.share[i] == 0) {
+      next_velocity[i] = own;
+      return;
+    }
+    V impulse{};
+    view.contacts.for_each_of(i, [&](int c, int other, int side) {
+      const ContactConstraint<V>& contact = constraints[c];
+      const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
+      Real sum = is_first ? Real(0) : exchanged[c];
+      impulse -= contact.normal * (Real(side) * add_unless_pulling(sum, contact.mass * (contact.wanted - parting)));
+      if (side > 0) next_exchanged[c] = sum;
+    });
+    V at_walls = own;  // velocity of the one part that meets all walls, one after the other
+    const Real part = view.share[i] * inverse_mass;
+    view.for_each_wall(i, [&](int axis, int side, Real overlap) {
+      Real& sum = walls.at(i, axis, side);
+      if (is_first) sum = 0;
+      const Real missing = view.missing_at_wall(i, at_walls, axis, side, overlap);
+      const Real change = Real(side) * add_unless_pulling(sum, missing / part);
+      impulse[axis] -= change;
+      at_walls[axis] -= change * part;
+    });
+    next_velocity[i] = own + impulse * inverse_mass;
+  }
+};
+
+/// Kernel: solves the walls of body i.
+template <class V>
+struct SolveWalls {
+  using Real = Scalar<V>;
+  ImpulseView<V> view;
+  Span<V> velocity;
+  WallSums<V> walls;
+
+  HOST_DEVICE void operator()(int i) const {
+    const Real inverse_mass = view.bodies.inverse_mass[i];
+    V own = velocity[i];
+    view.for_each_wall(i, [&](int axis, int side, Real overlap) {
+      Real& sum = walls.at(i, axis, side);
+      const Real change = add_unless_pulling(sum, view.missing_at_wall(i, own, axis, side, overlap) / inverse_mass);
+      own[axis] -= Real(side) * change * inverse_mass;
+    });
+    velocity[i] = own;
+  }
+};
+
+/// Kernel: solves the k-th contact of a colour. `exchanged` is each contact's total impulse [kg·m/s].
+template <class V>
+struct SolveContact {
+  using Real = Scalar<V>;
+  ImpulseView<V> view;
+  Span<const ContactConstraint<V>> constraints;
+  Span<const int> colour;
+  Span<V> velocity;
+  Span<Real> exchanged;
+
+  HOST_DEVICE void operator()(int k) const {
+    const int c = colour[k];
+    const Pair pair = view.contacts.pairs[c];
+    const V normal = constraints[c].normal;
+    const Real wi = view.bodies.inverse_mass[pair.i], wj = view.bodies.inverse_mass[pair.j];
+    const Real missing = constraints[c].wanted - dot(velocity[pair.j] - velocity[pair.i], normal);
+    const V impulse = normal * add_unless_pulling(exchanged[c], missing / (wi + wj));
+    velocity[pair.i] -= impulse * wi;
+    velocity[pair.j] += impulse * wj;
+  }
+};
 
 template <class V, class Exec>
 class ImpulseResponse {
@@ -53,7 +124,7 @@ class ImpulseResponse {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  explicit ImpulseResponse(const ImpulseParameters& parameters) : parameters_(parameters) {}
+  explicit ImpulseResponse(const ImpulseParameters<Real>& parameters) : parameters_(parameters) {}
 
   /// Resolves all contacts of a step of dt. `bodies` has the velocities before the kick, `kicked` those after it.
   /// Writes the new ones to `velocity`, which may be the same array as `kicked`.
@@ -63,7 +134,7 @@ class ImpulseResponse {
     share_.resize(n);
     other_.resize(n);
     constraints_.resize(m);
-    const ImpulseView<V> view = view_of(bodies, walls, contacts, dt);
+    const ImpulseView<V> view{bodies, walls, contacts, share_.span(), parameters_, dt};
     exec.parallel_for("count shares", n, CountShares<V>{view, share_.span()});
     exec.parallel_for("constrain contacts", m, ConstrainContact<V>{view, constraints_.span()});
     exchanged_.resize(m);
@@ -91,24 +162,6 @@ class ImpulseResponse {
   }
 
  private:
-  ImpulseView<V> view_of(const BodiesView<V>& bodies, const WallsView<V>& walls, const ContactsView<V>& contacts,
-                         Real dt) {
-    const auto& p = parameters_;
-    return {bodies,
-            walls,
-            contacts,
-            share_.span(),
-            dt,
-            Real(p.restitution),
-            Real(p.wall_restitution),
-            Real(p.push),
-            Real(p.push_limit),
-            Real(p.entered),
-            Real(p.correction),
-            Real(p.foresight),
-            Real(p.slop)};
-  }
-
   void solve_at_once(Exec& exec, const ImpulseView<V>& view, Span<const V> kicked, Buffer<V>& velocity,
                      const WallSums<V>& walls) {
     next_exchanged_.resize(exchanged_.size());
@@ -143,7 +196,7 @@ class ImpulseResponse {
     }
   }
 
-  ImpulseParameters parameters_;
+  ImpulseParameters<Real> parameters_;
   Buffer<Real> share_;
   Buffer<ContactConstraint<V>> constraints_;
   Buffer<V> other_;       // velocities of the previous iteration, then the corrections

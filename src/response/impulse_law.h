@@ -4,21 +4,19 @@
 
 #include "bodies/bodies_view.h"
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
 #include "response/walls_view.h"
 
 namespace ballpit {
 
+template <class Real>
 struct ImpulseParameters {
-  double restitution = 0.8;       ///< sphere–sphere
-  double wall_restitution = 0.8;  ///< sphere–wall
-  double push = 0.8;              ///< fraction of the old overlap that a step pushes out by velocity …
-  double push_limit = 0.0;        ///< [m/s] … at most at this speed
-  double entered = 1.0;           ///< fraction of the entered overlap that a step removes by moving bodies
-  double correction = 0.0;        ///< the same for the old overlap
-  double foresight = 1.0;         ///< fraction of the overlap removed by the new velocity that is left to it
-  double slop = 0.005;            ///< overlap kept so that contacts persist: a fraction of r_i + r_j, or of r at a wall
+  Real restitution, wall_restitution;
+  Real push = Real(0.8);    ///< fraction of the old overlap that a step pushes out by velocity …
+  Real push_limit = 0;      ///< [m/s] … at most at this speed
+  Real entered = 1;         ///< fraction of the entered overlap that a step removes by moving bodies
+  Real correction = 0;      ///< the same for the old overlap
+  Real foresight = 1;       ///< fraction of the overlap removed by the new velocity that is left to it
+  Real slop = Real(0.005);  ///< overlap kept so that contacts persist: a fraction of r_i + r_j, or of r at a wall
   int iterations = 4;
   bool is_by_colour = false;  ///< Gauss–Seidel instead of Jacobi
 };
@@ -40,7 +38,8 @@ struct ImpulseView {
   WallsView<V> walls;
   ContactsView<V> contacts;
   Span<const Real> share;  ///< c: contacts of each body; all walls count as one
-  Real dt, restitution, wall_restitution, push, push_limit, entered, correction, foresight, slop;
+  ImpulseParameters<Real> law;
+  Real dt;  ///< [s]
 
   /// Calls visit(axis, side, overlap) for each wall of body i.
   template <class Visit>
@@ -56,7 +55,7 @@ struct ImpulseView {
       before += kick * first;
       later = kick * (1 - first);
     }
-    return wanted(wall_restitution, before, overlap, bodies.radius[i], later) + Real(side) * velocity[axis];
+    return wanted(law.wall_restitution, before, overlap, bodies.radius[i], later) + Real(side) * velocity[axis];
   }
 
   /// The speed that the rest of the step's kick adds to the parting of contact c [m/s]: 0 unless contacts are swept,
@@ -74,31 +73,24 @@ struct ImpulseView {
 
   /// The overlap from before the last step, less the slop [m].
   HOST_DEVICE Real old_overlap(Real separation, Real overlap, Real radii) const {
-    const Real old = overlap - entered_overlap(separation, overlap) - slop * radii;
+    const Real old = overlap - entered_overlap(separation, overlap) - law.slop * radii;
     return old > 0 ? old : Real(0);
   }
 
   /// The overlap to be removed by moving the bodies [m].
   HOST_DEVICE Real removable(Real separation, Real overlap, Real radii) const {
-    return entered * entered_overlap(separation, overlap) + correction * old_overlap(separation, overlap, radii);
+    return law.entered * entered_overlap(separation, overlap) +
+           law.correction * old_overlap(separation, overlap, radii);
   }
 
   /// The wanted speed of parting at the end of the step [m/s]: the larger one of the rebound by restitution, plus the
   /// kick that is added `later`, and of the speed that pushes out old overlap.
   HOST_DEVICE Real wanted(Real e, Real separation, Real overlap, Real radii, Real later) const {
     const Real rebound = separation < 0 ? later - e * separation : Real(0);
-    const Real out = push * old_overlap(separation, overlap, radii) / dt;
-    const Real limited = out < push_limit ? out : push_limit;
+    const Real out = law.push * old_overlap(separation, overlap, radii) / dt;
+    const Real limited = out < law.push_limit ? out : law.push_limit;
     return limited > rebound ? limited : rebound;
   }
-};
-
-/// The total impulses of the walls at min (low) and max (high) on each body, along each axis [kg·m/s]. Undefined for
-/// bodies without a wall; empty if the domain has no walls.
-template <class V>
-struct WallSums {
-  Span<V> low, high;
-  HOST_DEVICE Scalar<V>& at(int i, int axis, int side) const { return side < 0 ? low[i][axis] : high[i][axis]; }
 };
 
 /// Adds `more` to the total impulse of a contact, but limits the sum so that it does not pull; returns the change. So
@@ -159,7 +151,8 @@ struct ConstrainContact {
     const Scalar<V> softness = view.share[pair.i] * inverse_mass[pair.i] + view.share[pair.j] * inverse_mass[pair.j];
     const Scalar<V> radii = radius[pair.i] + radius[pair.j];
     const Scalar<V> later = view.later(c, pair, contact.normal);
-    constraints[c] = {contact.normal, view.wanted(view.restitution, contact.separation, contact.overlap, radii, later),
+    constraints[c] = {contact.normal,
+                      view.wanted(view.law.restitution, contact.separation, contact.overlap, radii, later),
                       view.removable(contact.separation, contact.overlap, radii), 1 / softness};
   }
 };
@@ -181,13 +174,13 @@ struct CorrectPosition {
       view.contacts.for_each_of(i, [&](int c, int other, int side) {
         const ContactConstraint<V>& contact = constraints[c];
         const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
-        const Real left = contact.overlap - view.foresight * parting * view.dt;
+        const Real left = contact.overlap - view.law.foresight * parting * view.dt;
         move -= contact.normal * (Real(side) * contact.mass * (left > 0 ? left : Real(0)));
       });
       move *= view.bodies.inverse_mass[i];
       view.for_each_wall(i, [&](int axis, int side, Real overlap) {
         const Real before = -Real(side) * view.bodies.velocity[i][axis], parting = -Real(side) * own[axis];
-        const Real left = view.removable(before, overlap, radius) - view.foresight * parting * view.dt;
+        const Real left = view.removable(before, overlap, radius) - view.law.foresight * parting * view.dt;
         if (left > 0) move[axis] -= Real(side) * left / view.share[i];
       });
     }

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Kinematic: a sphere that has run into something moves back out of it, and its velocity is mirrored at the normal. The
-// first response of the course's exercise sheet 2: it looks plausible, but is not physics.
+// first response of the course's exercise sheet 2: it looks plausible, but is not physics (docs/responses.md).
 //
 //      last valid  ○╌╌╌╌▸◉ now, in contact       N = the part of v that runs into its contacts
 //                  ◂╌╌╌╌╌                         x ← x − N·dt      v ← v − (1 + e)·N
 //
 // N is the point of the cone {Σ λ·n, λ ≥ 0} that is nearest to v, where n are the normals from the sphere to the
-// obstacles that it touches (Moreau). With one contact N is (v·n)·n; in a corner each component is mirrored separately.
-// The order of contacts does not matter.
-//
-// Each sphere is mirrored as if it had hit a wall, without an exchange of momentum. So momentum is not conserved.
-// Energy is conserved for e = 1: moved back by N·dt and mirrored, the sphere returns along the same path, kick by kick.
-// A sphere that would part by less than half a kick has come to rest: it stays in contact, and the contact takes the
-// kick. Walls follow the same law. Cost: O(n + contacts), one launch. Source: Moreau, "Unilateral contact and dry
-// friction in finite freedom dynamics" (1988), doi 10.1007/978-3-7091-2624-0_1. Its siblings: impulse.h, penalty.h,
-// position_based.h.
+// obstacles that it touches (Moreau). Momentum is not conserved; energy is for e = 1. A sphere that would part by less
+// than half a kick has come to rest: it stays in contact, and the contact takes the kick. Walls follow the same law.
+// Cost: O(n + contacts), one launch. Source: Moreau, "Unilateral contact and dry friction in finite freedom dynamics"
+// (1988), doi 10.1007/978-3-7091-2624-0_1. Its siblings: impulse.h, penalty.h, position_based.h.
 #pragma once
 
 #include <cmath>
@@ -22,9 +17,7 @@
 
 #include "bodies/bodies_view.h"
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
-#include "response/impulse_notes.h"
+#include "bodies/tally.h"
 #include "response/walls_view.h"
 
 namespace ballpit {

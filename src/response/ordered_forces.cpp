@@ -8,60 +8,15 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace ballpit {
 namespace HWY_NAMESPACE {
 
-template <class V>
-HWY_INLINE void AddTo(Vec4& sum, const V& force, float sign) {
-  for (int axis = 0; axis < kDimensions<V>; ++axis) sum[axis] += sign * force[axis];
-}
-
-/// The corners of the box in the layout of registers; infinitely far if there are no walls.
-template <class V>
-void CornersOf(const Box<V>& box, Vec4& low, Vec4& high) {
-  low = Vec4(-Box<V>::kFar);
-  high = Vec4(Box<V>::kFar);
-  for (int axis = 0; axis < kDimensions<V> && !box.is_periodic(); ++axis) {
-    low[axis] = box.min[axis];
-    high[axis] = box.max[axis];
-  }
-}
-
 #if HWY_TARGET == HWY_SCALAR
 
 template <class V>
-int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
-                     Span<int> at_walls) {
-  Vec4 low, high;
-  CornersOf(box, low, high);
-  int count = 0;
-  for (int i = 0; i < static_cast<int>(acceleration.size()); ++i) {
-    const Vec4& p = packed.position[i];
-    bool is_near = false;
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      is_near = is_near | (p[axis] - low[axis] <= p.w) | (high[axis] - p[axis] <= p.w);
-      acceleration[i][axis] = gravity[axis] + packed.sum[i][axis] * packed.velocity[i].w;
-    }
-    at_walls[count] = i;
-    count += is_near;
-  }
-  return count;
-}
-
-template <class V>
-void AddForces(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
-  for (const Pair& pair : pairs) {
-    float along;
-    const V force = force_of(pair, along);
-    AddTo(packed.sum[pair.i], force, -1);
-    AddTo(packed.sum[pair.j], force, 1);
-  }
+OrderedFunctions<V> Functions() {
+  return {};
 }
 
 #else
@@ -75,9 +30,13 @@ HWY_INLINE Floats Load(const Vec4& v) { return hn::LoadU(Lanes(), &v.x); }
 template <class V>
 int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
                      Span<int> at_walls) {
-  Vec4 low, high, g(0);
-  CornersOf(box, low, high);
-  for (int axis = 0; axis < kDimensions<V>; ++axis) g[axis] = gravity[axis];
+  Vec4 low(-Box<V>::kFar), high(Box<V>::kFar), g(0);  // infinitely far if there are no walls
+  for (int axis = 0; axis < kDimensions<V>; ++axis) {
+    g[axis] = gravity[axis];
+    if (box.is_periodic()) continue;
+    low[axis] = box.min[axis];
+    high[axis] = box.max[axis];
+  }
   const Floats lowest = Load(low), highest = Load(high), pull = Load(g);
   const int n = static_cast<int>(acceleration.size());
   int count = 0;
@@ -141,8 +100,10 @@ class ForceAdder {
   void AddOne(const Pair& pair) const {
     float along;
     const V force = force_of_(pair, along);
-    AddTo(packed_.sum[pair.i], force, -1);
-    AddTo(packed_.sum[pair.j], force, 1);
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      packed_.sum[pair.i][axis] -= force[axis];
+      packed_.sum[pair.j][axis] += force[axis];
+    }
   }
 
   HWY_INLINE void AddFour(const Pair* pairs) const {
@@ -235,22 +196,15 @@ void AddForces(const PairForce<V>& force_of, Span<const Pair> pairs, const Packe
   }
 }
 
+template <class V>
+OrderedFunctions<V> Functions() {
+  return {AddForces<V>, AccelerateBySums<V>};
+}
+
 #endif
 
-void AddForces2(const PairForce<Vec2>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
-  AddForces(force_of, pairs, packed);
-}
-void AddForces3(const PairForce<Vec3>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
-  AddForces(force_of, pairs, packed);
-}
-int Accelerate2(const Box<Vec2>& box, const Vec2& gravity, const PackedBodies& packed, Span<Vec2> acceleration,
-                Span<int> at_walls) {
-  return AccelerateBySums(box, gravity, packed, acceleration, at_walls);
-}
-int Accelerate3(const Box<Vec3>& box, const Vec3& gravity, const PackedBodies& packed, Span<Vec3> acceleration,
-                Span<int> at_walls) {
-  return AccelerateBySums(box, gravity, packed, acceleration, at_walls);
-}
+OrderedFunctions<Vec2> Functions2() { return Functions<Vec2>(); }
+OrderedFunctions<Vec3> Functions3() { return Functions<Vec3>(); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace ballpit
@@ -259,29 +213,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ballpit {
 
-HWY_EXPORT(AddForces2);
-HWY_EXPORT(AddForces3);
-HWY_EXPORT(Accelerate2);
-HWY_EXPORT(Accelerate3);
+HWY_EXPORT(Functions2);
+HWY_EXPORT(Functions3);
 
 template <>
-void add_ordered_forces(const PairForce<Vec2>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
-  HWY_DYNAMIC_DISPATCH(AddForces2)(force_of, pairs, packed);
+OrderedFunctions<Vec2> ordered_functions() {
+  return HWY_DYNAMIC_DISPATCH(Functions2)();
 }
 template <>
-void add_ordered_forces(const PairForce<Vec3>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
-  HWY_DYNAMIC_DISPATCH(AddForces3)(force_of, pairs, packed);
-}
-
-template <>
-int accelerate_by_sums(const Box<Vec2>& box, const Vec2& gravity, const PackedBodies& packed, Span<Vec2> acceleration,
-                       Span<int> at_walls) {
-  return HWY_DYNAMIC_DISPATCH(Accelerate2)(box, gravity, packed, acceleration, at_walls);
-}
-template <>
-int accelerate_by_sums(const Box<Vec3>& box, const Vec3& gravity, const PackedBodies& packed, Span<Vec3> acceleration,
-                       Span<int> at_walls) {
-  return HWY_DYNAMIC_DISPATCH(Accelerate3)(box, gravity, packed, acceleration, at_walls);
+OrderedFunctions<Vec3> ordered_functions() {
+  return HWY_DYNAMIC_DISPATCH(Functions3)();
 }
 
 }  // namespace ballpit

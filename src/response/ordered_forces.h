@@ -14,10 +14,6 @@
 
 #include <type_traits>
 
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
 #include "exec/cpu_executor.h"
 #include "response/pair_force.h"
 
@@ -32,35 +28,21 @@ struct PackedBodies {
   Span<Vec4> sum;
 };
 
-/// sum[i] −= f, sum[j] += f for each pair, in their order.
+/// The sums, by the best instructions of this processor; null if it has none.
 template <class V>
-void add_ordered_forces(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed);
+struct OrderedFunctions {
+  /// sum[i] −= f, sum[j] += f for each pair, in their order.
+  void (*add_forces)(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed) = nullptr;
 
-/// acceleration[i] = gravity + sum[i] · inverse mass for each body [m/s²]. Writes the bodies that touch a wall, or
-/// nearly do, to `at_walls`, and returns their number.
-template <class V>
-int accelerate_by_sums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
-                       Span<int> at_walls);
-
-/// Kernel: packs body i, and clears its sum.
-template <class V>
-struct PackBody {
-  BodiesView<V> bodies;
-  Span<Vec4> position, velocity, sum;
-
-  void operator()(int i) const {
-    Vec4 p(0), v(0);
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      p[axis] = bodies.position[i][axis];
-      v[axis] = bodies.velocity[i][axis];
-    }
-    p.w = bodies.radius[i];
-    v.w = bodies.inverse_mass[i];
-    position[i] = p;
-    velocity[i] = v;
-    sum[i] = Vec4(0);
-  }
+  /// acceleration[i] = gravity + sum[i] · inverse mass for each body [m/s²]. Writes the bodies that touch a wall, or
+  /// nearly do, to `at_walls`, and returns their number.
+  int (*accelerate)(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
+                    Span<int> at_walls) = nullptr;
 };
+
+/// For Vec2 and Vec3.
+template <class V>
+OrderedFunctions<V> ordered_functions();
 
 /// For other executors and precisions: empty.
 template <class V, class Exec>
@@ -73,37 +55,48 @@ template <class V>
 requires kHasOrderedForces<V, CpuExecutor>
 class OrderedForces<V, CpuExecutor> {
  public:
-  /// The sums of all bodies' forces [N], in x, y and z.
-  template <class State>
-  Span<const Vec4> add_up(State& state, Span<const Pair> pairs, const PenaltyLaw<float>& law) {
-    CpuExecutor& exec = state.exec();
-    const int64_t n = state.count();
-    for (HostBuffer<Vec4>* buffer : {&position_, &velocity_, &sum_}) buffer->resize(n);
-    const BodiesView<V> bodies = state.view();
-    exec.parallel_for("pack bodies", n, PackBody<V>{bodies, position_.span(), velocity_.span(), sum_.span()});
-    exec.parallel_for_blocks("pair forces", 1, [&](int64_t) {
-      add_ordered_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed());
-    });
-    return sum_.span();
-  }
+  /// Whether the processor has the instructions.
+  bool is_available() const { return functions_.add_forces != nullptr; }
 
-  /// After add_up(): all accelerations without the walls' forces [m/s²]. Returns the bodies that may touch a wall,
-  /// ascending.
+  /// All accelerations without the walls' forces [m/s²]. Returns the bodies that may touch a wall, ascending.
   template <class State>
-  Span<const int> accelerate(State& state, Span<V> acceleration) {
-    at_walls_.resize(state.box().is_periodic() ? 1 : state.count());  // the entry after the last is always written
+  Span<const int> accelerate(State& state, Span<const Pair> pairs, const PenaltyLaw<float>& law, Span<V> acceleration) {
+    CpuExecutor& exec = state.exec();
+    const BodiesView<V> bodies = state.view();
+    const int64_t n = bodies.size();
+    for (HostBuffer<Vec4>* buffer : {&position_, &velocity_, &sum_}) buffer->resize(n);
+    at_walls_.resize(state.box().is_periodic() ? 1 : n);  // the entry after the last is always written
+    exec.parallel_for("pack bodies", n,
+                      [bodies, position = position_.span(), velocity = velocity_.span(), sum = sum_.span()](int i) {
+                        Vec4 p(0), v(0);
+                        for (int axis = 0; axis < kDimensions<V>; ++axis) {
+                          p[axis] = bodies.position[i][axis];
+                          v[axis] = bodies.velocity[i][axis];
+                        }
+                        p.w = bodies.radius[i];
+                        v.w = bodies.inverse_mass[i];
+                        position[i] = p;
+                        velocity[i] = v;
+                        sum[i] = Vec4(0);
+                      });
+    const PackedBodies packed{position_.span(), velocity_.span(), sum_.span()};
+    exec.parallel_for_blocks("pair forces", 1, [&](int64_t) {
+      functions_.add_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed);
+    });
     int count = 0;
-    state.exec().parallel_for_blocks("accelerate", 1, [&](int64_t) {
-      count = accelerate_by_sums(state.box(), state.gravity(), packed(), acceleration, at_walls_.span());
+    exec.parallel_for_blocks("accelerate", 1, [&](int64_t) {
+      count = functions_.accelerate(state.box(), state.gravity(), packed, acceleration, at_walls_.span());
     });
     return {at_walls_.span().data(), count};
   }
 
+  /// After accelerate(): the sums of the pairs' forces [N], in x, y and z.
+  Span<const Vec4> sum() const { return sum_.span(); }
+
   int64_t bytes() const { return position_.bytes() + velocity_.bytes() + sum_.bytes() + at_walls_.bytes(); }
 
  private:
-  PackedBodies packed() { return {position_.span(), velocity_.span(), sum_.span()}; }
-
+  OrderedFunctions<V> functions_ = ordered_functions<V>();
   HostBuffer<Vec4> position_, velocity_, sum_;
   HostBuffer<int> at_walls_;
 };

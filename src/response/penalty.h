@@ -6,28 +6,17 @@
 //          ●───▐█═────●        F = K·δ^1.5 − c·δ^¼·u    Hertz:  c = √5·ζ·√(K·m*)
 //                              δ overlap [m], u speed of parting [m/s], m* reduced mass [kg]
 //
-// For both laws restitution alone determines ζ: with y = δ^(5/4) and dτ = δ^¼ dt, a Hertz contact is a linear
-// oscillator (Antypov and Elliott 2011, doi 10.1209/0295-5075/94/50004). A contact ends when the overlap does, or on
-// request when the force would begin to pull (Schwager and Pöschel 2007, doi 10.1007/s10035-007-0065-z). Spheres do not
-// rotate. Walls follow the same law with m* = m. Cost: O(n + contacts) for each evaluation of the forces. The pairs of
-// a candidate list are used directly; those that do not touch have force 0. A single thread of the CPU goes along the
-// pairs and adds each force to both bodies (ordered_forces.h); otherwise bodies gather their forces, in the same order.
-// Source: Cundall and Strack, "A discrete numerical model for granular assemblies" (1979), doi
-// 10.1680/geot.1979.29.1.47. Its siblings: kinematic.h, impulse.h, position_based.h.
+// Restitution determines ζ (pair_force.h). Walls follow the same law with m* = m. The pairs of a candidate list are
+// used directly; those that do not touch have force 0. A single thread of the CPU goes along the pairs and adds each
+// force to both bodies (ordered_forces.h); otherwise bodies gather their forces, in the same order. Cost: O(n +
+// contacts) for each evaluation of the forces. Source: Cundall and Strack, "A discrete numerical model for granular
+// assemblies" (1979), doi 10.1680/geot.1979.29.1.47. Its siblings: kinematic.h, impulse.h, position_based.h.
 #pragma once
 
-#include <cmath>
-
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
+#include "bodies/tally.h"
 #include "exec/reduce.h"
-#include "response/damping.h"
-#include "response/impulse_notes.h"
 #include "response/ordered_forces.h"
-#include "response/pair_force.h"
 
 namespace ballpit {
 
@@ -96,14 +85,6 @@ struct Accelerate {
   }
 };
 
-/// Kernel: the same for the k-th body of a selection.
-template <class V, class Sum>
-struct AccelerateSome {
-  Accelerate<V, Sum> accelerate;
-  Span<const int> some;
-  HOST_DEVICE void operator()(int k) const { accelerate(some[k]); }
-};
-
 /// Map: the energy in the spring of contact c [J].
 template <class V>
 struct ContactEnergy {
@@ -149,7 +130,9 @@ class PenaltyResponse {
 
   /// Whether one thread adds up the forces along the pairs. Otherwise pairs are to be listed by body.
   bool adds_in_order(const Exec& exec) const {
-    if constexpr (kHasOrderedForces<V, Exec>) return exec.runs_in_order() && !notes_impulses_ && law_.shear == 0;
+    if constexpr (kHasOrderedForces<V, Exec>) {
+      return exec.runs_in_order() && ordered_.is_available() && !notes_impulses_ && law_.shear == 0;
+    }
     return false;
   }
 
@@ -161,12 +144,10 @@ class PenaltyResponse {
     Exec& exec = state.exec();
     if constexpr (kHasOrderedForces<V, Exec>) {
       if (adds_in_order(exec)) {
-        const Span<const Vec4> sum = ordered_.add_up(state, pairs.pairs, law_);
-        const Span<const int> at_walls = ordered_.accelerate(state, acceleration);
+        const Span<const int> at_walls = ordered_.accelerate(state, pairs.pairs, law_, acceleration);
         if (at_walls.empty()) return;
-        exec.parallel_for(
-            "accelerate at walls", at_walls.size(),
-            AccelerateSome<V, Vec4>{acceleration_of(state, sum, duration, notes, acceleration), at_walls});
+        const auto accelerate = acceleration_of(state, ordered_.sum(), duration, notes, acceleration);
+        exec.parallel_for("accelerate at walls", at_walls.size(), [=](int k) { accelerate(at_walls[k]); });
         return;
       }
     }

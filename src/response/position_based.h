@@ -1,37 +1,31 @@
 // SPDX-License-Identifier: MIT
 // Position-based (XPBD): predicts positions, moves bodies apart until nothing overlaps, and derives the velocities from
-// the new positions. Unconditionally stable; the stiffness of a heap depends on substeps and iterations.
+// the new positions. Unconditionally stable; the stiffness of a heap depends on substeps and iterations
+// (docs/responses.md).
 //
 //     v ← v + h·g     x ← x + h·v                       predict, and find the contacts there
 //     for each contact: C = r_i + r_j − |x_j − x_i|      overlap left; α̃ = compliance / h²
 //         Δλ = (C − α̃·λ) / (w_i + w_j + α̃),  λ + Δλ ≥ 0      x ← x ∓ w·Δλ·n
-//     v ← v + Σ Δx / h
+//     v ← v + Σ Δx / h                                   (x − x₀)/h would divide a small difference of large numbers
 //     for each contact that pushed: speed of parting ← e·(earlier speed of approach)      restitution
 //
 // Contacts are solved one after another (Gauss–Seidel, contact_colours.h), walls first and then colour by colour, each
-// with the positions that the ones before have left. With one iteration a stack of n rests with an overlap of
-// (n−1)·g·h² at its foot, so substeps pay more than iterations (Macklin et al. 2019). Velocities change by Σ Δx / h.
-// The alternative (x − x₀)/h would lose accuracy, since h divides a small difference of large numbers. Restitution
-// applies only above a speed of 2·g·h, so that heaps do not jitter.
+// with the positions that the ones before have left. Restitution applies only above a speed of 2·g·h, so that heaps do
+// not jitter. If a run starts with more overlap than its motion explains, Δx changes the velocity only until the
+// contact parts at `push` (0 without gravity); the rest of the overlap is removed without changing velocities.
 //
-// If a run starts with more overlap than its motion explains, this overlap is unrelated to the load of a contact, and v
-// ← v + Σ Δx / h would turn it into arbitrary speed. In such a run Δx changes the velocity only until the contact parts
-// at `push` (0 without gravity); the rest of the overlap is removed without changing velocities. Walls follow the same
-// law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour. Sources: Macklin, Müller,
-// Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics Simulation" (2019),
-// doi 10.1145/3309486.3340247; Müller et al., "Detailed Rigid Body Simulation with Extended Position Based Dynamics"
-// (2020), doi 10.1111/cgf.14105 (restitution). Its siblings: kinematic.h, impulse.h, penalty.h.
+// Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour. Sources:
+// Macklin, Müller, Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics
+// Simulation" (2019), doi 10.1145/3309486.3340247; restitution: Müller et al. (2020), doi 10.1111/cgf.14105. Its
+// siblings: kinematic.h, impulse.h, penalty.h.
 #pragma once
 
 #include <cmath>
 
 #include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/contacts.h"
-#include "bodies/pair.h"
-#include "core/span.h"
+#include "bodies/tally.h"
 #include "response/contact_colours.h"
-#include "response/impulse_notes.h"
+#include "response/walls_view.h"
 
 namespace ballpit {
 
@@ -53,9 +47,9 @@ struct PositionBasedView {
   Real h;           ///< [s] length of the substep
   Real compliance;  ///< α̃ = compliance / h² [1/kg]
   Real restitution, wall_restitution, threshold;
-  Span<const V> velocity;         ///< [m/s] kicked
-  Real push;                      ///< [m/s] largest speed of parting that contacts cause; negative: no limit
-  Span<V> low_given, high_given;  ///< [kg·m] part of the multipliers that has changed velocities; empty without a limit
+  Span<const V> velocity;  ///< [m/s] kicked
+  Real push;               ///< [m/s] largest speed of parting that contacts cause; negative: no limit
+  WallSums<V> wall_given;  ///< [kg·m] part of the multipliers that has changed velocities; empty without a limit
   Span<Real> given;
 
   HOST_DEVICE bool is_limited() const { return push >= 0; }
@@ -77,13 +71,13 @@ struct PositionBasedView {
   HOST_DEVICE Real rebound(Real e, Real before) const { return before < -threshold ? -e * before : Real(0); }
 };
 
-/// Kernel: moves body i out of the walls. `low` and `high` sum the multipliers along each axis [kg·m], `shift` the
-/// displacement of the body [m].
+/// Kernel: moves body i out of the walls. `walls` sums the multipliers [kg·m], `shift` the body's displacement [m].
 template <class V>
 struct MoveOutOfWalls {
   using Real = Scalar<V>;
   PositionBasedView<V> view;
-  Span<V> position, shift, low, high;
+  Span<V> position, shift;
+  WallSums<V> walls;
 
   HOST_DEVICE void operator()(int i) const {
     const Real w = view.inverse_mass[i], radius = view.radius[i];
@@ -92,7 +86,7 @@ struct MoveOutOfWalls {
         if (side > 0 && axis == 1 && view.box.boundary == Boundary::open_top) continue;
         const Real p = position[i][axis];
         const Real overlap = radius - (side < 0 ? p - view.box.min[axis] : view.box.max[axis] - p);
-        Real& sum = side < 0 ? low[i][axis] : high[i][axis];
+        Real& sum = walls.at(i, axis, side);
         const Real change = view.change(sum, overlap, w);
         if (change == 0) continue;
         sum += change;
@@ -100,7 +94,7 @@ struct MoveOutOfWalls {
         Real entering = change;
         if (view.is_limited()) {
           const Real parting = -Real(side) * (view.velocity[i][axis] + shift[i][axis] / view.h);
-          entering = view.give(sum, side < 0 ? view.low_given[i][axis] : view.high_given[i][axis], parting, w);
+          entering = view.give(sum, view.wall_given.at(i, axis, side), parting, w);
         }
         shift[i][axis] -= Real(side) * w * entering;
       }
@@ -154,14 +148,15 @@ template <class V>
 struct ReboundFromWalls {
   using Real = Scalar<V>;
   PositionBasedView<V> view;
-  Span<const V> before, low, high;
+  Span<const V> before;
+  WallSums<V> walls;
   Span<V> velocity;
   ImpulseNotes<V> notes;
 
   HOST_DEVICE void operator()(int i) const {
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       for (int side = -1; side <= 1; side += 2) {
-        const Real multiplier = side < 0 ? low[i][axis] : high[i][axis];
+        const Real multiplier = walls.at(i, axis, side);
         if (!(multiplier > 0)) continue;
         const Real rebound = view.rebound(view.wall_restitution, -Real(side) * before[i][axis]);
         const Real change = rebound + Real(side) * velocity[i][axis];
@@ -214,84 +209,74 @@ class PositionBasedResponse {
   void respond(State& state, const ContactsView<V>& contacts, Span<const V> before, Real h, Real push_steps,
                const ImpulseNotes<V>& notes) {
     Exec& exec = state.exec();
-    const int64_t n = state.count();
-    const bool is_limited = push_steps >= 0;
-    clear(exec, n, state.box().is_periodic() ? 0 : n, contacts.pairs.size(), is_limited);
-    const PositionBasedView<V> view = view_of(state, contacts, h, push_steps);
+    const BodiesView<V> bodies = state.view();
+    const bool has_walls = !state.box().is_periodic(), is_limited = push_steps >= 0;
+    const int64_t n = bodies.size(), at_walls = has_walls ? n : 0;
+    shift_.resize(n);
+    exec.fill("clear shifts", shift_.span(), V{});
+    multipliers_.clear(exec, at_walls, contacts.pairs.size());
+    if (is_limited) given_.clear(exec, at_walls, contacts.pairs.size());
+    const auto& p = parameters_;
+    const PositionBasedView<V> view{.radius = bodies.radius,
+                                    .inverse_mass = bodies.inverse_mass,
+                                    .box = state.box(),
+                                    .contacts = contacts,
+                                    .h = h,
+                                    .compliance = Real(p.compliance) / (h * h),
+                                    .restitution = Real(p.restitution),
+                                    .wall_restitution = Real(p.wall_restitution),
+                                    .threshold = Real(2 * p.gravity) * h,
+                                    .velocity = state.velocity.span(),
+                                    .push = is_limited ? push_steps * Real(p.gravity) * h : push_steps,
+                                    .wall_given = given_.walls(),
+                                    .given = given_.contact.span()};
     colours_.build(exec, contacts, n);
-    for (int k = 0; k < parameters_.iterations; ++k) move_apart(state, view);
+    for (int k = 0; k < p.iterations; ++k) move_apart(exec, view, state.position.span());
     exec.parallel_for("take velocities", n, TakeVelocity<V>{h, shift_.span(), state.velocity.span()});
-    if (!state.box().is_periodic()) {
-      exec.parallel_for(
-          "rebound from walls", n,
-          ReboundFromWalls<V>{view, before, is_limited ? low_given_.span() : low_.span(),
-                              is_limited ? high_given_.span() : high_.span(), state.velocity.span(), notes});
+    Multipliers& pushed = is_limited ? given_ : multipliers_;
+    if (has_walls) {
+      exec.parallel_for("rebound from walls", n,
+                        ReboundFromWalls<V>{view, before, pushed.walls(), state.velocity.span(), notes});
     }
-    const Span<const Real> pushed = is_limited ? given_.span() : multiplier_.span();
     colours_.for_each([&](Span<const int> colour) {
-      exec.parallel_for("rebound", colour.size(), ReboundApart<V>{view, colour, pushed, state.velocity.span(), notes});
+      exec.parallel_for("rebound", colour.size(),
+                        ReboundApart<V>{view, colour, pushed.contact.span(), state.velocity.span(), notes});
     });
   }
 
-  int64_t bytes() const {
-    return shift_.bytes() + low_.bytes() + high_.bytes() + multiplier_.bytes() + low_given_.bytes() +
-           high_given_.bytes() + given_.bytes() + colours_.bytes();
-  }
+  int64_t bytes() const { return shift_.bytes() + multipliers_.bytes() + given_.bytes() + colours_.bytes(); }
 
  private:
-  template <class State>
-  PositionBasedView<V> view_of(State& state, const ContactsView<V>& contacts, Real h, Real push_steps) {
-    const BodiesView<V> bodies = state.view();
-    const auto& p = parameters_;
-    return {bodies.radius,
-            bodies.inverse_mass,
-            state.box(),
-            contacts,
-            h,
-            Real(p.compliance) / (h * h),
-            Real(p.restitution),
-            Real(p.wall_restitution),
-            Real(2 * p.gravity) * h,
-            state.velocity.span(),
-            push_steps < 0 ? push_steps : push_steps * Real(p.gravity) * h,
-            low_given_.span(),
-            high_given_.span(),
-            given_.span()};
-  }
+  struct Multipliers {
+    Buffer<V> low, high;
+    Buffer<Real> contact;
 
-  void clear(Exec& exec, int64_t bodies, int64_t bodies_at_walls, int64_t contacts, bool is_limited) {
-    shift_.resize(bodies);
-    low_.resize(bodies_at_walls);
-    high_.resize(bodies_at_walls);
-    multiplier_.resize(contacts);
-    for (Buffer<V>* buffer : {&shift_, &low_, &high_}) exec.fill("clear shifts", buffer->span(), V{});
-    exec.fill("clear multipliers", multiplier_.span(), Real(0));
-    if (!is_limited) return;
-    low_given_.resize(bodies_at_walls);
-    high_given_.resize(bodies_at_walls);
-    given_.resize(contacts);
-    for (Buffer<V>* buffer : {&low_given_, &high_given_}) exec.fill("clear shifts", buffer->span(), V{});
-    exec.fill("clear multipliers", given_.span(), Real(0));
-  }
+    void clear(Exec& exec, int64_t bodies_at_walls, int64_t contacts) {
+      for (Buffer<V>* walls : {&low, &high}) {
+        walls->resize(bodies_at_walls);
+        exec.fill("clear shifts", walls->span(), V{});
+      }
+      contact.resize(contacts);
+      exec.fill("clear multipliers", contact.span(), Real(0));
+    }
+    WallSums<V> walls() { return {low.span(), high.span()}; }
+    int64_t bytes() const { return low.bytes() + high.bytes() + contact.bytes(); }
+  };
 
-  template <class State>
-  void move_apart(State& state, const PositionBasedView<V>& view) {
-    Exec& exec = state.exec();
-    const Span<V> position = state.position.span(), shift = shift_.span();
-    if (!state.box().is_periodic()) {
-      exec.parallel_for("move out of walls", state.count(),
-                        MoveOutOfWalls<V>{view, position, shift, low_.span(), high_.span()});
+  void move_apart(Exec& exec, const PositionBasedView<V>& view, Span<V> position) {
+    if (!view.box.is_periodic()) {
+      exec.parallel_for("move out of walls", position.size(),
+                        MoveOutOfWalls<V>{view, position, shift_.span(), multipliers_.walls()});
     }
     colours_.for_each([&](Span<const int> colour) {
-      exec.parallel_for("move apart", colour.size(), MoveApart<V>{view, colour, position, shift, multiplier_.span()});
+      exec.parallel_for("move apart", colour.size(),
+                        MoveApart<V>{view, colour, position, shift_.span(), multipliers_.contact.span()});
     });
   }
 
   PositionBasedParameters parameters_;
-  Buffer<V> shift_, low_, high_;
-  Buffer<Real> multiplier_;
-  Buffer<V> low_given_, high_given_;  // used only with a limit
-  Buffer<Real> given_;
+  Buffer<V> shift_;
+  Multipliers multipliers_, given_;  // the latter only with a limit
   ContactColours<V, Exec> colours_;
 };
 

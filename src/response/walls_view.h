@@ -39,4 +39,12 @@ struct WallsView {
   }
 };
 
+/// What the walls at min (low) and max (high) have given to each body along each axis: impulses [kg·m/s], or
+/// multipliers [kg·m]. Undefined for bodies without a wall; empty if the domain has no walls.
+template <class V>
+struct WallSums {
+  Span<V> low, high;
+  HOST_DEVICE Scalar<V>& at(int i, int axis, int side) const { return side < 0 ? low[i][axis] : high[i][axis]; }
+};
+
 }  // namespace ballpit

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/csv_header.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace ballpit {
-
-const std::string_view kHeaderRule = "columns x, y, z, radius and optionally vx, vy, vz, mass";
 
 namespace {
 
@@ -30,12 +26,6 @@ constexpr ColumnName kNames[] = {{"x", kX},
                                  {"vz", kVz},
                                  {"mass", kMassColumn}};
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
-
 std::string lower(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -43,8 +33,7 @@ std::string lower(std::string_view text) {
 }
 
 const ColumnName* find_name(std::string_view name) {
-  const auto* const found = std::find_if(std::begin(kNames), std::end(kNames),
-                                         [&, key = lower(name)](const ColumnName& n) { return n.name == key; });
+  const auto* const found = std::ranges::find(kNames, lower(name), &ColumnName::name);
   return found == std::end(kNames) ? nullptr : found;
 }
 
@@ -88,10 +77,6 @@ void refuse_twice(const CsvHeader& header, const Place& place) {
 }
 
 }  // namespace
-
-bool CsvHeader::has(CsvColumn column) const {
-  return std::find(columns.begin(), columns.end(), column) != columns.end();
-}
 
 std::string CsvHeader::ignored() const {
   constexpr size_t kMaxNamed = 8;
@@ -150,14 +135,14 @@ UserError no_csv_header(std::string_view line, const Place& place) {
   int64_t max = -1;
   for (const char separator : kSeparators) {
     CsvHeader header = split_header(line, separator);
-    const auto known = static_cast<int64_t>(header.columns.size()) -
-                       std::count(header.columns.begin(), header.columns.end(), kIgnored);
+    const int64_t known = std::ranges::count_if(header.columns, [](CsvColumn column) { return column != kIgnored; });
     if (known <= max) continue;
     max = known;
     best = std::move(header);
   }
   std::string found = "no column " + quoted(missing(best)->name);
-  if (max == 0) found = quoted(trimmed(line)) + ", " + found;
+  const size_t begin = line.find_first_not_of(" \t"), end = line.find_last_not_of(" \t");
+  if (max == 0) found = quoted(line.substr(begin, end + 1 - begin)) + ", " + found;
   return input_error(place, "header", found, kHeaderRule);
 }
 

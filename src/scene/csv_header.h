@@ -5,16 +5,13 @@
 //     0,0,0,0.5             "1",0,0,0,0.5                    0 0 0 0.5               0;0;0;1,0
 //     by hand               R                                numpy                   a spreadsheet, decimal commas
 //
-// Separators are commas, semicolons, tabs or blanks: the first one with which the header names x, y, z and a radius. Names may
-// be in upper or lower case; columns with other names are ignored. docs/decisions/0025-reading-csv.md explains why we use no
-// library.
+// The separator is the first of commas, semicolons, tabs and blanks with which the header names x, y, z and a radius. Case does
+// not matter; columns with other names are ignored. docs/decisions/0025-reading-csv.md explains why we use no library.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "scene/input_error.h"
 
@@ -28,7 +25,7 @@ struct CsvHeader {
   std::vector<std::string> names;  ///< as written
   double radius_factor = 1;        ///< from the column to a radius: 0.5 where it holds diameters
 
-  bool has(CsvColumn column) const;
+  bool has(CsvColumn column) const { return std::ranges::count(columns, column) > 0; }
   /// For the user: "column 1 without a name, "id""; empty if every column is used.
   std::string ignored() const;
 };
@@ -57,8 +54,7 @@ class CsvFields {
     return true;
   }
 
-  /// Takes the next field if it is a bare number; otherwise returns false and takes nothing. A single pass for the fields of
-  /// most files.
+  /// Takes the next field if it is a bare number, in a single pass; otherwise returns false and takes nothing.
   bool next_number(std::string_view& field, double& value) {
     const char* const last = rest_.data() + rest_.size();
     const auto [end, error] = std::from_chars(rest_.data(), last, value);
@@ -91,7 +87,6 @@ std::optional<CsvHeader> parse_csv_header(std::string_view line, const Place& pl
 /// The error to throw if `line` is not a header.
 UserError no_csv_header(std::string_view line, const Place& place);
 
-/// "columns x, y, z, radius and optionally vx, vy, vz, mass".
-extern const std::string_view kHeaderRule;
+inline constexpr std::string_view kHeaderRule = "columns x, y, z, radius and optionally vx, vy, vz, mass";
 
 }  // namespace ballpit

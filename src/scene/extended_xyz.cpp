@@ -10,20 +10,7 @@
 
 namespace ballpit {
 
-namespace {
-
-constexpr size_t kBufferSize = 1 << 20;
-
-// ASE's name for something that is no chemical element; OVITO accepts any name.
-constexpr const char* kSpecies = "X";
-
-/// [m] A planar scene gets the thickness of its spheres, since the readers refuse a cell without volume.
-double thickness_of(const Bodies& bodies) {
-  const auto largest = std::max_element(bodies.radius.begin(), bodies.radius.end());
-  return largest == bodies.radius.end() ? 1.0 : 2 * *largest;
-}
-
-}  // namespace
+static constexpr size_t kBufferSize = 1 << 20;
 
 ExtendedXyz::ExtendedXyz(const std::filesystem::path& path, const Domain& domain) : domain_(domain), file_(path) {}
 
@@ -39,7 +26,7 @@ void ExtendedXyz::append(double time, const Bodies& bodies) {
   append_header(time, bodies);
   for (size_t i = 0; i < bodies.position.size(); ++i) {
     const Vec3d &x = bodies.position[i], &v = bodies.velocity[i];
-    buffer_.append(kSpecies) += ' ';
+    buffer_ += "X ";  // ASE's name for something that is no chemical element; OVITO accepts any name
     append_numbers(buffer_, {x.x, x.y, x.z, bodies.radius[i], v.x, v.y, v.z, bodies.mass[i]});
     buffer_ += '\n';
     if (buffer_.size() >= kBufferSize) flush();
@@ -52,8 +39,8 @@ void ExtendedXyz::append(double time, const Bodies& bodies) {
 void ExtendedXyz::append_header(double time, const Bodies& bodies) {
   const bool is_planar = domain_.dimensions == 2, is_periodic = domain_.boundary == Boundary::periodic;
   Vec3d origin = domain_.min, size = domain_.max - domain_.min;
-  if (is_planar) {
-    size.z = thickness_of(bodies);
+  if (is_planar) {  // the thickness of the spheres: the readers refuse a cell without volume
+    size.z = bodies.radius.empty() ? 1.0 : 2 * std::ranges::max(bodies.radius);
     origin.z = -0.5 * size.z;
   }
   buffer_ += fmt::format("{}\nLattice=\"", bodies.size());

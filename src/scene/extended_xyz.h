@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Writes trajectories as extended XYZ, which OVITO and ASE read: a sequence of frames, each with a line for the number of
-// spheres, a line of keys, and a line for each sphere. OVITO recognizes the names of the columns: pos, radius, velo, mass
-// (OVITO user manual, "XYZ file reader").
+// Writes trajectories as extended XYZ, which OVITO and ASE read (OVITO user manual, "XYZ file reader"): a sequence of frames.
 //
 //     2000
 //     Lattice="6 0 0 0 4 0 0 0 4" Origin="0 0 0" Properties=species:S:1:pos:R:3:… Time=0.5 pbc="F F F"
 //     X 0.1 0.2 0.3 0.05 1 0 0 0.5
 //     …
 //
-// Cost: O(spheres) per frame, about 150 bytes for each, through a buffer of a megabyte. Numbers are the shortest that read back
-// as the same double.
+// Cost: O(spheres) per frame, about 150 bytes for each. Numbers are the shortest that read back as the same double.
 #pragma once
-
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
 
 #include "core/file.h"
 #include "scene/scene.h"
@@ -24,8 +16,7 @@ namespace ballpit {
 
 class ExtendedXyz {
  public:
-  /// Begins a trajectory in a temporary file. Throws RunError naming the path and the system's reason, as append() and finish()
-  /// do.
+  /// Begins a trajectory in a temporary file. Throws RunError naming path and reason, as append() and finish() do.
   ExtendedXyz(const std::filesystem::path& path, const Domain& domain);
 
   /// Finishes the file if finish() was not called, and ignores errors.

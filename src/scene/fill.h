@@ -6,22 +6,15 @@
 // Cost: O(n) as long as the volume fraction is well below saturation, 0.38 for equal spheres and 0.547 for equal discs.
 // Source: Widom 1966, J. Chem. Phys. 44, 3888; saturation: Torquato, Uche, Stillinger 2006, doi 10.1103/PhysRevE.74.061308.
 //
-// lattice: simple cubic, square in the plane, as narrow as the largest sphere allows, row by row from the floor up.
-// Cost: O(sites).
+// lattice: simple cubic, square in the plane, as narrow as the largest sphere allows, row by row from the floor up. Cost: O(sites).
 //
 // Every position is exact in float and is tested with a relative gap of kPlacementGap between spheres and to walls, so
-// rounding positions and radii to float never causes an overlap. The same seed gives the same bits on every platform: only
-// IEEE-exact operations are used.
+// rounding positions and radii to float never causes an overlap. The same seed gives the same bits on every platform.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 
-#include "core/math.h"
 #include "scene/input_error.h"
-#include "scene/scene.h"
 #include "scene/sphere_index.h"
 
 namespace ballpit {
@@ -46,9 +39,8 @@ struct Fill {
   std::string count_key = "[[fill]] count";
 };
 
-/// Appends the spheres of all `fills` to `bodies`, in the order of the fills, without overlaps with each other and with those
-/// in `index`, which must contain `bodies`. Lattices are placed first, then the fill with the largest spheres. Throws
-/// UserError if a fill does not fit.
+/// Appends the spheres of all `fills` to `bodies`, in their order, without overlaps with each other and with those in `index`,
+/// which must contain `bodies`. Lattices are placed first, then the largest spheres. Throws UserError if a fill does not fit.
 void place_fills(const Scene& scene, std::span<const Fill> fills, SphereIndex& index, Bodies& bodies);
 
 }  // namespace ballpit

@@ -27,11 +27,7 @@ std::string visible(std::string_view text) {
   while (!text.empty()) {
     const auto byte = static_cast<unsigned char>(text[0]);
     const size_t length = byte < 0x20 || byte == 0x7F ? 0 : character_length(text);
-    if (length == 0) {
-      result += fmt::format("\\x{:02X}", byte);
-    } else {
-      result += text.substr(0, length);
-    }
+    result += length == 0 ? fmt::format("\\x{:02X}", byte) : std::string(text.substr(0, length));
     text.remove_prefix(std::max<size_t>(length, 1));
   }
   return result;

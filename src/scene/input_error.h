@@ -2,10 +2,7 @@
 // Errors in scene and CSV files, and the limits of all numbers in them.
 #pragma once
 
-#include <cstdint>
 #include <numbers>
-#include <string>
-#include <string_view>
 
 #include "core/error.h"
 #include "core/numbers.h"

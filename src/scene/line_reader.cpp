@@ -11,23 +11,16 @@
 
 namespace ballpit {
 
-namespace {
-
-constexpr size_t kBufferSize = 1 << 20;
-
-}  // namespace
+static constexpr size_t kBufferSize = 1 << 20;
 
 LineReader::LineReader(std::string_view text, std::string_view file_name)
     : place_{std::string(file_name), 0}, rest_(text) {
-  skip_byte_order_mark();
-  find_line_end();
+  start();
 }
 
 LineReader::LineReader(const std::filesystem::path& path) : place_{path.string(), 0} {
   std::error_code unknown;
-  if (std::filesystem::is_directory(path, unknown)) {
-    throw UserError(place_.file, "a folder", "a file");
-  }
+  if (std::filesystem::is_directory(path, unknown)) throw UserError(place_.file, "a folder", "a file");
   file_.reset(std::fopen(path.c_str(), "rb"));
   if (!file_) fail_reading(place_.file);
   const auto size = std::filesystem::file_size(path, unknown);
@@ -35,8 +28,7 @@ LineReader::LineReader(const std::filesystem::path& path) : place_{path.string()
   buffer_ = std::make_unique_for_overwrite<char[]>(kBufferSize);
   rest_ = {buffer_.get(), 0};
   refill();
-  skip_byte_order_mark();
-  find_line_end();
+  start();
 }
 
 bool LineReader::next(std::string_view& line) {
@@ -74,13 +66,10 @@ bool LineReader::refill() {
   return read > 0;
 }
 
-void LineReader::skip_byte_order_mark() {
+/// Skips the byte order mark. Some spreadsheets end lines with a carriage return only.
+void LineReader::start() {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-}
-
-/// Some spreadsheets end lines with a carriage return only.
-void LineReader::find_line_end() {
   const size_t end = rest_.find_first_of("\r\n");
   if (end < rest_.size() && end + 1 < rest_.size() && rest_[end] == '\r' && rest_[end + 1] != '\n') line_end_ = '\r';
 }

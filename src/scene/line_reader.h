@@ -3,11 +3,9 @@
 // Cost: one pass, and a megabyte.
 #pragma once
 
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <string_view>
 
 #include "scene/input_error.h"
 
@@ -19,7 +17,7 @@ class LineReader {
   LineReader(std::string_view text, std::string_view file_name);
 
   /// Lines of a file, a pipe or a device. Throws UserError naming path and reason.
-  explicit LineReader(const std::filesystem::path& path);
+  LineReader(const std::filesystem::path& path);
 
   /// Takes the next line, without its end; false after the last. The view is valid until the next call. Throws UserError for
   /// a line of a file that is larger than the buffer, and if reading fails.
@@ -32,17 +30,13 @@ class LineReader {
   int64_t expected_lines() const;
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
   bool refill();
-  void skip_byte_order_mark();
-  void find_line_end();
+  void start();
 
   Place place_;
   char line_end_ = '\n';
-  std::unique_ptr<std::FILE, Close> file_;  // none if the text is in memory, or the file was read completely
+  // None if the text is in memory, or the file was read completely.
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
   std::unique_ptr<char[]> buffer_;
   std::string_view rest_;      // in memory and not yet taken
   int64_t bytes_to_come_ = 0;  // in the file after it, if the file system knows its size

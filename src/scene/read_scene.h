@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Reads a scene from TOML, checks it as far as possible before a run, and fills it with spheres.
 //
-// Order: parse; read each section (read_sections.h); read spheres from the list or the CSV file and check them
-// (check_spheres.h); place the [[fill]] spheres around them (fill.h).
+// Order: parse; read each section (read_sections.h); read spheres from the list or the CSV file and check them; place the
+// [[fill]] spheres around them (fill.h).
 // Cost: O(n) for n spheres, and a sort by size.
 // Every error is a UserError of one line: "a.toml:3: [physics] restitution: found 1.5, allowed 0 to 1".
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string>
+#include <span>
 #include <string_view>
 
 #include "scene/scene.h"
@@ -32,5 +30,17 @@ Scene parse_scene(std::string_view text, std::string_view file_name, const std::
 
 /// Reads only name, title and description.
 SceneInfo parse_scene_info(std::string_view text, std::string_view file_name);
+
+/// The scenes in assets/scenes/, which are compiled into the program, the default scene first.
+std::span<const SceneInfo> built_in_scenes();
+
+/// The scene that runs if none is named.
+inline constexpr std::string_view kDefaultScene = "bouncing-balls";
+
+/// Whether a scene is given as a file, not by its name: a path ends in .toml or contains a '/'.
+bool is_scene_file(std::string_view name_or_path);
+
+/// A built-in scene by name, or the scene in a file. Throws UserError that lists the names if there is no such scene.
+Scene load_scene(std::string_view name_or_path, const SceneOverrides& overrides = {});
 
 }  // namespace ballpit

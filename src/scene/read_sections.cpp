@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "core/numbers.h"
-
 namespace ballpit {
 
 namespace {
@@ -78,13 +76,12 @@ Domain read_domain(const TableReader& root) {
   constexpr std::string_view kBoundaries[] = {"walls", "open-top", "periodic"};  // in the order of Boundary
   Domain domain;
   const auto reader = root.section("domain", {"min", "max", "boundary", "dimensions"});
-  if (!reader) return domain;
-  domain.dimensions = static_cast<int>(reader->integer("dimensions", 2, 3).value_or(3));
-  set_if(domain.min, reader->vector("min", domain.dimensions, kAnyNumber));
-  set_if(domain.max, reader->vector("max", domain.dimensions, kAnyNumber));
-  domain.boundary = static_cast<Boundary>(reader->choice("boundary", kBoundaries).value_or(0));
+  domain.dimensions = static_cast<int>(reader.integer("dimensions", 2, 3).value_or(3));
+  set_if(domain.min, reader.vector("min", domain.dimensions, kAnyNumber));
+  set_if(domain.max, reader.vector("max", domain.dimensions, kAnyNumber));
+  domain.boundary = static_cast<Boundary>(reader.choice("boundary", kBoundaries).value_or(0));
   if (domain.dimensions == 2) domain.min.z = domain.max.z = 0.0;
-  for (int axis = 0; axis < domain.dimensions; ++axis) check_order(*reader, domain.min, domain.max, axis);
+  for (int axis = 0; axis < domain.dimensions; ++axis) check_order(reader, domain.min, domain.max, axis);
   return domain;
 }
 
@@ -93,15 +90,14 @@ Physics read_physics(const TableReader& root, int dimensions) {
   Physics physics;
   const auto reader = root.section("physics", {"gravity", "restitution", "wall_restitution", "stiffness", "law",
                                                "shear", "initial_overlap", "density"});
-  if (!reader) return physics;
-  set_if(physics.gravity, reader->vector("gravity", dimensions, kAnyNumber));
-  set_if(physics.restitution, reader->number("restitution", kFraction));
-  physics.wall_restitution = reader->number("wall_restitution", kFraction).value_or(physics.restitution);
-  set_if(physics.stiffness, reader->number("stiffness", kPositive));
-  physics.law = kLaws[reader->choice("law", kLaws).value_or(0)];
-  set_if(physics.shear, reader->number("shear", kNotNegative));
-  set_if(physics.initial_overlap, reader->number("initial_overlap", kFraction));
-  set_if(physics.density, reader->number("density", kPositive));
+  set_if(physics.gravity, reader.vector("gravity", dimensions, kAnyNumber));
+  set_if(physics.restitution, reader.number("restitution", kFraction));
+  physics.wall_restitution = reader.number("wall_restitution", kFraction).value_or(physics.restitution);
+  set_if(physics.stiffness, reader.number("stiffness", kPositive));
+  physics.law = kLaws[reader.choice("law", kLaws).value_or(0)];
+  set_if(physics.shear, reader.number("shear", kNotNegative));
+  set_if(physics.initial_overlap, reader.number("initial_overlap", kFraction));
+  set_if(physics.density, reader.number("density", kPositive));
   return physics;
 }
 
@@ -109,24 +105,22 @@ Needs read_needs(const TableReader& root) {
   Needs needs;
   const auto reader =
       root.section("needs", {"duration", "max_overlap", "energy_tolerance", "momentum_tolerance", "max_speed"});
-  if (!reader) return needs;
-  set_if(needs.duration, reader->number("duration", kNotNegative));
-  needs.max_overlap = reader->number("max_overlap", kNotNegative);
-  needs.energy_tolerance = reader->number("energy_tolerance", kNotNegative);
-  needs.momentum_tolerance = reader->number("momentum_tolerance", kNotNegative);
-  needs.max_speed = reader->number("max_speed", kNotNegative);
+  set_if(needs.duration, reader.number("duration", kNotNegative));
+  needs.max_overlap = reader.number("max_overlap", kNotNegative);
+  needs.energy_tolerance = reader.number("energy_tolerance", kNotNegative);
+  needs.momentum_tolerance = reader.number("momentum_tolerance", kNotNegative);
+  needs.max_speed = reader.number("max_speed", kNotNegative);
   return needs;
 }
 
 std::vector<DefaultOption> read_defaults(const TableReader& root) {
   std::vector<DefaultOption> options;
   const auto reader = root.section("defaults", {});
-  if (!reader) return options;
-  for (const auto& [key, node] : reader->table()) {
+  for (const auto& [key, node] : reader.table()) {
     const std::string name(key.str());
     const std::optional<std::string> value = typed(node);
-    if (!value) throw reader->error(name, describe(node), "a number, a text in quotes, true or false");
-    const Place place = reader->place(name);
+    if (!value) throw reader.error(name, describe(node), "a number, a text in quotes, true or false");
+    const Place place = reader.place(name);
     options.push_back({name, *value, fmt::format("{}:{}: [defaults] {}", place.file, place.line, name)});
   }
   return options;

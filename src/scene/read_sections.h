@@ -3,11 +3,8 @@
 // gives the default value. Cost: proportional to the size of the section.
 #pragma once
 
-#include <vector>
-
-#include "scene/check_spheres.h"
 #include "scene/fill.h"
-#include "scene/scene.h"
+#include "scene/spheres_csv.h"
 #include "scene/table_reader.h"
 
 namespace ballpit {

@@ -11,10 +11,7 @@ namespace ballpit {
 
 namespace {
 
-Vec3d cell_at(const Vec3d& position, double cell) {
-  const double scale = 1.0 / cell;
-  return {std::floor(position.x * scale), std::floor(position.y * scale), std::floor(position.z * scale)};
-}
+Vec3d cell_at(const Vec3d& position, double cell) { return glm::floor(position * (1.0 / cell)); }
 
 /// Above this, neighbouring cells have the same floating-point coordinate.
 constexpr double kLargestCell = 0x1p52;
@@ -50,9 +47,8 @@ void SphereIndex::insert(int32_t id, const Vec3d& position, double radius) {
 
 SphereIndex::Level& SphereIndex::level_of(double radius) {
   const int exponent = std::ilogb(2.0 * radius);
-  for (Level& level : levels_) {
-    if (level.exponent == exponent) return level;
-  }
+  const auto known = std::ranges::find(levels_, exponent, &Level::exponent);
+  if (known != levels_.end()) return *known;
   Level& level = levels_.emplace_back();
   level.exponent = exponent;
   level.cell = std::ldexp(1.0, exponent + 1);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds the spheres that overlap a given one, for filling and checking scenes. Host only.
 //
-//   Levels by size: level e holds diameters of 2^e up to 2^(e+1); its cells are 2^(e+1) wide. The grid is unbounded,
-//   since only buckets are stored.
+//   Levels by size: level e holds diameters of 2^e up to 2^(e+1); its cells are 2^(e+1) wide. The grid has no bounds.
 //
 //        level −3                     level −5
 //     +-------+-------+            +-+-+-+-+-+-+-+-+
@@ -19,15 +18,9 @@
 // A query visits the cells within its reach, level by level, or all spheres of a level if there are fewer of them than cells
 // (a big sphere among small ones). In a periodic domain it is repeated for each image of the query that reaches across an edge.
 // Cost: insert O(1) amortised; query O(levels + cells in reach + spheres in them).
-// Siblings: src/broad_phase, which rebuilds its cells in each step, on all cores, with bounded grids; and
-// event_driven/cells.h, one bounded grid for spheres that move from cell to cell.
 // Source: Eitz and Lixu, Hierarchical Spatial Hashing for Real-time Collision Detection, SMI 2007.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "core/math.h"
 #include "scene/scene.h"
 
 namespace ballpit {

@@ -7,28 +7,22 @@
 // Cost: O(bytes), one pass through a buffer of a megabyte.
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
+#include "scene/line_reader.h"
 #include "scene/scene.h"
 
 namespace ballpit {
 
-/// The lines of the spheres in a file, and a note for the user.
-struct SphereSource {
+/// The lines of the spheres in a file: [[spheres]] tables, or rows of a CSV file.
+struct SphereLines {
+  std::string file;
   std::vector<int> line;  ///< of each sphere
-  std::string note;       ///< names the columns that are ignored; empty if there are none
+  bool csv = false;
+  std::string note{};  ///< for the user: the columns that are ignored; empty if there are none
 };
 
-/// Reads the spheres in `path`. Missing velocities are 0, missing masses `density` [kg/m³] · volume.
+/// Reads the spheres in `lines`; a path converts to them. Missing velocities are 0, missing masses `density` [kg/m³] · volume.
 /// Throws UserError naming file, line and column, what was found and what is allowed.
-Bodies read_spheres_csv(const std::filesystem::path& path, double density = 1000.0, SphereSource* source = nullptr);
-
-/// The same from text; `file_name` is for errors.
-Bodies parse_spheres_csv(std::string_view text, std::string_view file_name, double density = 1000.0,
-                         SphereSource* source = nullptr);
+Bodies read_spheres_csv(LineReader lines, double density = 1000.0, SphereLines* source = nullptr);
 
 /// Spheres at rest for a search for pairs: 16 bytes each.
 struct RestingSpheres {
@@ -39,12 +33,8 @@ struct RestingSpheres {
   int64_t size() const { return static_cast<int64_t>(position.size()); }
 };
 
-/// Reads only centres and radii. Other columns are checked as in read_spheres_csv(), and dropped. Missing masses are not
-/// computed, so their limits do not apply.
-RestingSpheres read_resting_spheres(const std::filesystem::path& path);
-
-/// The same from text; `file_name` is for errors.
-RestingSpheres parse_resting_spheres(std::string_view text, std::string_view file_name);
+/// Reads only centres and radii. Other columns are checked as in read_spheres_csv(), and dropped.
+RestingSpheres read_resting_spheres(LineReader lines);
 
 /// Writes all eight columns. Throws RunError if the file cannot be written.
 void write_spheres_csv(const std::filesystem::path& path, const Bodies& bodies);

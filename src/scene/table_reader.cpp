@@ -6,15 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "core/numbers.h"
-
 namespace ballpit {
 
-namespace {
-
-int line_of(const toml::source_region& source) { return std::max(1, static_cast<int>(source.begin.line)); }
-
-}  // namespace
+static int line_of(const toml::source_region& source) { return std::max(1, static_cast<int>(source.begin.line)); }
 
 std::string describe(const toml::node& node) {
   if (const auto* text = node.as_string()) return quoted(text->get());
@@ -71,8 +65,7 @@ double TableReader::number_at(const toml::node& node, std::string_view key, cons
 
 std::optional<double> TableReader::number(std::string_view key, const Limits& limits) const {
   const toml::node* node = table_.get(key);
-  if (node == nullptr) return std::nullopt;
-  return number_at(*node, key, limits);
+  return node != nullptr ? std::optional(number_at(*node, key, limits)) : std::nullopt;
 }
 
 std::optional<int64_t> TableReader::integer(std::string_view key, int64_t low, int64_t high) const {
@@ -144,9 +137,10 @@ std::vector<const toml::table*> TableReader::tables(std::string_view key) const 
   return result;
 }
 
-std::optional<TableReader> TableReader::section(std::string_view key, Keys keys) const {
+TableReader TableReader::section(std::string_view key, Keys keys) const {
+  static const toml::table kEmpty;
   const toml::node* node = table_.get(key);
-  if (node == nullptr) return std::nullopt;
+  if (node == nullptr) return nested(kEmpty, "", keys);
   const std::string label = fmt::format("[{}]", key);
   if (!node->is_table()) throw error(key, describe(*node), "a table " + label);
   return nested(*node->as_table(), label, keys);

@@ -4,12 +4,8 @@
 // Source: TOML 1.0 by toml++ (https://marzer.github.io/tomlplusplus/).
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <toml++/toml.h>
 
@@ -50,8 +46,8 @@ class TableReader {
   std::optional<Limits> range(std::string_view key, const Limits& limits) const;
   /// The tables of an array [[key]].
   std::vector<const toml::table*> tables(std::string_view key) const;
-  /// The table [key].
-  std::optional<TableReader> section(std::string_view key, Keys keys) const;
+  /// The table [key]; an empty one if it is missing.
+  TableReader section(std::string_view key, Keys keys) const;
 
   /// For the caller to throw.
   UserError error(std::string_view key, std::string_view found, std::string_view allowed) const {

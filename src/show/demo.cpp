@@ -4,9 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "core/error.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
@@ -18,10 +15,6 @@ constexpr int64_t kMaxListedCandidates = 2'000'000;  // listed for an overlay
 constexpr int64_t kMaxForPicked = 100'000;           // candidates, and spheres, to search for the picked sphere
 constexpr size_t kMaxMoments = 240;
 constexpr int64_t kMaxForOracle = 20'000;  // spheres among which brute force searches for missed contacts
-
-double energy_of(const Report& report) {
-  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
-}
 
 }  // namespace
 
@@ -36,7 +29,7 @@ void Demo::begin_world() {
   const Report& now = report();
   energy_at_start_ = energy_of(now);
   history_.clear();
-  remember_moment();
+  remember_moment(now);
   if (view.selected >= now.count) view.selected = -1;
 }
 
@@ -52,6 +45,13 @@ void Demo::attempt(const std::function<void()>& action) {
   } catch (const std::bad_alloc&) {
     message_ = "out of memory; fewer spheres need less";
   }
+}
+
+void Demo::change(const std::function<void()>& action) {
+  attempt([&] {
+    action();
+    begin_world();
+  });
 }
 
 void Demo::set(const std::string& option, const std::string& value) {
@@ -73,33 +73,25 @@ void Demo::set(const std::string& option, const std::string& value) {
 void Demo::return_to(const Played& trial) {
   const std::vector<GivenOption> given = trial.given;  // the trial may be deleted
   const Physics physics = trial.physics;
-  attempt([&] {
+  change([&] {
     session.take(given, physics);
     player.forget_times();
-    begin_world();
   });
 }
 
 void Demo::set_physics(const Physics& physics) {
-  attempt([&] {
-    session.set_physics(physics);
-    begin_world();
-  });
+  change([&] { session.take(session.given(), physics); });
 }
 
 void Demo::restart() {
-  attempt([&] {
-    session.restart();
-    begin_world();
-  });
+  change([&] { session.load(session.scene_name()); });
 }
 
 void Demo::load(const std::string& scene) {
-  attempt([&] {
+  change([&] {
     session.load(scene);
     view.selected = -1;
     trade_off.clear();
-    begin_world();
   });
 }
 
@@ -117,43 +109,6 @@ void Demo::go_to(int64_t step) {
     if (!timeline->go_to(step, takes_too_long))
       message_ = fmt::format("step {} so far; go there again to go on", timeline->step_now());
   });
-}
-
-void Demo::perform(const Key& key) {
-  touch();
-  switch (key.action) {
-    case Action::pause:
-      player.is_running = !player.is_running;
-      break;
-    case Action::step:
-      step();
-      break;
-    case Action::step_back:
-      step_back();
-      break;
-    case Action::restart:
-      restart();
-      break;
-    case Action::use_method:
-      set("broadphase", std::string(key.argument));
-      break;
-    case Action::toggle_overlay:
-      view.toggle(key.argument);
-      break;
-    case Action::change_theme:
-      view.theme = themes()[view.theme == themes()[0].name ? 1 : 0].name;
-      break;
-    case Action::reset_view:
-      view.azimuth = kThreeQuarterAzimuth;
-      view.elevation = kThreeQuarterElevation;
-      view.zoom = 1;
-      break;
-    case Action::show_keys:
-      shows_keys = !shows_keys;
-      break;
-    case Action::save_picture:
-      break;
-  }
 }
 
 /// The parts of an inspection that the view shows.
@@ -187,10 +142,11 @@ FrameView Demo::frame_view(float aspect, bool is_written) {
   Wanted wanted = this->wanted();
   wanted.state |= !is_written;
   const Inspection& seen = inspect(wanted);
-  FrameView result = session.view_of(seen, view, aspect);
-  result.is_written = is_written;
-  result.left_out = left_out_;
-  return result;
+  const Domain& domain = session.scene().domain;
+  const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top};
+  const Camera camera = leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, seen));
+  const auto step = static_cast<float>(session.settings().dt / session.settings().substeps);
+  return {seen, box, camera, view.overlays, view.selected, view.coloring, step, left_out_, is_written};
 }
 
 const Inspection& Demo::inspect(Wanted wanted) {
@@ -208,20 +164,19 @@ const Inspection& Demo::inspect(Wanted wanted) {
 }
 
 const Report& Demo::report() {
+  const Report& report = session.report();
   if (reported_ != version()) {
-    report_ = session.world().report();
     reported_ = version();
-    trade_off.observe(report_);
-    remember_moment();
+    trade_off.observe(report);
+    remember_moment(report);
   }
-  return report_;
+  return report;
 }
 
-void Demo::remember_moment() {
-  while (!history_.empty() && history_.back().step >= report_.steps) history_.pop_back();
-  const double drift =
-      energy_at_start_ != 0 ? (energy_of(report_) - energy_at_start_) / std::fabs(energy_at_start_) : 0;
-  history_.push_back({report_.steps, static_cast<float>(drift), static_cast<float>(report_.max_overlap)});
+void Demo::remember_moment(const Report& report) {
+  while (!history_.empty() && history_.back().step >= report.steps) history_.pop_back();
+  const double drift = energy_at_start_ != 0 ? (energy_of(report) - energy_at_start_) / std::fabs(energy_at_start_) : 0;
+  history_.push_back({report.steps, static_cast<float>(drift), static_cast<float>(report.max_overlap)});
   if (history_.size() > kMaxMoments) history_.erase(history_.begin());
 }
 

@@ -5,11 +5,11 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "show/keys.h"
-#include "show/player.h"
 #include "show/session.h"
 #include "show/timeline.h"
 #include "show/trade_off.h"
@@ -24,6 +24,18 @@ struct Moment {
   float max_overlap = 0;   ///< of the smaller radius
 };
 
+class Demo;
+
+/// A key, for the window, the list that F1 shows, and the README.
+struct Key {
+  int code;               ///< as GLFW has it: the ASCII code of letters and digits
+  std::string_view name;  ///< as it is printed: "Space"
+  std::string_view help;
+  void (*act)(Demo&);  ///< none for the key that saves a picture, which the window does
+};
+
+std::span<const Key> key_table();
+
 class Demo {
  public:
   /// Throws UserError as Session does.
@@ -35,8 +47,11 @@ class Demo {
   TradeOff trade_off;                  ///< of the settings that were played in this scene
   View view;
 
-  /// The action of a key. The caller saves pictures.
-  void perform(const Key& key);
+  /// The action of a key, if it has one.
+  void perform(const Key& key) {
+    touch();
+    if (key.act) key.act(*this);
+  }
 
   void set(const std::string& option, const std::string& value);
   void set_physics(const Physics& physics);
@@ -86,9 +101,10 @@ class Demo {
  private:
   /// Runs an action and turns its error into a message.
   void attempt(const std::function<void()>& action);
+  void change(const std::function<void()>& action);  // the same for one that makes a new world
   void begin_world();
   const Inspection& inspect(Wanted wanted);
-  void remember_moment();
+  void remember_moment(const Report& report);
   Wanted wanted();
   Wanted too_much(const Wanted& wanted);
   int64_t candidates_to_list();
@@ -99,7 +115,6 @@ class Demo {
   Version inspected_, reported_;
   Inspection inspection_;
   Wanted requested_, left_out_;
-  Report report_;
   std::vector<Moment> history_;
 };
 

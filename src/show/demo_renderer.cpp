@@ -3,23 +3,8 @@
 
 namespace ballpit {
 
-namespace {
-
-class CpuBodyWriter final : public BodyWriter {
- public:
-  bool write(World& world, BodyBuffer& buffer) override {
-    buffer.resize(world.shape());
-    buffer.map([&](const BodyTarget& target) { world.write_bodies(target); });
-    return true;
-  }
-};
-
-}  // namespace
-
 DemoRenderer::DemoRenderer(int width, int height, const RenderOptions& options)
-    : renderer_(width, height, options),
-      by_cuda_(make_cuda_body_writer()),
-      by_cpu_(std::make_unique<CpuBodyWriter>()) {}
+    : renderer_(width, height, options), by_cuda_(make_cuda_body_writer()) {}
 
 void DemoRenderer::draw(Demo& demo, RenderOptions options) {
   options.theme = theme_named(demo.view.theme);
@@ -35,12 +20,17 @@ bool DemoRenderer::write(Demo& demo) {
     path_ = "copied";
     return false;
   }
-  const std::string& backend = demo.session.backend();
-  BodyWriter& writer = backend == "cuda" ? *by_cuda_ : *by_cpu_;
-  if (by_cuda_ && &writer != by_cuda_.get()) by_cuda_->release();
-  const bool is_written = writer.write(demo.session.world(), renderer_.bodies());
-  const std::string path = is_written ? "written by " + backend : "copied: " + writer.trouble();
-  if (!is_written && path != path_) demo.say("the GPU's spheres are copied to be drawn: " + writer.trouble());
+  World& world = demo.session.world();
+  if (demo.session.backend() == "cpu") {
+    if (by_cuda_) by_cuda_->release();
+    renderer_.bodies().resize(world.shape());
+    renderer_.bodies().map([&](const BodyTarget& target) { world.write_bodies(target); });
+    path_ = "written by cpu";
+    return true;
+  }
+  const bool is_written = by_cuda_->write(world, renderer_.bodies());
+  const std::string path = is_written ? "written by cuda" : "copied: " + by_cuda_->trouble();
+  if (!is_written && path != path_) demo.say("the GPU's spheres are copied to be drawn: " + by_cuda_->trouble());
   path_ = path;
   return is_written;
 }

@@ -6,7 +6,6 @@
 #include <memory>
 #include <string>
 
-#include "render/body_writer.h"
 #include "render/renderer.h"
 #include "show/demo.h"
 
@@ -34,7 +33,7 @@ class DemoRenderer {
   bool write(Demo& demo);
 
   Renderer renderer_;
-  std::unique_ptr<BodyWriter> by_cuda_, by_cpu_;
+  std::unique_ptr<BodyWriter> by_cuda_;  // none in a program without CUDA
   std::string path_;
   bool copies_ = false;
 };

@@ -1,36 +1,35 @@
 // SPDX-License-Identifier: MIT
-#include "show/keys.h"
-
+// The table of all keys.
 #include <array>
+
+#include "show/demo.h"
 
 namespace ballpit {
 
-namespace {
-
-constexpr std::array kKeys{
-    Key{'1', "1", "brute force", Action::use_method, "brute-force"},
-    Key{'2', "2", "sort and sweep", Action::use_method, "sort-and-sweep"},
-    Key{'3', "3", "linked cell", Action::use_method, "linked-cell"},
-    Key{'4', "4", "sorted grid", Action::use_method, "sorted-grid"},
-    Key{' ', "Space", "pause, or go on", Action::pause, ""},
-    Key{'.', ".", "one step forward", Action::step, ""},
-    Key{',', ",", "one step back", Action::step_back, ""},
-    Key{'R', "R", "restart the scene", Action::restart, ""},
-    Key{'G', "G", "grid", Action::toggle_overlay, "grid"},
-    Key{'I', "I", "intervals", Action::toggle_overlay, "intervals"},
-    Key{'P', "P", "pairs: candidates, contacts, missed", Action::toggle_overlay, "pairs"},
-    Key{'L', "L", "lists: head and next", Action::toggle_overlay, "lists"},
-    Key{'N', "N", "numbers of spheres and cells", Action::toggle_overlay, "labels"},
-    Key{'V', "V", "velocities", Action::toggle_overlay, "velocity"},
-    Key{'W', "W", "swept ways", Action::toggle_overlay, "swept"},
-    Key{'T', "T", "other theme", Action::change_theme, ""},
-    Key{'H', "H", "view the whole domain again", Action::reset_view, ""},
-    Key{'S', "S", "save a picture", Action::save_picture, ""},
-    Key{kKeyF1, "F1", "show these keys, or hide them", Action::show_keys, ""},
-};
-
-}  // namespace
-
-std::span<const Key> key_table() { return kKeys; }
+std::span<const Key> key_table() {
+  static constexpr std::array kKeys{
+      Key{'1', "1", "brute force", [](Demo& demo) { demo.set("broadphase", "brute-force"); }},
+      Key{'2', "2", "sort and sweep", [](Demo& demo) { demo.set("broadphase", "sort-and-sweep"); }},
+      Key{'3', "3", "linked cell", [](Demo& demo) { demo.set("broadphase", "linked-cell"); }},
+      Key{'4', "4", "sorted grid", [](Demo& demo) { demo.set("broadphase", "sorted-grid"); }},
+      Key{' ', "Space", "pause, or go on", [](Demo& demo) { demo.player.is_running = !demo.player.is_running; }},
+      Key{'.', ".", "one step forward", [](Demo& demo) { demo.step(); }},
+      Key{',', ",", "one step back", [](Demo& demo) { demo.step_back(); }},
+      Key{'R', "R", "restart the scene", [](Demo& demo) { demo.restart(); }},
+      Key{'G', "G", "grid", [](Demo& demo) { demo.view.toggle("grid"); }},
+      Key{'I', "I", "intervals", [](Demo& demo) { demo.view.toggle("intervals"); }},
+      Key{'P', "P", "pairs: candidates, contacts, missed", [](Demo& demo) { demo.view.toggle("pairs"); }},
+      Key{'L', "L", "lists: head and next", [](Demo& demo) { demo.view.toggle("lists"); }},
+      Key{'N', "N", "numbers of spheres and cells", [](Demo& demo) { demo.view.toggle("labels"); }},
+      Key{'V', "V", "velocities", [](Demo& demo) { demo.view.toggle("velocity"); }},
+      Key{'W', "W", "swept ways", [](Demo& demo) { demo.view.toggle("swept"); }},
+      Key{'T', "T", "other theme",
+          [](Demo& demo) { demo.view.theme = themes()[demo.view.theme == themes()[0].name ? 1 : 0].name; }},
+      Key{'H', "H", "view the whole domain again", [](Demo& demo) { demo.view.reset(); }},
+      Key{'S', "S", "save a picture", nullptr},
+      Key{290, "F1", "show these keys, or hide them", [](Demo& demo) { demo.shows_keys = !demo.shows_keys; }},
+  };
+  return kKeys;
+}
 
 }  // namespace ballpit

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "show/session.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "core/error.h"
 #include "methods/methods.h"
-#include "render/overlays/overlay.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "scene/spheres_csv.h"
-#include "show/backends.h"
 #include "show/notes.h"
 
 namespace ballpit {
@@ -27,6 +21,15 @@ bool is_of_detection(std::string_view option) {
 }
 
 }  // namespace
+
+Backend select_backend(BackendName name, Response response) {
+  const bool is_cpu_only = !goes_with(response, "backend", "cuda");
+  if (name == BackendName::cpu || (name == BackendName::automatic && is_cpu_only)) return cpu_backend();
+  Backend cuda = cuda_backend();
+  if (cuda.unavailable_reason.empty()) return cuda;
+  if (name == BackendName::automatic) return cpu_backend();
+  throw UserError("--backend", "cuda, which cannot serve here: " + cuda.unavailable_reason, "auto, cpu");
+}
 
 Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally)
     : keeps_tally_(keeps_tally) {
@@ -47,7 +50,7 @@ void Session::start(std::string name, std::vector<GivenOption> given) {
   time_before_ = 0;
 }
 
-void Session::go_on(std::vector<GivenOption> given, const Physics& physics) {
+void Session::take(std::vector<GivenOption> given, const Physics& physics) {
   const Settings settings = combine(scene_.defaults, given);
   Scene scene = scene_;
   scene.physics = physics;
@@ -63,8 +66,10 @@ void Session::use(Scene scene, const Settings& settings) {
   Settings own = settings;
   own.keeps_tally = keeps_tally_;
   std::unique_ptr<World> world = backend.make_world(scene, own);
-  if (world_) world->report();  // finds contacts; if memory is too small for them, the old world stays
+  std::optional<Report> report;
+  if (world_) report = world->report();  // now: if memory is too small for its contacts, the old world stays
   world_ = std::move(world);
+  report_ = std::move(report);
   settings_ = own;
   backend_ = backend.name;
   scene_ = std::move(scene);
@@ -77,7 +82,13 @@ bool Session::detect_by(const std::vector<GivenOption>& given) {
   settings.keeps_tally = keeps_tally_;
   if (!world_->detect_by(settings)) return false;
   settings_ = settings;
+  report_.reset();
   return true;
+}
+
+const Report& Session::report() {
+  if (!report_ || report_->steps != world_->steps()) report_ = world_->report();
+  return *report_;
 }
 
 void Session::set(const std::string& name, const std::string& value) {
@@ -93,11 +104,9 @@ void Session::set(const std::string& name, const std::string& value) {
   } else if (is_of_detection(name) && detect_by(given)) {
     given_ = std::move(given);
   } else {
-    go_on(given, scene_.physics);
+    take(given, scene_.physics);
   }
 }
-
-void Session::set_physics(const Physics& physics) { go_on(given_, physics); }
 
 void Session::load(const std::string& scene) {
   std::vector<GivenOption> given = given_;
@@ -117,14 +126,6 @@ int64_t Session::steps_until(double time) const {
                     fmt::format("{:g} steps", kMaxSteps));
   }
   return static_cast<int64_t>(std::llround(steps)) - world_->steps();
-}
-
-FrameView Session::view_of(const Inspection& inspection, const View& view, float aspect) const {
-  const Domain& domain = scene_.domain;
-  const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top};
-  const Camera camera = leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, inspection));
-  const auto step = static_cast<float>(settings_.dt / settings_.substeps);
-  return {inspection, box, camera, view.overlays, view.selected, view.coloring, step};
 }
 
 std::string rescue(Session& session, const std::string& path) {

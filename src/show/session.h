@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// A session: a scene, the settings, and the world that simulates it.
+// A session: a scene, the settings, and the world that simulates it; and the choice of the processor that it runs on.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "methods/settings.h"
-#include "render/frame_view.h"
-#include "scene/scene.h"
-#include "show/given_options.h"
-#include "show/view.h"
+#include "show/options.h"
 #include "world/world.h"
 
 namespace ballpit {
+
+/// The backend of this name. Automatic: CUDA if there is a device and the response runs on it, else the CPU. Throws
+/// UserError with the reason if the backend is not available.
+Backend select_backend(BackendName name, Response response = Response::impulse);
 
 class Session {
  public:
@@ -28,20 +29,15 @@ class Session {
   /// changes.
   void set(const std::string& name, const std::string& value);
 
-  /// The same for the scene's physics.
-  void set_physics(const Physics& physics);
-
   /// Replaces all options and the physics. A new world goes on from the present state. Throws as set().
-  void take(const std::vector<GivenOption>& given, const Physics& physics) { go_on(given, physics); }
+  void take(std::vector<GivenOption> given, const Physics& physics);
 
   /// Starts the scene again, with the same options, or another scene, with the same backend and threads.
-  void restart() { load(scene_name_); }
   void load(const std::string& scene);
 
   double time() const { return time_before_ + world_->time(); }  ///< [s] since the scene's start
 
-  /// Steps until the state nearest to `time` [s], or until stop() is true. Throws RunError as World::step()
-  /// does.
+  /// Steps until the state nearest to `time` [s], or until stop() is true. Throws as World::step() does.
   template <class Stop>
   void advance_to(double time, Stop&& stop) {
     while (steps_until(time) > 0 && !stop()) world_->step();
@@ -49,9 +45,6 @@ class Session {
 
   /// Steps from here to the state nearest to `time`. Throws UserError for too many to be counted.
   int64_t steps_until(double time) const;
-
-  /// The present state for the renderer; `inspection` must outlive the result.
-  FrameView view_of(const Inspection& inspection, const View& view, float aspect) const;
 
   const Scene& scene() const { return scene_; }
   const std::string& scene_name() const { return scene_name_; }     ///< name, or path of a file
@@ -61,10 +54,12 @@ class Session {
   World& world() { return *world_; }
   const World& world() const { return *world_; }
 
+  /// Of the world's present state; made once for each step.
+  const Report& report();
+
  private:
   void start(std::string scene, std::vector<GivenOption> given);
   bool detect_by(const std::vector<GivenOption>& given);
-  void go_on(std::vector<GivenOption> given, const Physics& physics);
   void use(Scene scene, const Settings& settings);
 
   std::string scene_name_;
@@ -75,6 +70,7 @@ class Session {
   Settings settings_;
   std::string backend_;
   std::unique_ptr<World> world_;
+  std::optional<Report> report_;  // the last one of this world
 };
 
 /// Writes the last good state of a run that failed to `path`. Returns "the last good state, of t = 0.32 s, is in FILE",

@@ -2,9 +2,12 @@
 #include "show/timeline.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
+#include "core/error.h"
 #include "core/interrupt.h"
 
 namespace ballpit {
@@ -15,6 +18,10 @@ constexpr int64_t kInterval =
     16;  // steps between keyframes at first: the guard's interval, after which snapshots are smallest
 constexpr int64_t kMaxRecent = 64;  // snapshots
 constexpr int64_t kRecentPart = 4;  // of the budget: a quarter
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 }  // namespace
 
@@ -31,7 +38,7 @@ void Timeline::step() {
 
 bool Timeline::go_to(int64_t step, const std::function<bool()>& stop) {
   const int64_t goal = std::clamp(step, first_, furthest_);
-  const Place latest = latest_before(goal);
+  const auto latest = latest_before(goal);
   if (step_now() < latest->first || step_now() > goal) world_.restore(*latest->second);
   while (step_now() < goal) {
     if (stop && stop()) return false;
@@ -56,8 +63,8 @@ void Timeline::advance(bool keeps_recent) {
 }
 
 /// The latest snapshot at or before a step.
-Timeline::Place Timeline::latest_before(int64_t step) {
-  const Place keyframe = std::prev(keyframes_.at.upper_bound(step)), after = recent_.at.upper_bound(step);
+Timeline::Shelf::Place Timeline::latest_before(int64_t step) {
+  const auto keyframe = std::prev(keyframes_.at.upper_bound(step)), after = recent_.at.upper_bound(step);
   if (after == recent_.at.begin() || std::prev(after)->first < keyframe->first) return keyframe;
   return std::prev(after);
 }
@@ -102,6 +109,49 @@ void Timeline::Shelf::put(int64_t step, std::unique_ptr<Snapshot> snapshot) {
 Timeline::Shelf::Place Timeline::Shelf::drop(Place place) {
   bytes -= place->second->bytes();
   return at.erase(place);
+}
+
+int Player::advance(Timeline& timeline, double elapsed, double share) {
+  if (!is_running) return 0;
+  const double dt = timeline.time_of(1);
+  owed_ += elapsed * speed;
+  const auto start = std::chrono::steady_clock::now();
+  int steps = 0;
+  while (owed_ >= dt) {
+    if (steps > 0 && seconds_since(start) >= share) {
+      owed_ = 0;  // too slow for the clock: drop the rest
+      break;
+    }
+    if (!try_step(timeline)) return steps;
+    owed_ -= dt;
+    ++steps;
+  }
+  return steps;
+}
+
+void Player::step(Timeline& timeline) {
+  is_running = false;
+  owed_ = 0;
+  try_step(timeline);
+}
+
+bool Player::try_step(Timeline& timeline) {
+  if (!failure_.empty()) return is_running = false;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    timeline.step();
+  } catch (const RunError& error) {
+    failure_ = error.what();
+    return is_running = false;
+  }
+  step_times_.push_back(static_cast<float>(1e3 * seconds_since(start)));
+  if (step_times_.size() > kKept) step_times_.pop_front();
+  return true;
+}
+
+double Player::mean_step_time() const {
+  if (step_times_.empty()) return 0;
+  return std::accumulate(step_times_.begin(), step_times_.end(), 0.0) / double(step_times_.size());
 }
 
 }  // namespace ballpit

@@ -13,9 +13,11 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
 
 #include "world/world.h"
 
@@ -57,14 +59,12 @@ class Timeline {
     int64_t bytes = 0;
   };
 
-  using Place = Shelf::Place;
-
   void advance(bool keeps_recent);
   bool has_room_for(int64_t recent) const;
   void remember(bool keeps_recent);
   void thin_keyframes();
   void thin_recent();
-  Place latest_before(int64_t step);
+  Shelf::Place latest_before(int64_t step);
 
   World& world_;
   double dt_;  // [s]
@@ -73,6 +73,41 @@ class Timeline {
   int64_t interval_;
   int64_t largest_ = 0;  // snapshot so far [bytes]
   Shelf keyframes_, recent_;
+};
+
+/// Plays a world in time, with steps of constant length at any frame rate.
+///
+///     elapsed × speed ──▶ owed time ──▶ one step for each dt, until the frame's share of time is used; drop the rest
+///
+/// So a slow scene runs slower than the clock, and its delay does not grow.
+class Player {
+ public:
+  bool is_running = true;
+  double speed = 1;  ///< simulated seconds a second
+
+  /// Makes the steps that are due after `elapsed` [s], for at most `share` [s] but at least one. Returns the number of
+  /// steps. A run that fails is paused, and failure() gives the reason.
+  int advance(Timeline& timeline, double elapsed, double share);
+
+  /// Pauses and makes one step.
+  void step(Timeline& timeline);
+
+  const std::string& failure() const { return failure_; }  ///< why the world cannot go on; empty if it can
+  void forgive() { failure_.clear(); }                     ///< for a new world
+
+  void forget_times() { step_times_.clear(); }  ///< for new settings
+
+  /// Milliseconds of the latest steps, oldest first.
+  const std::deque<float>& step_times() const { return step_times_; }
+  double mean_step_time() const;  ///< [ms] of the latest steps
+
+ private:
+  bool try_step(Timeline& timeline);
+
+  static constexpr size_t kKept = 240;
+  double owed_ = 0;  // [s]
+  std::string failure_;
+  std::deque<float> step_times_;
 };
 
 }  // namespace ballpit

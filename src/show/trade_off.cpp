@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 namespace ballpit {
 
 namespace {
@@ -23,6 +21,10 @@ bool is_same(const std::vector<GivenOption>& a, const std::vector<GivenOption>& 
 }
 
 }  // namespace
+
+double energy_of(const Report& report) {
+  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
+}
 
 std::string Played::label() const {
   std::string text;
@@ -54,7 +56,7 @@ void TradeOff::begin(const std::vector<GivenOption>& given, const Physics& physi
 void TradeOff::observe(const Report& report) {
   if (current_ < 0) return;
   Played& trial = trials_[static_cast<size_t>(current_)];
-  const double energy = report.kinetic_energy + report.potential_energy + report.elastic_energy;
+  const double energy = energy_of(report);
   if (!last_) {
     start_energy_ = energy;
   } else if (report.steps > last_->steps) {
@@ -64,7 +66,7 @@ void TradeOff::observe(const Report& report) {
     trial.overlap = std::max(trial.overlap, report.max_overlap);
     if (start_energy_ != 0) trial.drift = std::max(trial.drift, std::fabs((energy - start_energy_) / start_energy_));
   }
-  last_ = Seen{report.steps, report.time, report.seconds};
+  last_ = report;
 }
 
 void TradeOff::clear() {

@@ -14,11 +14,13 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/scene.h"
-#include "show/given_options.h"
+#include "show/options.h"
 #include "world/world.h"
 
 namespace ballpit {
+
+/// [J] Kinetic, potential and elastic.
+double energy_of(const Report& report);
 
 /// Settings, and their cost and errors so far.
 struct Played {
@@ -28,8 +30,7 @@ struct Played {
   double time = 0;     ///< [s] simulated
   double seconds = 0;  ///< [s] of computing time
   double overlap = 0;  ///< the largest seen, of the smaller radius
-  double drift =
-      0;  ///< the largest change of energy seen, as a fraction of the energy when the trial began or was resumed
+  double drift = 0;    ///< the largest change of energy seen, as a fraction of that when the trial began or resumed
 
   /// [s] of computing time for a simulated second.
   double cost() const { return time > 0 ? seconds / time : 0; }
@@ -69,14 +70,9 @@ class TradeOff {
   std::vector<int> front(const PlayedError& error) const;
 
  private:
-  struct Seen {
-    int64_t steps;
-    double time, seconds;  // [s]
-  };
-
   std::vector<Played> trials_;
   int current_ = -1;
-  std::optional<Seen> last_;
+  std::optional<Report> last_;
   double start_energy_ = 0;  // [J]
 };
 

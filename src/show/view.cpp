@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "show/view.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ballpit {
@@ -49,6 +48,12 @@ void View::orbit(float right, float down) {
 }
 
 void View::zoom_by(float clicks) { zoom = std::clamp(zoom * std::pow(kZoomPerClick, clicks), kMinZoom, kMaxZoom); }
+
+void View::reset() {
+  azimuth = kThreeQuarterAzimuth;
+  elevation = kThreeQuarterElevation;
+  zoom = 1;
+}
 
 Camera camera_of(const View& view, const DomainBox& domain, float aspect) {
   Camera camera = domain.is_planar() ? frame_box(domain.min, domain.max, 2, aspect)

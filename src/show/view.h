@@ -5,10 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/camera.h"
 #include "render/coloring.h"
-#include "render/frame_view.h"
-#include "render/theme.h"
 
 namespace ballpit {
 
@@ -30,6 +27,7 @@ struct View {
 
   void orbit(float right, float down);  ///< distances dragged [fractions of the picture's height]
   void zoom_by(float clicks);           ///< of the mouse wheel
+  void reset();                         ///< shows the whole domain in the three-quarter view
 };
 
 /// The camera of a view on a domain, in a picture of this width by height.

@@ -5,11 +5,9 @@
 
 #include <imgui.h>
 
-#include "core/numbers.h"
 #include "methods/methods.h"
 #include "render/overlays/overlay.h"
-#include "scene/catalog.h"
-#include "show/keys.h"
+#include "scene/read_scene.h"
 #include "window/panel.h"
 
 namespace ballpit {

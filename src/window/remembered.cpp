@@ -6,9 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
 #include "core/file.h"
-#include "show/parse.h"
 
 namespace ballpit {
 

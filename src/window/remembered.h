@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "show/given_options.h"
-#include "show/parse.h"
+#include "show/options.h"
 #include "show/view.h"
 
 namespace ballpit {

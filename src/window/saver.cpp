@@ -4,13 +4,8 @@
 #include <chrono>
 #include <filesystem>
 
-#include <fmt/format.h>
-
-#include "core/error.h"
 #include "export/png.h"
-#include "render/painter.h"
 #include "scene/spheres_csv.h"
-#include "show/film_key.h"
 
 namespace ballpit {
 
@@ -89,8 +84,8 @@ void Saver::advance() {
   attempt([&] {
     const auto start = std::chrono::steady_clock::now();
     if (!film_->advance([&] { return std::chrono::steady_clock::now() - start > kMaxTurn; })) return;
-    film_->push(draw(*drawing_, demo_, {}));
-    demo_.say(fmt::format("frame {} of {} in {}", film_->next(), film_->plan().frames, film_->plan().folder));
+    film_->frames.push(draw(*drawing_, demo_, {}));
+    demo_.say(fmt::format("frame {} of {} in {}", film_->next(), film_->plan.frames, film_->plan.folder));
     if (film_->is_done()) stop_film();
   });
 }
@@ -98,8 +93,8 @@ void Saver::advance() {
 void Saver::stop_film() {
   if (!film_) return;
   attempt([&] {
-    film_->finish();
-    const std::string done = counted(film_->next(), "frame") + " in " + film_->plan().folder;
+    film_->frames.finish();
+    const std::string done = counted(film_->next(), "frame") + " in " + film_->plan.folder;
     demo_.say(done);
     film_.reset();
     drawing_.reset();

@@ -5,10 +5,8 @@
 
 #include <memory>
 
-#include "show/demo.h"
 #include "show/demo_renderer.h"
 #include "show/film.h"
-#include "show/parse.h"
 
 namespace ballpit {
 

@@ -4,13 +4,10 @@
 #include <algorithm>
 
 #include <epoxy/gl.h>
-#include <fmt/format.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "core/error.h"
 #include "render/gl_context.h"
-#include "render/gl_debug.h"
 
 namespace ballpit {
 
@@ -30,32 +27,31 @@ std::string alternative() {
 }
 
 /// A window much larger than its display is a mistake, and would take too much memory.
-void check_size(int width, int height) {
+void check_size(PictureSize size) {
   constexpr int kMaxDisplays = 4;  // side by side
   GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
   const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
   if (!mode) return;
   const int max_width = kMaxDisplays * mode->width, max_height = kMaxDisplays * mode->height;
-  if (width <= max_width && height <= max_height) return;
+  if (size.width <= max_width && size.height <= max_height) return;
   glfwTerminate();
-  throw UserError("--size", fmt::format("{}x{}", width, height),
-                  fmt::format("at most {}x{} on this display", max_width, max_height));
+  throw UserError("--size", text_of(size), fmt::format("at most {}x{} on this display", max_width, max_height));
 }
 
 }  // namespace
 
-Window::Window(int width, int height, const std::string& title) {
+Window::Window(PictureSize size, const std::string& title) {
   const std::string trouble = trouble_with(kGlLibrary);
   if (!trouble.empty()) throw RunError("show", "no window: " + trouble);
   if (!glfwInit()) throw RunError("show", "no window: " + glfw_reason(), alternative());
-  check_size(width, height);
+  check_size(size);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
   glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // so that a loss is reported
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  window_ = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
   if (!window_) {
     const std::string reason = glfw_reason();
     glfwTerminate();
@@ -74,52 +70,44 @@ Window::~Window() {
 
 Window& Window::of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
+WindowEvents& Window::changed(GLFWwindow* window) {
+  of(window).events_.any = true;
+  return of(window).events_;
+}
+
 void Window::listen() {
   glfwSetWindowUserPointer(window_, this);
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
-    of(w).events_.mouse = of(w).to_pixels(x, y);
-    of(w).events_.any = true;
-  });
+  glfwSetCursorPosCallback(window_,
+                           [](GLFWwindow* w, double x, double y) { changed(w).mouse = of(w).to_pixels(x, y); });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-    WindowEvents& events = of(w).events_;
+    WindowEvents& events = changed(w);
     events.is_mouse_down = action == GLFW_PRESS;
     (events.is_mouse_down ? events.was_pressed : events.was_released) = true;
-    events.any = true;
   });
-  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
-    of(w).events_.wheel += static_cast<float>(y);
-    of(w).events_.any = true;
-  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { changed(w).wheel += static_cast<float>(y); });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
-    WindowEvents& events = of(w).events_;
+    WindowEvents& events = changed(w);
     if (action != GLFW_REPEAT) events.keys[key] = action == GLFW_PRESS;
     if (action != GLFW_RELEASE) events.pressed.push_back(key);
-    events.any = true;
   });
-  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
-    of(w).events_.typed += static_cast<char32_t>(code);
-    of(w).events_.any = true;
-  });
-  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).events_.any = true; });
-  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).events_.any = true; });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { changed(w).typed += static_cast<char32_t>(code); });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { changed(w); });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { changed(w); });
 }
 
 /// GLFW reports the mouse in units of the window; a HiDPI display has more pixels than units.
 Vec2 Window::to_pixels(double x, double y) const {
   int w = 1, h = 1;
   glfwGetWindowSize(window_, &w, &h);
-  return {static_cast<float>(x * width() / std::max(w, 1)), static_cast<float>(y * height() / std::max(h, 1))};
+  const auto [width, height] = size();
+  return {static_cast<float>(x * width / std::max(w, 1)), static_cast<float>(y * height / std::max(h, 1))};
 }
 
 bool Window::is_to_close() const { return glfwWindowShouldClose(window_) != 0; }
 
 const WindowEvents& Window::poll(double seconds) {
-  const Vec2 mouse = events_.mouse;
-  const bool is_down = events_.is_mouse_down;
-  events_ = {};
-  events_.mouse = mouse;
-  events_.is_mouse_down = is_down;
+  events_ = {.mouse = events_.mouse, .is_mouse_down = events_.is_mouse_down};
   if (seconds > 0) {
     glfwWaitEventsTimeout(seconds);
   } else {
@@ -128,15 +116,10 @@ const WindowEvents& Window::poll(double seconds) {
   return events_;
 }
 
-int Window::width() const {
-  int w = 0, h = 0;
-  glfwGetFramebufferSize(window_, &w, &h);
-  return w;
-}
-int Window::height() const {
-  int w = 0, h = 0;
-  glfwGetFramebufferSize(window_, &w, &h);
-  return h;
+PictureSize Window::size() const {
+  PictureSize size{0, 0};
+  glfwGetFramebufferSize(window_, &size.width, &size.height);
+  return size;
 }
 float Window::density() const {
   float x = 1, y = 1;

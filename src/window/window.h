@@ -3,11 +3,11 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/math.h"
+#include "show/options.h"
 
 struct GLFWwindow;
 
@@ -20,16 +20,16 @@ struct WindowEvents {
   bool was_pressed = false;    ///< it went down
   bool was_released = false;   ///< it went up
   float wheel = 0;
-  std::vector<int> pressed;  ///< keys that went down, by GLFW's code
-  std::map<int, bool> keys;  ///< keys that changed, and whether they are down now
-  std::u32string typed;      ///< characters
-  bool any = false;          ///< anything at all, including a new size or an uncovered window
+  std::vector<int> pressed{};  ///< keys that went down, by GLFW's code
+  std::map<int, bool> keys{};  ///< keys that changed, and whether they are down now
+  std::u32string typed{};      ///< characters
+  bool any = false;            ///< anything at all, including a new size or an uncovered window
 };
 
 class Window {
  public:
   /// Throws UserError for a size far beyond the display, RunError with GLFW's reason without a display or OpenGL 4.5.
-  Window(int width, int height, const std::string& title);
+  Window(PictureSize size, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -39,14 +39,14 @@ class Window {
   /// Events since the last call; waits for one for `seconds` at most.
   const WindowEvents& poll(double seconds);
 
-  int width() const;  ///< [pixel] of the framebuffer; 0 while the window is minimised
-  int height() const;
-  float density() const;  ///< pixels for one of an ordinary display: 2 on many HiDPI displays
-  void show();            ///< shows what was drawn
+  PictureSize size() const;  ///< [pixel] of the framebuffer; 0 while the window is minimised
+  float density() const;     ///< pixels for one of an ordinary display: 2 on many HiDPI displays
+  void show();               ///< shows what was drawn
   void set_title(const std::string& title);
 
  private:
   static Window& of(GLFWwindow* window);
+  static WindowEvents& changed(GLFWwindow* window);
   void listen();
   Vec2 to_pixels(double x, double y) const;
 

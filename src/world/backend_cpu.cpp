@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Worlds and pair searches on the CPU.
-#include "exec/cpu_executor.h"
-#include "world/event_driven_world.h"
 #include "world/instances_cpu.h"
 #include "world/make_world.h"
 #include "world/pair_search_on.h"

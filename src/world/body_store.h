@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The bodies of a world in the memory of its executor, and the domain that they move in. Equal radii and equal masses are
-// stored as one number each. Now and then the bodies are sorted in memory (spatial_order.h): "slot" is where a body is
-// stored, "id" is its number in the scene.
+// The bodies of a world in the memory of its executor, and their domain. Equal radii and equal masses are stored as one number
+// each. Bodies are sorted in memory (spatial_order.h): "slot" is where one is stored, "id" is its number in the scene.
 #pragma once
 
-#include <algorithm>
 #include <memory>
-#include <utility>
-#include <vector>
 
 #include "bodies/bodies_view.h"
-#include "bodies/body_snapshot.h"
-#include "bodies/box.h"
-#include "core/span.h"
-#include "scene/scene.h"
+#include "exec/atomics.h"
 #include "world/spatial_order.h"
 
 namespace ballpit {
@@ -38,6 +31,12 @@ class BodyStore {
     std::vector<V> position, velocity;
     std::vector<Real> radius, inverse_mass;
     std::vector<int> order;
+
+    int id(int slot) const { return order.empty() ? slot : order[static_cast<size_t>(slot)]; }
+    BodiesView<V> view() const {
+      const auto span = [](const auto& values) { return Span(values.data(), static_cast<int64_t>(values.size())); };
+      return {span(position), span(velocity), span(radius), span(inverse_mass)};
+    }
   };
 
   BodyStore(std::unique_ptr<Exec> exec, const Scene& scene)
@@ -55,7 +54,7 @@ class BodyStore {
   int64_t count() const { return position.size(); }
   const SpatialOrder<V, Exec>& order() const { return order_; }
 
-  BodiesView<V> view() const { return {position.span(), velocity.span(), per_body(radius_), per_body(inverse_mass_)}; }
+  BodiesView<V> view() const { return {position.span(), velocity.span(), radius_.span(), inverse_mass_.span()}; }
 
   /// Moves what has left a periodic domain back into it.
   void wrap() {
@@ -88,7 +87,12 @@ class BodyStore {
   /// The values of all bodies by id; one value where all are equal.
   template <class T>
   std::vector<T> downloaded(const Buffer<T>& buffer) const {
-    return by_id(exec_->download(buffer.span()), exec_->download(order_.id_at()));
+    std::vector<T> values = exec_->download(buffer.span());
+    const std::vector<int> id_at = exec_->download(order_.id_at());
+    if (values.size() != id_at.size()) return values;
+    std::vector<T> result(values.size());
+    for (size_t slot = 0; slot < values.size(); ++slot) result[static_cast<size_t>(id_at[slot])] = values[slot];
+    return result;
   }
 
   /// The bodies by id, in double precision, at other positions and velocities by slot.
@@ -105,18 +109,13 @@ class BodyStore {
   Buffer<V> velocity;  ///< [m/s]
 
  private:
-  static PerBody<Real> per_body(const Buffer<Real>& buffer) {
-    return {buffer.span().data(), buffer.size() == 1 ? 0 : 1};
-  }
-
   void upload(const Bodies& bodies);
 
   /// One number where all are equal, else one each.
   void upload_per_body(Buffer<Real>& buffer, const std::vector<double>& values) {
     const bool is_uniform = std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
     const auto last = is_uniform && !values.empty() ? values.begin() + 1 : values.end();
-    const std::vector<Real> rounded(values.begin(), last);
-    exec_->upload(buffer, rounded);
+    exec_->upload(buffer, std::vector<Real>(values.begin(), last));
   }
 
   std::unique_ptr<Exec> exec_;
@@ -156,6 +155,48 @@ void BodyStore<V, Exec>::upload(const Bodies& bodies) {
   const auto [least, most] = std::minmax_element(bodies.radius.begin(), bodies.radius.end());
   smallest_radius_ = static_cast<float>(*least);
   largest_radius_ = static_cast<float>(*most);
+}
+
+template <class V>
+HOST_DEVICE void write_body(const BodyTarget& target, int64_t id, const V& position, double radius) {
+  constexpr int d = kDimensions<V>;
+  for (int axis = 0; axis < d; ++axis) target.position[id * d + axis] = static_cast<float>(position[axis]);
+  if (!target.radius.empty()) target.radius[id] = static_cast<float>(radius);
+}
+
+/// Kernel: the bodies of pair k touch.
+struct NoteTouching {
+  Span<const Pair> pairs;
+  Span<int> touching;  // by slot
+  HOST_DEVICE void operator()(int k) const {
+    atomic_exchange(&touching[pairs[k].i], 1);
+    atomic_exchange(&touching[pairs[k].j], 1);
+  }
+};
+
+/// Kernel: writes the body in a slot.
+template <class V>
+struct WriteBody {
+  BodiesView<V> bodies;
+  Span<const int> id_at, touching;
+  BodyTarget target;
+
+  HOST_DEVICE void operator()(int slot) const {
+    const int id = id_at.empty() ? slot : id_at[slot];
+    write_body(target, id, bodies.position[slot], double(bodies.radius[slot]));
+    target.touching[id] = static_cast<uint8_t>(touching[slot]);
+  }
+};
+
+/// `pairs` are in contact.
+template <class V, class Exec>
+void write_bodies(const BodyStore<V, Exec>& bodies, Span<const Pair> pairs, const BodyTarget& target) {
+  Exec& exec = bodies.exec();
+  const Span<int> touching = exec.template scratch<int>(0, bodies.count());
+  exec.fill("write bodies", touching, 0);
+  exec.parallel_for("write bodies", pairs.size(), NoteTouching{pairs, touching});
+  exec.parallel_for("write bodies", bodies.count(),
+                    WriteBody<V>{bodies.view(), bodies.order().id_at(), touching, target});
 }
 
 }  // namespace ballpit

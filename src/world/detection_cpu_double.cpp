@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Detection on the CPU in double precision.
-#include "exec/cpu_executor.h"
-#include "world/instances.h"
+#include "world/instances_cpu.h"
 
-BALLPIT_DETECTION(, ballpit::Vec2d, ballpit::CpuExecutor);
-BALLPIT_DETECTION(, ballpit::Vec3d, ballpit::CpuExecutor);
+BALLPIT_DETECTION(, ballpit::Vec2d);
+BALLPIT_DETECTION(, ballpit::Vec3d);

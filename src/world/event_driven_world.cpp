@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "world/event_driven_world.h"
-
-#include <algorithm>
+// The world of the event-driven response.
 #include <chrono>
-#include <cmath>
 
-#include "bodies/bodies_view.h"
-#include "bodies/body_snapshot.h"
-#include "bodies/pair.h"
-#include "broad_phase/inspection.h"
 #include "event_driven/event_driven.h"
-#include "world/inspection.h"
+#include "world/body_store.h"
+#include "world/make_world.h"
 #include "world/sums.h"
-#include "world/write_bodies.h"
 
 namespace ballpit {
 
@@ -53,7 +46,7 @@ class EventDrivenWorld final : public World {
       }
       result.bodies.radius.push_back(static_cast<float>(motion_.radius(i)));
     }
-    for_each_contact([&](Pair pair, double) { result.contacts.push_back(pair); });
+    for (const auto& [pair, gap] : contacts()) result.contacts.push_back(pair);
     result.grids.push_back(grid());
     if (wanted.candidates) result.candidates = pairs_in_reach();
     return result;
@@ -72,11 +65,10 @@ class EventDrivenWorld final : public World {
     report.candidates = motion_.predictions();
     report.events = motion_.events();
     report.tally = motion_.tally();
-    for_each_contact([&](Pair pair, double gap) {
+    for (const auto& [pair, gap] : contacts()) {
       ++report.contacts;
-      const double radius = std::min(motion_.radius(pair.i), motion_.radius(pair.j));
-      report.max_overlap = std::max(report.max_overlap, -gap / radius);
-    });
+      report.max_overlap = std::max(report.max_overlap, -gap / smaller_radius(pair));
+    }
     measure_bodies(report);
     return report;
   }
@@ -95,7 +87,7 @@ class EventDrivenWorld final : public World {
       write_body(target, i, position(i), motion_.radius(i));
       target.touching[i] = 0;
     }
-    for_each_contact([&](Pair pair, double) { target.touching[pair.i] = target.touching[pair.j] = 1; });
+    for (const auto& [pair, gap] : contacts()) target.touching[pair.i] = target.touching[pair.j] = 1;
   }
 
   Bodies bodies() override {
@@ -133,49 +125,47 @@ class EventDrivenWorld final : public World {
   };
 
   static EventRules<V> rules(const Scene& scene, const Settings& settings) {
-    EventRules<V> rules;
-    rules.box = {narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary};
-    rules.gravity = narrow<V>(scene.physics.gravity);
-    rules.restitution = scene.physics.restitution;
-    rules.wall_restitution = scene.physics.wall_restitution;
-    rules.contact_duration = settings.contact_duration;
-    return rules;
+    return {.box = {narrow<V>(scene.domain.min), narrow<V>(scene.domain.max), scene.domain.boundary},
+            .gravity = narrow<V>(scene.physics.gravity),
+            .restitution = scene.physics.restitution,
+            .wall_restitution = scene.physics.wall_restitution,
+            .contact_duration = settings.contact_duration};
   }
 
   V position(int i) const { return motion_.rules().box.wrap(motion_.position_at(time(), i)); }
   V velocity(int i) const { return motion_.velocity_at(time(), i); }
 
-  /// Calls visit(pair, gap [m]) for each pair of spheres that touch, by i, then j.
+  double smaller_radius(const Pair& pair) const { return std::min(motion_.radius(pair.i), motion_.radius(pair.j)); }
+
+  /// Calls visit(pair, neighbor) for all spheres in neighbouring cells, for each image that is near.
   template <class Visit>
-  void for_each_contact(Visit&& visit) const {
+  void for_each_neighbor(const Visit& visit) const {
     std::vector<Neighbor> neighbors;
-    std::vector<std::pair<int, double>> partners;
     for (int i = 0; i < motion_.size(); ++i) {
-      partners.clear();
-      const V p = motion_.position_at(time(), i);
       motion_.cells().gather(motion_.cell(i), {}, neighbors);
       for (const Neighbor& neighbor : neighbors) {
-        const int j = neighbor.body;
-        if (j <= i) continue;
-        const double radii = motion_.radius(i) + motion_.radius(j);
-        const double gap = length(motion_.position_at(time(), j) + motion_.cells().shift(neighbor) - p) - radii;
-        if (gap <= kTouching * std::min(motion_.radius(i), motion_.radius(j))) partners.emplace_back(j, gap);
+        if (neighbor.body > i) visit(Pair{i, neighbor.body}, neighbor);
       }
-      std::sort(partners.begin(), partners.end());
-      for (const auto& [j, gap] : partners) visit(Pair{i, j}, gap);
     }
+  }
+
+  /// The pairs of spheres that touch, by i, then j, and their gaps [m].
+  std::vector<std::pair<Pair, double>> contacts() const {
+    std::vector<std::pair<Pair, double>> contacts;
+    for_each_neighbor([&](const Pair& pair, const Neighbor& neighbor) {
+      const V p = motion_.position_at(time(), pair.i), other = motion_.position_at(time(), pair.j);
+      const double radii = motion_.radius(pair.i) + motion_.radius(pair.j);
+      const double gap = length(other + motion_.cells().shift(neighbor) - p) - radii;
+      if (gap <= kTouching * smaller_radius(pair)) contacts.emplace_back(pair, gap);
+    });
+    std::sort(contacts.begin(), contacts.end());
+    return contacts;
   }
 
   /// All pairs of spheres in neighbouring cells, by i, then j; each once, even if several images meet.
   std::vector<Pair> pairs_in_reach() const {
-    std::vector<Neighbor> neighbors;
     std::vector<Pair> pairs;
-    for (int i = 0; i < motion_.size(); ++i) {
-      motion_.cells().gather(motion_.cell(i), {}, neighbors);
-      for (const Neighbor& neighbor : neighbors) {
-        if (neighbor.body > i) pairs.push_back({i, neighbor.body});
-      }
-    }
+    for_each_neighbor([&](const Pair& pair, const Neighbor&) { pairs.push_back(pair); });
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
@@ -194,7 +184,7 @@ class EventDrivenWorld final : public World {
     }
     report.kinetic_energy = sum.kinetic;
     report.potential_energy = sum.potential;
-    report.momentum = {sum.px, sum.py, sum.pz};
+    report.momentum = sum.momentum;
   }
 
   GridInspection grid() const {

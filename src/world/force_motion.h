@@ -2,11 +2,7 @@
 // The motion of the penalty response, by any integrator. In each pass the integrator asks for the forces once:
 //
 //     before_forces() ──▶ candidates ──▶ forces ──▶ after_forces()        src/integrate
-//
-// Its siblings are velocity_motion.h and position_motion.h.
 #pragma once
-
-#include <string>
 
 #include "integrate/explicit_euler.h"
 #include "integrate/rk4.h"
@@ -90,19 +86,11 @@ std::unique_ptr<Motion<V, Exec>> make_penalty_motion(const Scene& scene, const S
   const auto make = [&]<class Method>() -> std::unique_ptr<Motion<V, Exec>> {
     return std::make_unique<ForceMotion<V, Exec, Method>>(law, settings.keeps_tally);
   };
-  switch (integrator_of(settings)) {
-    case Integrator::explicit_euler:
-      return make.template operator()<ExplicitEuler<V, Exec>>();
-    case Integrator::symplectic_euler:
-      return make.template operator()<SymplecticEuler<V, Exec>>();
-    case Integrator::velocity_verlet:
-      return make.template operator()<VelocityVerlet<V, Exec>>();
-    case Integrator::rk4:
-      return make.template operator()<RungeKutta4<V, Exec>>();
-    case Integrator::automatic:
-    case Integrator::exact:
-      break;
-  }
+  const auto integrator = integrator_of(settings);
+  if (integrator == Integrator::explicit_euler) return make.template operator()<ExplicitEuler<V, Exec>>();
+  if (integrator == Integrator::symplectic_euler) return make.template operator()<SymplecticEuler<V, Exec>>();
+  if (integrator == Integrator::velocity_verlet) return make.template operator()<VelocityVerlet<V, Exec>>();
+  if (integrator == Integrator::rk4) return make.template operator()<RungeKutta4<V, Exec>>();
   throw std::logic_error("forces need an integrator");
 }
 

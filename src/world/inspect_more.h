@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What an inspection holds only where it is wanted. It is found by colliders made for the moment, without candidate lists, so
 // that the world's own stays as it is, with its counts and the times of its stages.
-//
 // Cost: a search for candidates, endpoints and work; one by brute force for what was missed.
 #pragma once
 
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <vector>
 
-#include "exec/stage_times.h"
-#include "narrow_phase/candidate_pairs.h"
 #include "narrow_phase/collider.h"
 #include "world/body_store.h"
-#include "world/inspection.h"
 
 namespace ballpit {
 
@@ -33,32 +28,28 @@ struct MeasureRanges {
   }
 };
 
-/// The work of a search, thread by thread.
-struct ThreadWork {
-  std::vector<int> work;    ///< in the units of the method
-  std::vector<int> worker;  ///< the body that each thread works for, or −1
-};
-
-/// Of the last search that `collider` made without a candidate list.
+/// The work of each thread, in the units of the method, and the body that it works for, or −1: of the last search that
+/// `collider` made without a candidate list.
 template <class V, class Exec>
-ThreadWork thread_work(Exec& exec, const Collider<V, Exec>& collider) {
+std::pair<std::vector<int>, std::vector<int>> thread_work(Exec& exec, const Collider<V, Exec>& collider) {
   return std::visit(
       [&](const auto& method) {
         const auto candidates = method.candidates();
-        ThreadWork result;
+        std::pair<std::vector<int>, std::vector<int>> result;
+        auto& [work, worker] = result;
         if constexpr (GivesRanges<decltype(candidates)>) {
-          typename Exec::template Buffer<int> work, worker;
-          work.resize(candidates.threads());
-          worker.resize(candidates.threads());
-          exec.parallel_for("measure ranges", work.size(),
-                            MeasureRanges<decltype(candidates)>{candidates, work.span(), worker.span()});
-          result = {exec.download(work.span()), exec.download(worker.span())};
+          typename Exec::template Buffer<int> sums, bodies;
+          sums.resize(candidates.threads());
+          bodies.resize(candidates.threads());
+          exec.parallel_for("measure ranges", sums.size(),
+                            MeasureRanges<decltype(candidates)>{candidates, sums.span(), bodies.span()});
+          result = {exec.download(sums.span()), exec.download(bodies.span())};
         } else {  // a thread for each body, in their order
-          result.work = exec.download(collider.tested());
-          result.worker.resize(result.work.size());
-          std::iota(result.worker.begin(), result.worker.end(), 0);
+          work = exec.download(collider.tested());
+          worker.resize(work.size());
+          std::iota(worker.begin(), worker.end(), 0);
         }
-        if constexpr (requires { method.walks(exec); }) result.work = method.walks(exec);
+        if constexpr (requires { method.walks(exec); }) work = method.walks(exec);
         return result;
       },
       collider.broad_phase());
@@ -87,20 +78,16 @@ void inspect_more(const BodyStore<V, Exec>& bodies, const Collider<V, Exec>& col
     search.plan(collider.choice(), collider.parameters(), 0);
     search.pairs(exec, bodies.view());
     if (wanted.candidates) {
-      seen.candidates =
-          std::visit([&](const auto& method) { return candidate_pairs(exec, method.candidates(), bodies.count()); },
-                     search.broad_phase());
+      seen.candidates = std::visit(
+          [&](const auto& method) { return candidate_pairs(exec, method.candidates(), bodies.view(), bodies.box()); },
+          search.broad_phase());
     }
     const auto* const sweep = std::get_if<SortAndSweep<V, Exec>>(&search.broad_phase());
     if (wanted.endpoints && sweep) {
       seen.axis = sweep->axis();
       seen.endpoints = sweep->endpoints(exec, bodies.view());
     }
-    if (wanted.work) {
-      ThreadWork work = thread_work(exec, search);
-      seen.work = std::move(work.work);
-      seen.worker = std::move(work.worker);
-    }
+    if (wanted.work) std::tie(seen.work, seen.worker) = thread_work(exec, search);
   }
   if (wanted.missed) seen.missed = missed_pairs(bodies, collider.parameters(), seen.contacts);
   exec.stage_times() = times;

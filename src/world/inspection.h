@@ -2,9 +2,6 @@
 // What the simulation shows of itself: copies on the host, so that looking never changes the world.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "bodies/body_snapshot.h"
 #include "bodies/pair.h"
 #include "broad_phase/inspection.h"

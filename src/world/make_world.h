@@ -2,10 +2,6 @@
 // Makes the world that a scene and its settings ask for: two or three dimensions, single or double precision.
 #pragma once
 
-#include <memory>
-#include <utility>
-
-#include "core/math.h"
 #include "world/world.h"
 
 namespace ballpit {
@@ -24,5 +20,8 @@ std::unique_ptr<World> make_world_on(std::unique_ptr<Exec> exec, const Scene& sc
   return is_planar ? make_world_of<Vec2>(std::move(exec), scene, settings)
                    : make_world_of<Vec3>(std::move(exec), scene, settings);
 }
+
+/// A world of hard spheres that move from event to event (event_driven.h). The length of a step does not affect the motion.
+std::unique_ptr<World> make_event_driven_world(const Scene& scene, const Settings& settings);
 
 }  // namespace ballpit

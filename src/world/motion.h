@@ -7,17 +7,11 @@
 //     forces         –, or kick, drift     candidates            forces                  kick, drift       force_motion.h
 //     positions      kick, drift           touching and near     push apart, rebound     –                 position_motion.h
 //
-// An integrator of forces may need several passes. Each response is compiled by itself, so that a change of one compiles
-// nothing else.
+// An integrator of forces may need several passes. Each response is compiled by itself.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <stdexcept>
-#include <vector>
-
+#include "bodies/tally.h"
 #include "narrow_phase/collider.h"
-#include "response/impulse_notes.h"
 #include "world/body_store.h"
 
 namespace ballpit {
@@ -88,18 +82,10 @@ std::unique_ptr<Motion<V, Exec>> make_position_based_motion(const Scene& scene, 
 
 template <class V, class Exec>
 std::unique_ptr<Motion<V, Exec>> make_motion(const Scene& scene, const Settings& settings) {
-  switch (settings.response) {
-    case Response::kinematic:
-      return make_kinematic_motion<V, Exec>(scene, settings);
-    case Response::impulse:
-      return make_impulse_motion<V, Exec>(scene, settings);
-    case Response::penalty:
-      return make_penalty_motion<V, Exec>(scene, settings);
-    case Response::position_based:
-      return make_position_based_motion<V, Exec>(scene, settings);
-    case Response::event_driven:
-      break;
-  }
+  if (settings.response == Response::kinematic) return make_kinematic_motion<V, Exec>(scene, settings);
+  if (settings.response == Response::impulse) return make_impulse_motion<V, Exec>(scene, settings);
+  if (settings.response == Response::penalty) return make_penalty_motion<V, Exec>(scene, settings);
+  if (settings.response == Response::position_based) return make_position_based_motion<V, Exec>(scene, settings);
   throw std::logic_error("the event-driven response has a world of its own");
 }
 

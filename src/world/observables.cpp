@@ -4,9 +4,9 @@
 #include "world/observables.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ballpit {
 
@@ -17,14 +17,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double count_of(const Observation& o) { return static_cast<double>(o.bodies.size()); }
 
-double total_mass(const Bodies& bodies) {
-  double sum = 0;
-  for (const double mass : bodies.mass) sum += mass;
-  return sum;
-}
+double total_mass(const Bodies& bodies) { return std::accumulate(bodies.mass.begin(), bodies.mass.end(), 0.0); }
 
-/// [m/s] The mean velocity, which is not thermal motion. In a periodic domain momentum is conserved, so the gas may move as a
-/// whole; between walls it cannot.
+/// [m/s] The mean velocity, which is not thermal motion. Momentum is conserved only in a periodic domain.
 Vec3d drift_of(const Observation& o) {
   if (o.domain.boundary != Boundary::periodic) return Vec3d(0.0);
   Vec3d momentum(0.0);
@@ -82,8 +77,7 @@ double collisions_per_sphere(const Observation& o) {
 double collision_rate(const Observation& o) { return collisions_per_sphere(o) / o.report.time; }
 
 double floor_force(const Observation& o) {
-  if (o.domain.boundary == Boundary::periodic) return kNone;
-  return o.report.tally.floor_impulse / o.report.time;
+  return o.domain.boundary == Boundary::periodic ? kNone : o.report.tally.floor_impulse / o.report.time;
 }
 
 double velocity_moment(const Observation& o) {
@@ -116,10 +110,7 @@ ObservedValue number(const Observation& o) {
   return {kCompute(o)};
 }
 
-ObservedValue momentum(const Observation& o) {
-  const Vec3d& p = o.report.momentum;
-  return {p.x, p.y, p.z};
-}
+ObservedValue momentum(const Observation& o) { return {o.report.momentum.x, o.report.momentum.y, o.report.momentum.z}; }
 
 constexpr std::array kObservables{
     Observable{"kinetic-energy", "Kinetic energy", "J", "J", "Σ m·v²/2", false, number<kinetic_energy>},

@@ -3,13 +3,6 @@
 // Observables of past collisions use Report::tally, which a world keeps if its settings ask for it.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <span>
-#include <string_view>
-#include <vector>
-
-#include "scene/scene.h"
 #include "world/world.h"
 
 namespace ballpit {

@@ -2,14 +2,8 @@
 // Finds overlapping pairs among spheres in arrays, without a world, for `ballpit pairs` and the benchmarks.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "bodies/box.h"
 #include "bodies/pair.h"
-#include "core/math.h"
 #include "core/span.h"
 #include "exec/stage_times.h"
 

@@ -4,38 +4,12 @@
 #pragma once
 
 #include <algorithm>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
 
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
 #include "narrow_phase/collider.h"
 #include "world/inspect_more.h"
 #include "world/pair_search.h"
-#include "world/spatial_order.h"
 
 namespace ballpit {
-
-/// Key: the index of body i's cell.
-template <class V>
-struct PlaceInGrid {
-  Grid<V> grid;
-  Span<const V> position;
-  HOST_DEVICE int operator()(int i) const { return grid.index(grid.cell_of(position[i])); }
-};
-
-/// Kernel: to[k] = from[order[k]].
-template <class T>
-struct TakeInOrder {
-  Span<const T> from;
-  Span<const int> order;
-  Span<T> to;
-  HOST_DEVICE void operator()(int k) const { to[k] = from[order[k]]; }
-};
 
 /// Kernel: turns pairs of slots into pairs of bodies, lower body first.
 struct NameBodies {
@@ -109,7 +83,7 @@ class SearchOn {
   void sort_by_cells(Exec& exec, const Grid<V>& grid) {
     order_.resize(position_.size());
     offsets_.resize(grid.size() + 1);
-    exec.bin("sort bodies", PlaceInGrid<V>{grid, position_.span()}, offsets_.span(), order_.span());
+    exec.bin("sort bodies", CellOfId<V>{grid, position_.span(), {}}, offsets_.span(), order_.span());
     Buffer<Real> ordered;
     if (radius_.size() > 1) take_in_order(exec, radius_, ordered);
   }
@@ -118,13 +92,11 @@ class SearchOn {
   template <class T>
   void take_in_order(Exec& exec, Buffer<T>& values, Buffer<T>& spare) {
     spare.resize(values.size());
-    exec.parallel_for("rearrange bodies", values.size(), TakeInOrder<T>{values.span(), order_.span(), spare.span()});
+    exec.parallel_for("rearrange bodies", values.size(), Rearrange<T>{values.span(), order_.span(), {}, spare.span()});
     std::swap(values, spare);
   }
 
-  BodiesView<V> bodies() const {
-    return {position_.span(), {}, {radius_.span().data(), radius_.size() == 1 ? 0 : 1}, {}};
-  }
+  BodiesView<V> bodies() const { return {position_.span(), {}, radius_.span(), {}}; }
 
   Collider<V, Exec> collider_;
   Buffer<V> position_, ordered_position_;
@@ -143,33 +115,31 @@ class PairSearchOn final : public PairSearch {
 
   void find(const SphereArrays& spheres) override {
     if (!may_go_on(spheres)) start(spheres, spheres.period ? *spheres.period : bounds(spheres.position));
-    visit([&](auto& search) { search.find(*exec_, spheres); });
+    std::visit([&](auto& search) { search.find(*exec_, spheres); }, search_);
   }
 
   std::vector<Pair> pairs() override {
-    std::vector<Pair> result;
-    visit([&](auto& search) { result = exec_->download(search.pairs()); });
-    return result;
+    return std::visit([&](const auto& search) { return exec_->download(search.pairs()); }, search_);
   }
 
   SearchReport report() override {
     SearchReport report;
-    visit([&](auto& search) {
-      report.method = name_of(search.collider().choice().method);
-      report.reason = search.collider().choice().reason;
-      report.candidates = search.collider().tests(*exec_);
-      report.contacts = search.collider().pairs().size();
-      report.searches = searches_ + search.collider().searches();
-      report.bytes = search.bytes();
-    });
+    std::visit(
+        [&](auto& search) {
+          report.method = name_of(search.collider().choice().method);
+          report.reason = search.collider().choice().reason;
+          report.candidates = search.collider().tests(*exec_);
+          report.contacts = search.collider().pairs().size();
+          report.bytes = search.bytes();
+        },
+        search_);
+    report.searches = searches_ + searches();
     report.stages = exec_->stage_times().stages();
     return report;
   }
 
   std::vector<int> work_per_thread() override {
-    std::vector<int> work;
-    visit([&](auto& search) { work = thread_work(*exec_, search.collider()).work; });
-    return work;
+    return std::visit([&](const auto& search) { return thread_work(*exec_, search.collider()).first; }, search_);
   }
 
  private:
@@ -194,31 +164,29 @@ class PairSearchOn final : public PairSearch {
   bool may_go_on(const SphereArrays& spheres) {
     if (*settings_.skin == 0 || spheres.period || count_ != spheres.position.size()) return false;
     if (!std::equal(spheres.radius.begin(), spheres.radius.end(), radius_.begin(), radius_.end())) return false;
-    int64_t searches = 0;
-    visit([&](auto& search) { searches = search.collider().searches(); });
-    return searches < kSearchesInABox;
+    return searches() < kSearchesInABox;
   }
 
   void start(const SphereArrays& spheres, const Box<Vec3>& box) {
-    visit([&](auto& search) { searches_ += search.collider().searches(); });
+    searches_ += searches();
     count_ = spheres.position.size();
     if (*settings_.skin > 0) radius_.assign(spheres.radius.begin(), spheres.radius.end());
     const bool is_planar = count_ > 0 && is_in_a_plane(spheres.position) && settings_.axis != SweepAxis::z;
     if (is_planar && *settings_.skin == 0) {  // with a skin, later spheres may leave the plane
-      spatial_.reset();
-      if (!planar_) planar_.emplace();
-      planar_->plan(*exec_, settings_, Box<Vec2>{Vec2(box.min), Vec2(box.max), box.boundary}, spheres);
+      search_of<Vec2>().plan(*exec_, settings_, Box<Vec2>{Vec2(box.min), Vec2(box.max), box.boundary}, spheres);
     } else {
-      planar_.reset();
-      if (!spatial_) spatial_.emplace();
-      spatial_->plan(*exec_, settings_, box, spheres);
+      search_of<Vec3>().plan(*exec_, settings_, box, spheres);
     }
   }
 
-  template <class Visit>
-  void visit(Visit&& visit) {
-    if (planar_) visit(*planar_);
-    if (spatial_) visit(*spatial_);
+  template <class V>
+  SearchOn<V, Exec>& search_of() {
+    if (auto* const search = std::get_if<SearchOn<V, Exec>>(&search_)) return *search;
+    return search_.template emplace<SearchOn<V, Exec>>();
+  }
+
+  int64_t searches() const {
+    return std::visit([](const auto& search) { return search.collider().searches(); }, search_);
   }
 
   static constexpr int64_t kSearchesInABox = 8;
@@ -228,8 +196,7 @@ class PairSearchOn final : public PairSearch {
   int64_t count_ = -1;
   std::vector<float> radius_;  // of the last start, where there is a skin
   int64_t searches_ = 0;
-  std::optional<SearchOn<Vec2, Exec>> planar_;
-  std::optional<SearchOn<Vec3, Exec>> spatial_;
+  std::variant<SearchOn<Vec3, Exec>, SearchOn<Vec2, Exec>> search_;
 };
 
 }  // namespace ballpit

@@ -4,7 +4,7 @@
 //     kick ──▶ drift ──▶ contacts there, and near ones ──▶ respond
 //
 // Spheres that do not overlap at their predicted positions may come to overlap while others are pushed apart. So spheres
-// within a margin count as touching. Its siblings are velocity_motion.h and force_motion.h.
+// within a margin count as touching.
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,6 @@
 // forces more than once makes as many passes. Each stage's launches have names, by which timings list them.
 #pragma once
 
-#include "narrow_phase/collider.h"
 #include "world/guard.h"
 #include "world/motion.h"
 #include "world/swept.h"
@@ -51,8 +50,7 @@ void sort_bodies(WorldParts<V, Exec>& world) {
   world.collider.discard();
 }
 
-/// Makes step number `step`, of `substeps` parts of h seconds each, which ends at `time` [s]. Throws RunError where the guard
-/// stops the run.
+/// Makes step number `step`, of `substeps` parts of h [s], which ends at `time` [s]. Throws RunError if the guard stops it.
 template <class V, class Exec>
 void make_step(WorldParts<V, Exec>& world, int64_t step, double time, int substeps, Scalar<V> h) {
   auto& [bodies, collider, motion, tally, guard] = world;

@@ -4,30 +4,41 @@
 
 #include <cmath>
 #include <cstring>
-#include <vector>
+#include <sstream>
 
 #include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/pair.h"
-#include "core/span.h"
+#include "core/random.h"
 #include "exec/reduce.h"
 #include "world/world.h"
 
 namespace ballpit {
 
+/// Parts of a message as one text. Not by fmt, which nvcc 13 does not compile.
+template <class... Parts>
+std::string streamed(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
 struct Largest {
   HOST_DEVICE double operator()(double a, double b) const { return a < b ? b : a; }
 };
-struct Smallest {
-  HOST_DEVICE int64_t operator()(int64_t a, int64_t b) const { return b < a ? b : a; }
+
+/// Map: the i-th value of an array.
+template <class Real>
+struct DoubleAt {
+  Span<const Real> values;
+  HOST_DEVICE double operator()(int i) const { return double(values[i]); }
 };
 
 /// Energy and momentum of one body, or of many.
 struct EnergyAndMomentum {
-  double kinetic = 0, potential = 0, px = 0, py = 0, pz = 0;
+  double kinetic = 0, potential = 0;
+  Vec3d momentum{0.0};
 
   HOST_DEVICE EnergyAndMomentum operator+(const EnergyAndMomentum& other) const {
-    return {kinetic + other.kinetic, potential + other.potential, px + other.px, py + other.py, pz + other.pz};
+    return {kinetic + other.kinetic, potential + other.potential, momentum + other.momentum};
   }
 };
 
@@ -40,24 +51,16 @@ struct EnergyAndMomentumOf {
   HOST_DEVICE EnergyAndMomentum operator()(int i) const {
     const double mass = 1.0 / double(bodies.inverse_mass[i]);
     const V v = bodies.velocity[i], x = bodies.position[i];
-    double squared = 0, height = 0, p[3] = {0, 0, 0};
+    double squared = 0, height = 0;
+    Vec3d momentum(0.0);
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       squared += double(v[axis]) * double(v[axis]);
       height -= double(gravity[axis]) * (double(x[axis]) - double(zero[axis]));
-      p[axis] = mass * double(v[axis]);
+      momentum[axis] = mass * double(v[axis]);
     }
-    return {0.5 * mass * squared, mass * height, p[0], p[1], p[2]};
+    return {0.5 * mass * squared, mass * height, momentum};
   }
 };
-
-template <class V, class Exec>
-void measure_motion(Exec& exec, const BodiesView<V>& bodies, const V& gravity, Report& report) {
-  const EnergyAndMomentum motion =
-      reduce(exec, "sum motion", bodies.size(), EnergyAndMomentum{}, EnergyAndMomentumOf<V>{bodies, gravity}, Sum{});
-  report.kinetic_energy = motion.kinetic;
-  report.potential_energy = motion.potential;
-  report.momentum = {motion.px, motion.py, motion.pz};
-}
 
 /// Map: how much pair k overlaps, as a fraction of the smaller radius; −1 where they do not touch.
 template <class V>
@@ -92,10 +95,10 @@ struct WallOverlap {
 
 /// The largest overlap of two spheres, or of a sphere and a wall, as a fraction of the smaller radius.
 template <class V, class Exec>
-double largest_overlap(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const Pair> pairs) {
-  const double spheres =
-      reduce(exec, "largest overlap", pairs.size(), 0.0, PairOverlap<V>{bodies, box, pairs}, Largest{});
-  const double walls = reduce(exec, "largest overlap", bodies.size(), 0.0, WallOverlap<V>{bodies, box}, Largest{});
+double largest_overlap(Exec& exec, const char* name, const BodiesView<V>& bodies, const Box<V>& box,
+                       Span<const Pair> pairs) {
+  const double spheres = reduce(exec, name, pairs.size(), 0.0, PairOverlap<V>{bodies, box, pairs}, Largest{});
+  const double walls = reduce(exec, name, bodies.size(), 0.0, WallOverlap<V>{bodies, box}, Largest{});
   return spheres < walls ? walls : spheres;
 }
 
@@ -111,35 +114,7 @@ struct IsOutside {
   }
 };
 
-template <class V>
-struct IdIfOutside {
-  BodiesView<V> bodies;
-  Box<V> box;
-  Span<const int> id_at;
-
-  HOST_DEVICE int64_t operator()(int i) const {
-    if (!IsOutside<V>{bodies, box}(i)) return bodies.size();
-    return id_at.empty() ? i : id_at[i];
-  }
-};
-
-/// The lowest id of a body that is outside the domain or not finite; −1 if there is none.
-template <class V, class Exec>
-int64_t first_outside(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, Span<const int> id_at) {
-  const int64_t n = bodies.size();
-  if (!any(exec, "check bodies", n, IsOutside<V>{bodies, box})) return -1;
-  return reduce(exec, "find body", n, n, IdIfOutside<V>{bodies, box, id_at}, Smallest{});
-}
-
-/// Mixes 64 bits, so that each input bit changes all output bits (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195: splitmix64).
-HOST_DEVICE inline uint64_t mix_bits(uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-  return x ^ (x >> 31);
-}
-
-/// A hash of the bits of body `id`. The sum over all bodies is the hash of the state; it does not depend on their order in
-/// memory, the number of threads, or the processor.
+/// A hash of the bits of body `id`. The sum over all bodies, in any order, is the hash of the state.
 template <class V>
 HOST_DEVICE uint64_t hash_body(int64_t id, const V& position, const V& velocity) {
   uint64_t hash = mix_bits(static_cast<uint64_t>(id) + 0x9E3779B97F4A7C15u);

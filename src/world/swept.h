@@ -9,27 +9,15 @@
 // The response gets its velocity at that moment, v + t·g·dt; with the velocity before the kick, a ball would lose g·dt in
 // each bounce. Then the body moves on with its new velocity and the rest of the kick (swept_drift.h). So the first hit of a
 // body in a step cannot be missed, and no body leaves through a wall. A second hit in the same step is found in the next
-// step, if the bodies still overlap then. Bodies that meet only walls bounce exactly (between_walls.h).
-//
+// step, if the bodies still overlap then. Bodies that meet only walls bounce exactly (swept_drift.h).
 // A body that lies on a wall is not kicked against it; otherwise the speed of what strikes it would be wrong.
-// Cost: the broad phase on larger spheres, O(candidates + n). Source: Ericson, "Real-Time Collision Detection" (2005),
-// section 5.5.5.
+// Cost: the broad phase on larger spheres, O(candidates + n). Source: Ericson 2005, section 5.5.5.
 #pragma once
 
-#include <cmath>
 #include <limits>
-#include <sstream>
-#include <string>
 
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
-#include "bodies/contacts.h"
-#include "bodies/pair.h"
 #include "core/error.h"
-#include "core/span.h"
-#include "exec/reduce.h"
 #include "narrow_phase/collider.h"
-#include "narrow_phase/contact_list.h"
 #include "response/walls_view.h"
 #include "world/body_store.h"
 #include "world/sums.h"
@@ -92,13 +80,6 @@ struct SweepBody {
   }
 };
 
-/// Map: the largest reach.
-template <class Real>
-struct ReachAt {
-  Span<const Real> reach;
-  HOST_DEVICE double operator()(int i) const { return double(reach[i]); }
-};
-
 template <class V, class Exec>
 class SweptContacts {
   using Real = Scalar<V>;
@@ -106,8 +87,7 @@ class SweptContacts {
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  /// The contacts of a step of dt that begins at the present positions and velocities, found by the broad phase that
-  /// `collider` uses.
+  /// The contacts of a step of dt that begins at the present state, found by the broad phase of `collider`.
   ContactsView<V> find(const BodyStore<V, Exec>& store, const Collider<V, Exec>& collider, Real dt) {
     Exec& exec = store.exec();
     const Box<V>& box = store.box();
@@ -174,7 +154,7 @@ class SweptContacts {
   void search(const BodyStore<V, Exec>& store, const Collider<V, Exec>& collider) {
     Exec& exec = store.exec();
     BroadPhaseParameters<V> parameters = collider.parameters();
-    const double reach = reduce(exec, "largest reach", reach_.size(), 0.0, ReachAt<Real>{reach_.span()}, Largest{});
+    const double reach = reduce(exec, "largest reach", reach_.size(), 0.0, DoubleAt<Real>{reach_.span()}, Largest{});
     check_period(store.box(), reach);
     parameters.classes = {{static_cast<Real>(reach), reach_.size()}};
     collider_.plan(collider.choice(), parameters, 0);
@@ -189,10 +169,10 @@ class SweptContacts {
     for (int axis = 0; box.is_periodic() && axis < kDimensions<V>; ++axis) {
       const double period = double(box.max[axis]) - double(box.min[axis]);
       if (4 * reach <= period) continue;
-      std::ostringstream message;
-      message << "a sphere and its way in a step reach over " << 2 * reach << " m, allowed in a periodic domain of "
-              << period << " m is half of that";
-      throw RunError("--swept", message.str(), "a smaller --dt helps");
+      throw RunError("--swept",
+                     streamed("a sphere and its way in a step reach over ", 2 * reach,
+                              " m, allowed in a periodic domain of ", period, " m is half of that"),
+                     "a smaller --dt helps");
     }
   }
 

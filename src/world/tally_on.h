@@ -3,22 +3,12 @@
 //
 //     begin()  notes cleared ──▶ response adds impulses ──▶ end()  Σ Δp·d, impulse on the floor, contacts that are new
 //
-// A collision is a contact of two spheres that did not touch in the substep before. Sums are in double precision, in an
-// order fixed by the indices. Costs nothing if no tally is kept.
+// A collision is a contact of two spheres that did not touch in the substep before. Costs nothing if no tally is kept.
 #pragma once
 
-#include <cmath>
-#include <vector>
-
-#include "bodies/bodies_view.h"
-#include "bodies/box.h"
 #include "bodies/contacts.h"
-#include "bodies/pair.h"
 #include "bodies/tally.h"
-#include "core/span.h"
-#include "exec/reduce.h"
-#include "response/impulse_notes.h"
-#include "world/world.h"
+#include "world/sums.h"
 
 namespace ballpit {
 
@@ -51,12 +41,6 @@ struct CollisionOf {
     const Scalar<V> distance = geometry.empty() ? std::sqrt(dot(d, d)) : radii - geometry[c].overlap;
     return {is_new ? 1 : 0, double(impulse[c]) * double(distance)};
   }
-};
-
-template <class Real>
-struct DoubleAt {
-  Span<const Real> values;
-  HOST_DEVICE double operator()(int i) const { return double(values[i]); }
 };
 
 template <class V, class Exec>

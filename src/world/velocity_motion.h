@@ -3,11 +3,7 @@
 //
 //     kick ──▶ contacts ──▶ respond ──▶ drift
 //     kick ──▶ contacts on the way ──▶ respond ──▶ drift        where contacts are swept: swept.h
-//
-// Its siblings are force_motion.h and position_motion.h.
 #pragma once
-
-#include <utility>
 
 #include "integrate/symplectic_euler.h"
 #include "world/motion.h"

@@ -2,12 +2,8 @@
 // A world simulates a scene: step() advances it, inspect() and report() show it. Worlds share nothing with each other.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <string>
-#include <vector>
 
-#include "bodies/body_snapshot.h"
 #include "bodies/tally.h"
 #include "exec/stage_times.h"
 #include "methods/settings.h"

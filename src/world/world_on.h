@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The world, written once for every executor, number of dimensions and precision: its parts, what it shows of itself, and its
-// snapshots. A step is in step.h.
-//
-// Instantiated for each vector type by worlds_cpu.cpp and cuda/worlds_cuda_*.cu.
+// snapshots. Instantiated for each vector type by worlds_cpu.cpp and cuda/worlds_cuda_*.cu.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <utility>
 
-#include "methods/methods.h"
 #include "world/inspect_more.h"
 #include "world/make_world.h"
 #include "world/step.h"
-#include "world/sums.h"
-#include "world/world.h"
-#include "world/write_bodies.h"
 
 namespace ballpit {
 
@@ -99,9 +88,13 @@ class WorldOn final : public World {
     report.detection_bytes = world_.collider.bytes();
     report.body_bytes = bodies_.bytes();
     report.motion_bytes = world_.motion->bytes() + world_.guard.bytes() + world_.tally.bytes();
-    measure_motion(exec, bodies, bodies_.gravity(), report);
+    const EnergyAndMomentum motion = reduce(exec, "sum motion", bodies.size(), EnergyAndMomentum{},
+                                            EnergyAndMomentumOf<V>{bodies, bodies_.gravity()}, Sum{});
+    report.kinetic_energy = motion.kinetic;
+    report.potential_energy = motion.potential;
+    report.momentum = motion.momentum;
     report.elastic_energy = world_.motion->elastic_energy(bodies_, pairs());
-    report.max_overlap = largest_overlap(exec, bodies, bodies_.box(), pairs());
+    report.max_overlap = largest_overlap(exec, "largest overlap", bodies, bodies_.box(), pairs());
     report.state_hash =
         reduce(exec, "hash state", bodies_.count(), uint64_t(0), HashOfBody<V>{bodies, bodies_.order().id_at()}, Sum{});
     report.tally = world_.tally.tally();

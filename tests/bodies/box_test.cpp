@@ -8,8 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include "bodies/bodies_view.h"
-#include "broad_phase/choose_broad_phase.h"
 #include "broad_phase/linked_cell.h"
+#include "broad_phase/parameters.h"
 #include "broad_phase/sorted_grid.h"
 #include "core/random.h"
 #include "exec/cpu_executor.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "broad_phase/choose_broad_phase.h"
-
 #include <catch2/catch.hpp>
 
 #include "broad_phase/grid.h"
+#include "broad_phase/parameters.h"
 #include "core/error.h"
 #include "methods/methods.h"
 #include "tests/support/body_arrays.h"

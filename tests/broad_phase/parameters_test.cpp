@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "broad_phase/size_class_grids.h"
+#include "broad_phase/grid_rows.h"
 #include "tests/support/body_arrays.h"
 #include "tests/support/inputs.h"
 #include "tests/support/oracle.h"

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "measure/exact_pairs.h"
-#include "measure/gas.h"
+#include "measure/step_timing.h"
 #include "methods/methods.h"
 #include "tests/support/run_program.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // simulate --observe: values with their units, as JSON and for people.
-#include "cli/observe.h"
-
 #include <sstream>
 
 #include <catch2/catch.hpp>
 
+#include "cli/summary.h"
 #include "methods/methods.h"
 #include "tests/cli/run_simulate.h"
 #include "tests/support/run_program.h"

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cli/pairs_summary.h"
+#include "cli/pair_files.h"
 #include "core/random.h"
 #include "measure/exact_pairs.h"
 #include "methods/methods.h"
@@ -39,7 +39,7 @@ std::string cloud(int count, double radius) {
 }
 
 std::string exact_csv(const std::string& text) {
-  const RestingSpheres spheres = parse_resting_spheres(text, "cloud");
+  const RestingSpheres spheres = read_resting_spheres({text, "cloud"});
   return pairs_csv(exact_pairs({{spheres.position.data(), spheres.size()}, {spheres.radius.data(), spheres.size()}}));
 }
 

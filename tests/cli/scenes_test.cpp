@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "show/session.h"
 #include "tests/support/run_program.h"
 #include "world/observables.h"

@@ -143,7 +143,7 @@ TEST_CASE("a disk that fills up leaves the whole frames before, and the last sta
   CHECK(times.size() >= 2);
   CHECK(fs::file_size(folder / "a.xyz") <= 10'000);
   CHECK_THAT(error, Contains("the " + std::to_string(times.size()) + " frames"));
-  CHECK(read_spheres_csv(folder / "bouncing-balls-last-good.csv").size() == 20);
+  CHECK(read_spheres_csv(LineReader(folder / "bouncing-balls-last-good.csv")).size() == 20);
   CHECK(files_in(folder) == 2);
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("a run that fails leaves its last good state beside it, and says of wh
   const std::string error = failure_of(kHalting, {0, "", folder.path().string()});
   CHECK_THAT(error, Catch::StartsWith("ballpit: step ") && Contains("; the last good state, of t = 0.") &&
                         Catch::EndsWith(" s, is in bouncing-balls-last-good.csv\n"));
-  const Bodies bodies = read_spheres_csv(folder / "bouncing-balls-last-good.csv");
+  const Bodies bodies = read_spheres_csv(LineReader(folder / "bouncing-balls-last-good.csv"));
   CHECK(bodies.size() == 2000);
   CHECK(files_in(folder) == 1);
 }
@@ -167,14 +167,14 @@ TEST_CASE("a run that fails while it is drawn leaves its last good state as well
   const Arguments picture{"--out", folder / "frames", "--frames", "100", "--fps", "10", "--size", "64x36"};
   const std::string error = failure_of(with(arguments, picture), {0, "", folder.path().string()});
   CHECK_THAT(error, Catch::StartsWith("ballpit: step ") && Catch::EndsWith(" s, is in bouncing-balls-last-good.csv\n"));
-  CHECK(read_spheres_csv(folder / "bouncing-balls-last-good.csv").size() == 2000);
+  CHECK(read_spheres_csv(LineReader(folder / "bouncing-balls-last-good.csv")).size() == 2000);
 }
 
 TEST_CASE("a run that fails leaves its last good state where the final one was to be") {
   const Scratch folder, nothing;
   CHECK_THAT(failure_of(with(kHalting, {"--out", folder / "state.csv"}), {0, "", nothing.path().string()}),
              Contains(" s, is in " + folder / "state.csv"));
-  CHECK(read_spheres_csv(folder / "state.csv").size() == 2000);
+  CHECK(read_spheres_csv(LineReader(folder / "state.csv")).size() == 2000);
   CHECK(files_in(folder) == 1);
   CHECK(files_in(nothing) == 0);
 }

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "methods/settings.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "tests/support/run_program.h"
 #include "world/observables.h"
 #include "world/world.h"

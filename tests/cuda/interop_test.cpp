@@ -2,9 +2,8 @@
 // CUDA writes the bodies into OpenGL's buffers; where it may not, that is said once, and nothing is left behind.
 #include <catch2/catch.hpp>
 
-#include "render/body_writer.h"
+#include "render/body_buffer.h"
 #include "render/gl_context.h"
-#include "render/gl_debug.h"
 #include "tests/cuda/fault_injection.h"
 #include "tests/support/scenes.h"
 

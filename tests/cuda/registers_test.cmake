@@ -10,21 +10,19 @@
 set(allowed
   # Position, radius, counts, and the walk through five rows, with the nearest image in periodic domains and the reach into
   # finer size classes. Held to 32, the first spills 520 bytes a thread.
-  "CountInRanges.*SortedGrid" 56
-  "FillFromRanges.*SortedGrid" 56
+  "CountContacts.*SortedGrid" 56
+  "FillContacts.*SortedGrid" 56
   # The same walk without tests, for reports alone.
   "MeasureRanges.*SortedGrid" 40
-  "CountCandidates.*SortedGrid" 40
-  "FillCandidates.*SortedGrid" 40
   # The same with up to 27 lists, found by three nested loops. Held to 32: 100 bytes.
   "CountContacts.*LinkedCell" 56
   "FillContacts.*LinkedCell" 56
   # One range, and in periodic domains a search for another. Held to 32: 56 bytes.
-  "CountInRanges.*SortAndSweep" 48
-  "FillFromRanges.*SortAndSweep" 48
+  "CountContacts.*SortAndSweep" 48
+  "FillContacts.*SortAndSweep" 48
   # One range. Held to 32: 28 bytes; without periodic domains it would do with 32.
-  "CountInRanges.*BruteForce" 40
-  "FillFromRanges.*BruteForce" 40
+  "CountContacts.*BruteForce" 40
+  "FillContacts.*BruteForce" 40
   "CountContacts.*ListedCandidates" 40
   "FillContacts.*ListedCandidates" 40
   # Two loops over a body's contacts, which the compiler unrolls by four, so that four gathers are under way at once; and the
@@ -41,11 +39,10 @@ set(allowed
   "MirrorVelocity" 96
   # A wall on each side of each axis, with what it has given, and a limit to it.
   "MoveOutOfWalls" 72
-  # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum, the largest overlap and
-  # who has it; for a tally, collisions.
+  # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum and the largest
+  # overlap; for a tally, collisions.
   "ReduceBlock.*AxisSums" 48
   "ReduceBlock.*EnergyAndMomentum" 48
-  "ReduceBlock.*Offender" 48
   "ReduceBlock.*Collisions" 48
   "ReduceBlock.*Overlap" 48
   "ReduceBlock.*LeastEnergy" 48

@@ -3,7 +3,7 @@
 // by independent experiment.
 #include <catch2/catch.hpp>
 
-#include "response/damping.h"
+#include "response/pair_force.h"
 #include "tests/support/hits.h"
 
 using namespace ballpit;

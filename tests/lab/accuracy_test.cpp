@@ -7,9 +7,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/experiments/results.h"
 #include "measure/statistics.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 using namespace ballpit;
 
@@ -29,14 +28,14 @@ const ContactMethod& method_of(const std::string& name) {
 }
 
 double off(const std::string& task, const std::string& method, double dt) {
-  return std::fabs(task_of(task).run(method_of(method), dt, 1, true).off);
+  return std::fabs(task_of(task).run(with_step(method_of(method), dt), 1, true).off);
 }
 
 /// Over twenty seeds, for tasks of means.
 Mean mean_off(const std::string& task, const std::string& method, double dt) {
   std::vector<double> values;
   for (uint64_t seed = 1; seed <= 20; ++seed)
-    values.push_back(task_of(task).run(method_of(method), dt, seed, true).off);
+    values.push_back(task_of(task).run(with_step(method_of(method), dt), seed, true).off);
   return mean_of(values);
 }
 

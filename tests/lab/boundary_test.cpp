@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/charts/chart_axis.h"
+#include "lab/charts/chart.h"
 #include "lab/experiments/stability.h"
 
 using namespace ballpit;

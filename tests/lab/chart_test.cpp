@@ -7,7 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/charts/chart_axis.h"
 #include "lab/charts/chart_style.h"
 #include "lab/charts/gnuplot.h"
 #include "lab/report/experiment.h"
@@ -41,7 +40,7 @@ double height_of(const std::string& script, const std::string& label) {
   return std::stod(match[1]);
 }
 
-std::vector<std::string> texts_of(const Range& range) {
+std::vector<std::string> texts_of(const AxisRange& range) {
   std::vector<std::string> texts;
   for (const Tick& tick : ticks_of(range)) texts.push_back(tick.text);
   return texts;
@@ -68,7 +67,7 @@ TEST_CASE("labels of lines with nearly equal ends are moved apart, in their orde
 
 TEST_CASE("a failed run is a cross at the upper edge; spreads are bars") {
   const std::string script = gnuplot_script(lines(), Ground::light);
-  const Range y = range_of(lines().y, {0.5, 1, 2, 200, 0.9, 1.2, 9, 10, 50, 99, 100}, true);
+  const AxisRange y = range_of(lines().y, {0.5, 1, 2, 200, 0.9, 1.2, 9, 10, 50, 99, 100}, true);
   CHECK_THAT(script, Contains("EOD\n10000 " + std::to_string(y.high).substr(0, 5)));
   CHECK_THAT(script, Contains("pointtype 2") && Contains(hex(color_of("failed", Ground::light))));
   CHECK_THAT(script, Contains("100 1 0.9 1.2\n") && Contains("yerrorbars"));

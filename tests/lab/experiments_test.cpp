@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of experiments, the resuming of an interrupted one, and the report.
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -8,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "lab/charts/html.h"
+#include "lab/charts/gnuplot.h"
 #include "lab/experiments/accuracy.h"
 #include "lab/report/experiment.h"
 #include "lab/report/report.h"
@@ -42,6 +43,21 @@ TEST_CASE("every experiment has a unique name, a question, and times within the 
     quick += experiment.quick_seconds;
   }
   CHECK(quick <= 12 * 60);
+}
+
+TEST_CASE("every {name} in the text of an experiment is a value that is measured") {
+  std::string sources;
+  for (const auto& file : std::filesystem::directory_iterator(BALLPIT_SOURCE_DIR "/src/lab/experiments")) {
+    sources += read_file(file.path());
+  }
+  const std::regex place("\\{([^}]*)\\}");
+  for (const Experiment& experiment : experiments()) {
+    const std::string text = experiment.answer + experiment.see;
+    REQUIRE_FALSE(experiment.see.empty());
+    for (std::sregex_iterator match(text.begin(), text.end(), place), end; match != end; ++match) {
+      CHECK_THAT(sources, Contains("{\"" + (*match)[1].str() + "\", "));
+    }
+  }
 }
 
 TEST_CASE("docs/lab.md lists every experiment with its question") {

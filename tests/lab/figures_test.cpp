@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "measure/statistics.h"
-#include "measure/work_profile.h"
 
 using namespace ballpit;
 

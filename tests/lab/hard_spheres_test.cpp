@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Pressure and cooling of gases, measured as in the experiments, against theory.
-#include "lab/experiments/hard_spheres.h"
-
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
+#include "lab/experiments/experiments.h"
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/theory.h"
 #include "measure/statistics.h"

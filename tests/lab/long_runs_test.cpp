@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Which methods keep energy and momentum over long runs.
-#include "lab/experiments/long_runs.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
 #include "lab/experiments/contact_methods.h"
+#include "lab/experiments/experiments.h"
 #include "lab/measure/made_scenes.h"
 
 using namespace ballpit;

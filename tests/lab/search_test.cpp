@@ -7,9 +7,8 @@
 #include <catch2/catch.hpp>
 
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/same_error.h"
-#include "lab/measure/search_timing.h"
-#include "lab/measure/winner_map.h"
+#include "lab/experiments/winner_map.h"
+#include "lab/measure/searches.h"
 #include "measure/exact_pairs.h"
 #include "measure/statistics.h"
 #include "world/world.h"
@@ -36,7 +35,7 @@ double recall(const std::string& grid, double cell_size, const SphereSet& sphere
   return 1 - static_cast<double>(deviation.missed) / static_cast<double>(contacts.size());
 }
 
-SearchTiming timing_of(std::vector<double> seconds) { return {std::move(seconds), 0, 0}; }
+SearchTiming timing_of(std::vector<double> seconds) { return {std::move(seconds)}; }
 
 }  // namespace
 

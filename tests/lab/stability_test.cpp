@@ -6,7 +6,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/experiments/failures.h"
 #include "lab/measure/theory.h"
 #include "lab/report/experiment.h"
 

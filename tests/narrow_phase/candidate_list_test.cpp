@@ -19,7 +19,8 @@ struct Started {
   CpuExecutor exec{2};
   CandidateList<V, CpuExecutor> list;
 
-  explicit Started(const Scene& scene, double skin = 0.1) : bodies(scene), list(skin, 2 * rounding_guard(bodies.box)) {
+  explicit Started(const Scene& scene, double skin = 0.1) : bodies(scene) {
+    list.plan(skin, 2 * rounding_guard(bodies.box));
     list.start(exec, bodies.view(), bodies.box);
   }
   bool is_valid() {
@@ -71,7 +72,8 @@ TEST_CASE("a list is not valid before it is started, after it is discarded, or f
   CHECK(started.is_valid());
   started.bodies.position.pop_back();
   CHECK_FALSE(started.is_valid());
-  CandidateList<Vec3, CpuExecutor> fresh(0.1, 0);
+  CandidateList<Vec3, CpuExecutor> fresh;
+  fresh.plan(0.1, 0);
   CHECK_FALSE(fresh.is_valid(started.exec, started.bodies.view(), started.bodies.box));
 }
 
@@ -129,6 +131,9 @@ TEST_CASE("the search for a list sees radii with skins, one where all are equal"
 }
 
 TEST_CASE("a skin of zero is no list") {
-  CHECK_FALSE(CandidateList<Vec3, CpuExecutor>(0.0, 0.0).is_used());
-  CHECK(CandidateList<Vec3, CpuExecutor>(0.1, 0.0).is_used());
+  CandidateList<Vec3, CpuExecutor> list;
+  list.plan(0.0, 0.0);
+  CHECK_FALSE(list.is_used());
+  list.plan(0.1, 0.0);
+  CHECK(list.is_used());
 }

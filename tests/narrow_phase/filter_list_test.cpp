@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "narrow_phase/filter_list.h"
-
 #include <numeric>
 
 #include <catch2/catch.hpp>
 
 #include "exec/cpu_executor.h"
+#include "narrow_phase/vector_search.h"
 #include "tests/support/body_arrays.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
@@ -35,8 +34,8 @@ void check(const Scene& scene, double factor, int threads) {
   const List list(scene, factor);
   const BodyArrays<V> bodies(scene);
   CpuExecutor exec(threads);
-  ListFilter<V, CpuExecutor> filter;
-  ListSearch<V, CpuExecutor> search;
+  Search<V, CpuExecutor> filter;
+  KernelSearch<V, CpuExecutor> search;
   ContactRows<CpuExecutor> rows, expected;
   filter.find(exec, list.candidates(), bodies.view(), bodies.box, rows);
   search.find(exec, list.candidates(), bodies.view(), bodies.box, expected);
@@ -85,7 +84,7 @@ TEST_CASE("pairs are tested one by one at every length of a list") {
     found.reserve(1);
     *found.end() = {-7, -7};
     found.set_end(found.end() + 1);
-    test_pairs(bodies.view().position, bodies.view().radius, bodies.box, pairs, found);
+    vector_tests<Vec3>().test_pairs(bodies.view().position, bodies.view().radius, bodies.box, pairs, found);
     std::vector<Pair> expected{{-7, -7}};
     for (const Pair& pair : pairs) {
       const Vec3 d = bodies.box.displacement(bodies.view().position[pair.i], bodies.view().position[pair.j]);

@@ -100,7 +100,7 @@ void check(const SlotArrays<V>& arrays, const std::vector<RangeTask>& tasks) {
   found.reserve(1);
   *found.end() = {-7, -7};
   found.set_end(found.end() + 1);  // what is there already stays
-  test_ranges(arrays.view(), arrays.box, {tasks.data(), static_cast<int64_t>(tasks.size())}, found);
+  vector_tests<V>().test_ranges(arrays.view(), arrays.box, {tasks.data(), static_cast<int64_t>(tasks.size())}, found);
   const std::vector<Pair> pairs(found.span().begin(), found.span().end());
   REQUIRE(pairs[0] == Pair{-7, -7});
   const bool is_same = sorted({pairs.begin() + 1, pairs.end()}) == sorted(found_one_by_one(arrays, tasks));

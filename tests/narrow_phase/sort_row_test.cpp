@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "narrow_phase/sort_row.h"
-
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -8,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/random.h"
+#include "narrow_phase/contact_rows.h"
 
 using namespace ballpit;
 

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 #include "render/gl_context.h"
-#include "render/gl_debug.h"
 #include "tests/support/test_scenes.h"
 
 using namespace ballpit;

@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "render/overlays/interval_list.h"
 #include "render/painter.h"
 #include "tests/support/test_scenes.h"
 

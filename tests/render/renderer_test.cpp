@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "render/gl_context.h"
-#include "render/gl_debug.h"
 #include "render/overlays/overlay.h"
 #include "render/shader.h"
 #include "tests/support/test_scenes.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Restitution and damping of a spring-dashpot contact.
-#include "response/damping.h"
-
 #include <cmath>
 
 #include <catch2/catch.hpp>
+
+#include "response/pair_force.h"
 
 using namespace ballpit;
 

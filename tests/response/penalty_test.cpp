@@ -2,7 +2,7 @@
 // The penalty response against the closed forms of a spring-dashpot contact, and cradles of springs.
 #include <catch2/catch.hpp>
 
-#include "response/damping.h"
+#include "response/pair_force.h"
 #include "tests/support/hits.h"
 
 using namespace ballpit;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "scene/catalog.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "scene/read_scene.h"
 
 using namespace ballpit;
 

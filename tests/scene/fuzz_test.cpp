@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/embedded_file.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/random.h"
 #include "scene/read_scene.h"
 #include "scene/spheres_csv.h"
@@ -89,7 +89,7 @@ TEST_CASE("a damaged CSV file is read or refused, and never crashes") {
   int misbehaved = 0;
   for (int i = 0; i < 20'000; ++i) {
     const std::string bad = damaged(text, random);
-    misbehaved += !behaves([&] { parse_spheres_csv(bad, "a.csv"); });
+    misbehaved += !behaves([&] { read_spheres_csv({bad, "a.csv"}); });
   }
   CHECK(misbehaved == 0);
 }

@@ -28,7 +28,7 @@ std::string message_of(const Read& read) {
 }
 
 std::string message_for(std::string_view text) {
-  return message_of([&] { parse_spheres_csv(text, "a.csv"); });
+  return message_of([&] { read_spheres_csv({text, "a.csv"}); });
 }
 
 /// A file that is removed at the end.
@@ -64,7 +64,7 @@ std::vector<double> flat(const std::vector<Vec3d>& vectors) {
 }  // namespace
 
 TEST_CASE("columns are found by name, in any order") {
-  const Bodies bodies = parse_spheres_csv("radius,vz, z ,y,x,mass\n0.5,4,3,2,1,7\n+.25,-4,-3e0,2,1,8\n", "a.csv");
+  const Bodies bodies = read_spheres_csv({"radius,vz, z ,y,x,mass\n0.5,4,3,2,1,7\n+.25,-4,-3e0,2,1,8\n", "a.csv"});
   REQUIRE(bodies.size() == 2);
   CHECK(bodies.position[0] == Vec3d(1, 2, 3));
   CHECK(bodies.velocity[0] == Vec3d(0, 0, 4));
@@ -73,21 +73,21 @@ TEST_CASE("columns are found by name, in any order") {
 }
 
 TEST_CASE("mass and velocity may be left out") {
-  const Bodies bodies = parse_spheres_csv("x,y,z,radius\n1,2,3,0.1", "a.csv", 500.0);
+  const Bodies bodies = read_spheres_csv({"x,y,z,radius\n1,2,3,0.1", "a.csv"}, 500.0);
   CHECK(bodies.velocity[0] == Vec3d(0, 0, 0));
   CHECK(bodies.mass[0] == Approx(500.0 * 4.0 / 3.0 * 3.14159265358979 * 0.001));
 }
 
 TEST_CASE("Windows line ends, a byte order mark, blanks and a missing last line end are read") {
-  const Bodies bodies = parse_spheres_csv("\xEF\xBB\xBFx,y,z,radius\r\n 1 ,2,\t3,4\r\n5,6,7,8", "a.csv");
+  const Bodies bodies = read_spheres_csv({"\xEF\xBB\xBFx,y,z,radius\r\n 1 ,2,\t3,4\r\n5,6,7,8", "a.csv"});
   REQUIRE(bodies.size() == 2);
   CHECK(bodies.position[1] == Vec3d(5, 6, 7));
   CHECK(bodies.radius[1] == 8.0);
 }
 
 TEST_CASE("a file with only a header has no spheres") {
-  CHECK(parse_spheres_csv("x,y,z,radius", "a.csv").size() == 0);
-  CHECK(parse_spheres_csv("x,y,z,radius\n", "a.csv").size() == 0);
+  CHECK(read_spheres_csv({"x,y,z,radius", "a.csv"}).size() == 0);
+  CHECK(read_spheres_csv({"x,y,z,radius\n", "a.csv"}).size() == 0);
 }
 
 namespace {
@@ -101,16 +101,16 @@ struct Dialect {
 void check_dialects(const std::vector<Dialect>& table) {
   for (const Dialect& dialect : table) {
     CAPTURE(dialect.text);
-    SphereSource source;
+    SphereLines source;
     Bodies bodies;
-    CHECK_NOTHROW(bodies = parse_spheres_csv(dialect.text, "a.csv", 1000.0, &source));
+    CHECK_NOTHROW(bodies = read_spheres_csv({dialect.text, "a.csv"}, 1000.0, &source));
     REQUIRE(bodies.size() == 2);
     CHECK(bodies.position[0] == Vec3d(0, 0, 0));
     CHECK(bodies.position[1] == Vec3d(0.9, 0, -2));
     CHECK(bodies.radius == std::vector<double>{0.5, 0.5});
     CHECK(source.note == (dialect.note.empty() ? "" : "a.csv:" + dialect.note));
     REQUIRE(source.line.size() == 2);
-    CHECK(parse_resting_spheres(dialect.text, "a.csv").note == source.note);
+    CHECK(read_resting_spheres({dialect.text, "a.csv"}).note == source.note);
   }
 }
 
@@ -160,8 +160,8 @@ TEST_CASE("files written by hand are read: blank lines, comments, blanks, traili
 }
 
 TEST_CASE("errors name lines of the file, blank ones and comments counted") {
-  SphereSource source;
-  parse_spheres_csv("# a\n\nx,y,z,r\n# b\n1,2,3,4\n\n5,6,7,8\n", "a.csv", 1000.0, &source);
+  SphereLines source;
+  read_spheres_csv({"# a\n\nx,y,z,r\n# b\n1,2,3,4\n\n5,6,7,8\n", "a.csv"}, 1000.0, &source);
   CHECK(source.line == std::vector<int>{5, 7});
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("a wrong CSV file is refused with file, line, column, what was found a
 
 TEST_CASE("spheres at rest are refused for the same reasons, but not for their mass") {
   const auto message_at_rest = [](std::string_view text) {
-    return message_of([&] { parse_resting_spheres(text, "a.csv"); });
+    return message_of([&] { read_resting_spheres({text, "a.csv"}); });
   };
   const std::string header = "x,y,z,radius,vx\n";
   for (const std::string& text : {std::string(), std::string("x,y,z\n"), header + "1,2,3\n", header + "1,2,3,0,5\n",
@@ -250,8 +250,8 @@ TEST_CASE("spheres at rest are refused for the same reasons, but not for their m
 
 TEST_CASE("spheres at rest equal the bodies, rounded to single precision") {
   const std::string text = long_text();
-  const Bodies bodies = parse_spheres_csv(text, "a.csv", 1e-6);
-  const RestingSpheres spheres = parse_resting_spheres(text, "a.csv");
+  const Bodies bodies = read_spheres_csv({text, "a.csv"}, 1e-6);
+  const RestingSpheres spheres = read_resting_spheres({text, "a.csv"});
   REQUIRE(spheres.size() == bodies.size());
   REQUIRE(spheres.radius.size() == bodies.radius.size());
   int64_t different = 0;
@@ -266,7 +266,7 @@ TEST_CASE("a file longer than the buffer is read like its text") {
   const std::string text = long_text();
   for (const std::string& variant : {text, text.substr(0, text.size() - 1)}) {
     const TemporaryFile file(variant);
-    const Bodies expected = parse_spheres_csv(text, "a.csv", 1e-6), read = read_spheres_csv(file.path, 1e-6);
+    const Bodies expected = read_spheres_csv({text, "a.csv"}, 1e-6), read = read_spheres_csv(file.path, 1e-6);
     CHECK(read.size() > 50'000);
     CHECK(same_bits(flat(expected.position), flat(read.position)));
     CHECK(same_bits(flat(expected.velocity), flat(read.velocity)));
@@ -330,6 +330,6 @@ TEST_CASE("numbers are written as short as possible") {
 }
 
 TEST_CASE("a missing CSV file is a UserError") {
-  CHECK_THROWS_AS(read_spheres_csv("/nonexistent/a.csv"), UserError);
-  CHECK_THROWS_AS(read_resting_spheres("/nonexistent/a.csv"), UserError);
+  CHECK_THROWS_AS(read_spheres_csv(LineReader("/nonexistent/a.csv")), UserError);
+  CHECK_THROWS_AS(read_resting_spheres(LineReader("/nonexistent/a.csv")), UserError);
 }

@@ -2,7 +2,6 @@
 // A demonstration as it is operated, without a window.
 #include "show/demo.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -10,7 +9,6 @@
 #include <catch2/catch.hpp>
 
 #include "core/numbers.h"
-#include "methods/methods.h"
 #include "render/overlays/overlay.h"
 #include "render/painter.h"
 
@@ -167,13 +165,14 @@ TEST_CASE("what would take too long to look for is left out, and the picture kno
 }
 
 TEST_CASE("each key is one key, and names a method or an overlay that there is") {
+  Demo demo = lecture();
   std::set<int> codes;
   for (const Key& key : key_table()) {
+    CAPTURE(key.name);
     CHECK(codes.insert(key.code).second);
-    if (key.action == Action::use_method) CHECK_NOTHROW(named<BroadPhase>(key.argument));
-    const auto is_named = [&](const OverlayEntry& overlay) { return overlay.name == key.argument; };
-    const auto& overlays = overlay_table();
-    CHECK((key.action != Action::toggle_overlay || std::any_of(overlays.begin(), overlays.end(), is_named)));
+    demo.perform(key);
+    CHECK(demo.message().empty());
+    for (const std::string& overlay : demo.view.overlays) CHECK_NOTHROW(entry_named(overlay_table(), overlay, "key"));
   }
 }
 

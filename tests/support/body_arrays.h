@@ -7,7 +7,7 @@
 
 #include "bodies/bodies_view.h"
 #include "bodies/box.h"
-#include "broad_phase/choose_broad_phase.h"
+#include "broad_phase/parameters.h"
 #include "exec/cpu_executor.h"
 #include "scene/scene.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the panel shows of the picked sphere.
-#include "window/picked.h"
-
 #include <string_view>
 
 #include <catch2/catch.hpp>
 
+#include "render/overlays/overlay.h"
 #include "show/session.h"
 
 using namespace ballpit;
@@ -41,16 +40,18 @@ TEST_CASE("every sphere is shown with its own cell and its position in that cell
 TEST_CASE("an interval reaches a radius to both sides, and its places in the sorted list are those of begin and end") {
   const Inspection seen = lecture("sort-and-sweep");
   for (int32_t i = 0; i < 20; ++i) {
-    const auto interval = interval_of(seen, i);
-    REQUIRE(interval);
+    const Walk walk = shown_walk(seen.endpoints, i);
+    REQUIRE(walk.body == i);
     const float x = seen.bodies.position_of(i)[seen.axis], r = seen.bodies.radius_of(i);
-    CHECK(interval->begin == Approx(x - r).margin(1e-4));
-    CHECK(interval->end == Approx(x + r).margin(1e-4));
-    CHECK_FALSE(seen.endpoints.at(interval->begin_place).is_end);
-    CHECK(seen.endpoints.at(interval->end_place).is_end);
-    CHECK(seen.endpoints.at(interval->end_place).body == i);
+    const Endpoint &begin = seen.endpoints.at(walk.first), &end = seen.endpoints.at(walk.last);
+    CHECK(begin.at == Approx(x - r).margin(1e-4));
+    CHECK(end.at == Approx(x + r).margin(1e-4));
+    CHECK_FALSE(begin.is_end);
+    CHECK(end.is_end);
+    CHECK(begin.body == i);
+    CHECK(end.body == i);
   }
-  CHECK_FALSE(interval_of(lecture("linked-cell"), 0));
+  CHECK(shown_walk(lecture("linked-cell").endpoints, 0).body == -1);
 }
 
 TEST_CASE("the partners of a sphere are the others of its pairs, each once and sorted") {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One coordinate between two walls, against closed forms.
-#include "world/between_walls.h"
-
 #include <catch2/catch.hpp>
+
+#include "world/swept_drift.h"
 
 using namespace ballpit;
 

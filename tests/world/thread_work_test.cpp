@@ -32,7 +32,7 @@ TEST_CASE("the work of all threads adds up to the candidates, except in the swee
         CpuExecutor exec(way.threads);
         auto found = collider(way, bodies);
         found.pairs(exec, bodies.view());
-        const std::vector<int> work = thread_work(exec, found).work;
+        const std::vector<int> work = thread_work(exec, found).first;
         INFO(input.name << ", " << way);
         REQUIRE(work.size() == bodies.position.size());
         REQUIRE(std::accumulate(work.begin(), work.end(), int64_t{0}) == found.tests(exec));
@@ -47,5 +47,5 @@ TEST_CASE("in brute force each thread has one candidate less than the one before
   CpuExecutor exec(1);
   auto found = collider({.broadphase = "brute-force"}, bodies);
   found.pairs(exec, bodies.view());
-  CHECK(thread_work(exec, found).work == std::vector<int>{4, 3, 2, 1, 0});
+  CHECK(thread_work(exec, found).first == std::vector<int>{4, 3, 2, 1, 0});
 }

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "tests/support/scenes.h"
 
 using namespace ballpit;

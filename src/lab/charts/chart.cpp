@@ -2,35 +2,44 @@
 #include "lab/charts/chart.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
-#include "lab/charts/chart_map.h"
 #include "lab/charts/chart_script.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr double kLabelGap = 0.014;  // [widths of the picture] between the end of a line and its label
+constexpr double kLabelGap = 0.014;      // [widths of the picture] between the end of a line and its label
+constexpr size_t kMaxMarkedCells = 600;  // beyond that, markers are too small to see
 
-Range range_of_x(const Chart& chart) {
-  if (chart.map) return range_of(chart.x, edges_of(chart.map->x, chart.x.scale), false);
-  std::vector<double> values;
-  for (const Series& series : chart.series) {
-    for (const Point& point : series.points) values.insert(values.end(), {point.x, point.left, point.right});
-  }
-  for (const Bound& bound : chart.bounds) values.push_back(bound.x);
-  return range_of(chart.x, values, true);
+/// Borders of cells, half way between their centres; on a logarithmic axis, by ratio.
+std::vector<double> edges_of(const std::vector<double>& centers, Scale scale) {
+  const auto beyond = [&](double a, double b, double share) {
+    return scale == Scale::log ? a * std::pow(b / a, share) : a + share * (b - a);
+  };
+  if (centers.size() < 2) return {beyond(centers[0], centers[0] * 2, -0.5), beyond(centers[0], centers[0] * 2, 0.5)};
+  std::vector<double> edges{beyond(centers[0], centers[1], -0.5)};
+  for (size_t k = 0; k + 1 < centers.size(); ++k) edges.push_back(beyond(centers[k], centers[k + 1], 0.5));
+  edges.push_back(beyond(centers[centers.size() - 2], centers.back(), 1.5));
+  return edges;
 }
 
-Range range_of_y(const Chart& chart) {
-  if (chart.map) return range_of(chart.y, edges_of(chart.map->y, chart.y.scale), false);
-  std::vector<double> values;
-  for (const Series& series : chart.series) {
-    for (const Point& point : series.points) values.insert(values.end(), {point.y, point.low, point.high});
+/// The ranges of all values, error bars and bounds, or of the cells of the map.
+std::pair<AxisRange, AxisRange> ranges_of(const Chart& chart) {
+  std::vector<double> x, y;
+  if (chart.map) {
+    x = edges_of(chart.map->x, chart.x.scale);
+    y = edges_of(chart.map->y, chart.y.scale);
+  } else {
+    for (const Series& series : chart.series) {
+      for (const Point& point : series.points) {
+        x.insert(x.end(), {point.x, point.left, point.right});
+        y.insert(y.end(), {point.y, point.low, point.high});
+      }
+    }
+    for (const Bound& bound : chart.bounds) x.push_back(bound.x);
   }
-  return range_of(chart.y, values, true);
+  return {range_of(chart.x, x, !chart.map), range_of(chart.y, y, !chart.map)};
 }
 
 /// A series as lines of data blocks.
@@ -40,7 +49,7 @@ struct SeriesData {
   const Point* last_shown = nullptr;
 };
 
-SeriesData data_of(const Series& series, const Range& x, const Range& y) {
+SeriesData data_of(const Series& series, const AxisRange& x, const AxisRange& y) {
   SeriesData data;
   for (const Point& point : series.points) {
     if (std::isinf(point.y)) {
@@ -68,12 +77,12 @@ SeriesData data_of(const Series& series, const Range& x, const Range& y) {
 class ChartWriter {
  public:
   ChartWriter(const Chart& chart, Ground ground)
-      : chart_(chart), script_(ground, range_of_x(chart), range_of_y(chart)), style_(script_.style()) {}
+      : chart_(chart), script_(ground, ranges_of(chart)), style_(script_.style()) {}
 
   std::string write() {
     begin();
     draw_bounds();
-    if (chart_.map) draw_map(script_, *chart_.map);
+    if (chart_.map) draw_map(*chart_.map);
     for (const Series& series : chart_.series) draw(series);
     script_.write_labels(std::move(labels_));
     return script_.finish();
@@ -95,12 +104,12 @@ class ChartWriter {
     script_.write_text((kPlotLeft + kPlotRight) / 2, 0.03, title_of(chart_.x), style_.text, "center");
   }
 
-  void draw_axis(const std::string& name, const Range& range) {
+  void draw_axis(const std::string& name, const AxisRange& range) {
     if (range.scale == Scale::log) script_.line("set logscale {}", name);
     script_.line("set {}range [{}:{}]", name, range.low, range.high);
     std::string ticks;
     for (const Tick& tick : ticks_of(range)) {
-      ticks += script_text("{}{} {}", ticks.empty() ? "" : ", ", quoted_text(tick.text), tick.at);
+      ticks += fmt::format("{}{} {}", ticks.empty() ? "" : ", ", quoted_text(tick.text), tick.at);
     }
     script_.line("set {}tics scale 0.5 nomirror out textcolor {} ({})", name, rgb(style_.text), ticks);
   }
@@ -175,6 +184,80 @@ class ChartWriter {
                  rgb(style_.background));
     script_.plot(data, " with points pointtype {} pointsize {} linewidth 2.5 linecolor {}", role.open, size,
                  rgb(color));
+  }
+
+  void draw_map(const Map& map) {
+    std::vector<double> values;
+    for (const std::vector<double>& row : map.values) values.insert(values.end(), row.begin(), row.end());
+    const AxisRange colors = range_of(map.colors, values, false);
+    draw_cells(map, colors);
+    if (map.categories.empty()) {
+      draw_color_bar(map, colors);
+    } else {
+      list_categories(map);
+    }
+  }
+
+  Rgb cell_color(const Map& map, const AxisRange& colors, double value) const {
+    if (std::isinf(value)) return color_of("failed", script_.ground());
+    if (map.categories.empty()) return gradient(colors.share_of(value));
+    return color_of(map.categories[static_cast<size_t>(value)].role, script_.ground());
+  }
+
+  void draw_cells(const Map& map, const AxisRange& colors) {
+    const std::vector<double> x = edges_of(map.x, chart_.x.scale), y = edges_of(map.y, chart_.y.scale);
+    std::string cells, failed;
+    std::vector<std::string> markers(map.categories.size());
+    for (size_t row = 0; row < map.y.size(); ++row) {
+      for (size_t column = 0; column < map.x.size(); ++column) {
+        const double value = map.values[row][column];
+        if (std::isnan(value)) continue;
+        const std::string center = data_line({map.x[column], map.y[row]});
+        if (std::isinf(value)) failed += center;
+        if (!map.categories.empty() && std::isfinite(value)) markers[static_cast<size_t>(value)] += center;
+        cells += fmt::format("{} {} {} {} {} {} {}\n", map.x[column], map.y[row], x[column], x[column + 1], y[row],
+                             y[row + 1], cell_color(map, colors, value));
+      }
+    }
+    if (!cells.empty()) {
+      script_.plot(script_.block(cells),
+                   " using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid 1 noborder linecolor rgb variable");
+    }
+    if (map.x.size() * map.y.size() > kMaxMarkedCells) return;
+    const auto mark = [&](const std::string& centers, int type) {
+      if (centers.empty()) return;
+      script_.plot(script_.block(centers), " with points pointtype {} pointsize 0.7 linewidth 2 linecolor {}", type,
+                   rgb(style_.background));
+    };
+    for (size_t k = 0; k < markers.size(); ++k) mark(markers[k], style_of(map.categories[k].role).open);
+    mark(failed, 2);
+  }
+
+  void draw_color_bar(const Map& map, const AxisRange& colors) {
+    constexpr int kSteps = 48;
+    constexpr double kBarLeft = 0.755, kBarRight = 0.785, kBarTop = 0.72;
+    const auto height = [&](double share) { return kPlotBottom + (kBarTop - kPlotBottom) * share; };
+    for (int k = 0; k < kSteps; ++k) {
+      script_.line(
+          "set object rectangle from screen {}, screen {} to screen {}, screen {} fillcolor {} fillstyle solid 1 "
+          "noborder",
+          kBarLeft, height(1.0 * k / kSteps), kBarRight, std::min(height((k + 1.0) / kSteps) + 0.004, kBarTop),
+          rgb(gradient((k + 0.5) / kSteps)));
+    }
+    for (const Tick& tick : ticks_of(colors)) {
+      script_.write_text(kBarRight + 0.012, height(colors.share_of(tick.at)), tick.text, style_.text);
+    }
+    script_.write_text(kBarLeft, kBarTop + 0.05, map.colors.label, style_.text);
+  }
+
+  /// Marker and name of each category, the first at the top.
+  void list_categories(const Map& map) {
+    double y = kPlotTop - 0.03;
+    for (const Category& category : map.categories) {
+      script_.write_text(kPlotRight + 0.02, y, std::string(style_of(category.role).glyph) + ' ' + category.label,
+                         text_color_of(category.role, script_.ground()));
+      y -= 1.3 * kLabelHeight;
+    }
   }
 
   const Chart& chart_;

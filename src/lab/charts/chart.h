@@ -10,7 +10,8 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "measure/statistics.h"
 
 namespace ballpit {
 
@@ -39,6 +40,16 @@ struct Point {
   double left = kNoNumber, right = kNoNumber;
 };
 
+/// The median with its quartiles, converted by `factor`: 1e3 gives milliseconds.
+inline Point point_of(double x, const Spread& spread, double factor = 1) {
+  return {x, factor * spread.median, factor * spread.lower, factor * spread.upper};
+}
+
+/// The mean with one standard error.
+inline Point point_of(double x, const Mean& mean) {
+  return {x, mean.value, mean.value - mean.error, mean.value + mean.error};
+}
+
 enum class Stroke { line, points, line_and_points };
 
 /// Points that belong together. The role gives colour, marker and dashes; the label stands at the line's end.
@@ -53,8 +64,8 @@ struct Series {
 
 /// A series with a point for each item.
 template <class Items, class ToPoint>
-Series make_series(const std::string& label, const std::string& role, const Items& items, const ToPoint& to_point,
-                   Stroke stroke = Stroke::line_and_points) {
+Series make_series(const std::string& label, const std::string& role, Stroke stroke, const Items& items,
+                   const ToPoint& to_point) {
   Series series{label, role, {}, stroke};
   for (const auto& item : items) series.points.push_back(to_point(item));
   return series;
@@ -63,12 +74,8 @@ Series make_series(const std::string& label, const std::string& role, const Item
 /// The line y(x) of a formula.
 template <class Formula>
 Series theory_line(const std::string& label, const std::vector<double>& xs, const Formula& y) {
-  return make_series(
-      label, "theory", xs,
-      [&](double x) {
-        return Point{x, y(x)};
-      },
-      Stroke::line);
+  const auto to_point = [&](double x) { return Point{x, y(x)}; };
+  return make_series(label, "theory", Stroke::line, xs, to_point);
 }
 
 /// One kind of cell in a map of categories.
@@ -103,5 +110,34 @@ struct Chart {
 
 /// The script with all its data; it makes gnuplot write an SVG to standard output. Equal charts give equal bytes.
 std::string gnuplot_script(const Chart& chart, Ground ground);
+
+// The range of an axis, and its ticks: chart_axis.cpp.
+
+struct Tick {
+  double at;
+  std::string text;
+};
+
+struct AxisRange {
+  double low, high;
+  Scale scale;
+
+  /// 0 for `low`, 1 for `high`.
+  double share_of(double value) const;
+
+  bool shows(double value) const { return value >= low && value <= high; }
+};
+
+/// The range that the axis asks for; else that of all values, with a margin if `is_wide`.
+AxisRange range_of(const Axis& axis, const std::vector<double>& values, bool is_wide);
+
+/// The number with this share of the way from `low` to `high`, on a linear or a logarithmic scale.
+double between(double low, double high, double share, Scale scale);
+
+/// `count` such numbers from `low` to `high`, both included.
+std::vector<double> spaced(double low, double high, int count, Scale scale);
+
+/// About eight round numbers at most.
+std::vector<Tick> ticks_of(const AxisRange& range);
 
 }  // namespace ballpit

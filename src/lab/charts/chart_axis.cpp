@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lab/charts/chart_axis.h"
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/numbers.h"
+#include "lab/charts/chart.h"
 
 namespace ballpit {
 
@@ -22,7 +20,21 @@ std::string power_text(int exponent) {
   return text;
 }
 
-std::vector<Tick> log_ticks(const Range& range) {
+/// "0.01", "1 000", "10⁵".
+std::string tick_text(double value) {
+  const double size = std::fabs(value);
+  const double exponent = std::round(std::log10(size));
+  if (size > 0 && (size < 0.00099 || size > 99999)) {
+    const int power = static_cast<int>(std::floor(std::log10(size) + 1e-9));
+    const double part = value / std::pow(10.0, power);
+    if (std::fabs(part - 1) < 1e-6) return power_text(static_cast<int>(exponent));
+    return fmt::format("{:.3g}·{}", part, power_text(power));
+  }
+  if (size > 9999) return grouped(static_cast<int64_t>(std::llround(value)));
+  return fmt::format("{:.5g}", size < 1e-12 ? 0.0 : value);
+}
+
+std::vector<Tick> log_ticks(const AxisRange& range) {
   const double decades = std::log10(range.high / range.low);
   const int every = decades > 16 ? 4 : decades > 8 ? 2 : 1;
   const std::vector<double> parts = decades < 2.5 ? std::vector<double>{1, 2, 5} : std::vector<double>{1};
@@ -38,7 +50,7 @@ std::vector<Tick> log_ticks(const Range& range) {
   return ticks;
 }
 
-std::vector<Tick> linear_ticks(const Range& range) {
+std::vector<Tick> linear_ticks(const AxisRange& range) {
   const double rough = (range.high - range.low) / 5;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
@@ -54,12 +66,12 @@ std::vector<Tick> linear_ticks(const Range& range) {
 
 }  // namespace
 
-double Range::share_of(double value) const {
+double AxisRange::share_of(double value) const {
   if (scale == Scale::linear) return (value - low) / (high - low);
   return std::log(value / low) / std::log(high / low);
 }
 
-Range range_of(const Axis& axis, const std::vector<double>& values, bool is_wide) {
+AxisRange range_of(const Axis& axis, const std::vector<double>& values, bool is_wide) {
   double low = INFINITY, high = -INFINITY;
   for (const double value : values) {
     if (!std::isfinite(value) || (axis.scale == Scale::log && value <= 0)) continue;
@@ -90,21 +102,8 @@ std::vector<double> spaced(double low, double high, int count, Scale scale) {
   return values;
 }
 
-std::vector<Tick> ticks_of(const Range& range) {
+std::vector<Tick> ticks_of(const AxisRange& range) {
   return range.scale == Scale::log ? log_ticks(range) : linear_ticks(range);
-}
-
-std::string tick_text(double value) {
-  const double size = std::fabs(value);
-  const double exponent = std::round(std::log10(size));
-  if (size > 0 && (size < 0.00099 || size > 99999)) {
-    const int power = static_cast<int>(std::floor(std::log10(size) + 1e-9));
-    const double part = value / std::pow(10.0, power);
-    if (std::fabs(part - 1) < 1e-6) return power_text(static_cast<int>(exponent));
-    return fmt::format("{:.3g}·{}", part, power_text(power));
-  }
-  if (size > 9999) return grouped(static_cast<int64_t>(std::llround(value)));
-  return fmt::format("{:.5g}", size < 1e-12 ? 0.0 : value);
 }
 
 }  // namespace ballpit

@@ -23,20 +23,16 @@ void move_apart(Label& below, Label& above) {
 
 }  // namespace
 
-std::string data_line(std::initializer_list<double> numbers) {
-  std::string line;
-  for (const double number : numbers) line += (line.empty() ? "" : " ") + number_text(number);
-  return line + '\n';
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+  for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
 }
 
-std::string quoted_text(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    result += c;
-    if (c == '\'') result += c;
-  }
-  return result + '\'';
-}
+std::string data_line(std::initializer_list<double> numbers) { return fmt::format("{}\n", fmt::join(numbers, " ")); }
+
+std::string quoted_text(std::string_view text) { return "'" + replaced(std::string(text), "'", "''") + "'"; }
 
 std::string rgb(Rgb color) { return "rgb '" + hex(color) + "'"; }
 

@@ -3,16 +3,12 @@
 #pragma once
 
 #include <initializer_list>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "lab/charts/chart_axis.h"
+#include "lab/charts/chart.h"
 #include "lab/charts/chart_style.h"
-#include "scene/input_error.h"
 
 namespace ballpit {
 
@@ -28,55 +24,41 @@ struct Label {
   Rgb color;
 };
 
-/// A double as the shortest text that reads back as the same number; other values unchanged.
-template <class Part>
-auto exact(const Part& part) {
-  if constexpr (std::is_same_v<Part, double>) {
-    return number_text(part);
-  } else if constexpr (std::is_integral_v<Part>) {
-    return part;
-  } else {
-    return std::string_view(part);
-  }
-}
-
-template <class... Parts>
-std::string script_text(std::string_view format, const Parts&... parts) {
-  return fmt::format(fmt::runtime(format), exact(parts)...);
-}
+/// The text with `with` in all places of `what`.
+std::string replaced(std::string text, std::string_view what, std::string_view with);
 
 /// One line of a data block.
 std::string data_line(std::initializer_list<double> numbers);
 
 /// Text in gnuplot's single quotes.
-std::string quoted_text(const std::string& text);
+std::string quoted_text(std::string_view text);
 
 /// "rgb '#0072B2'"
 std::string rgb(Rgb color);
 
 class ChartScript {
  public:
-  ChartScript(Ground ground, const Range& x, const Range& y)
-      : ground_(ground), style_(ground_style(ground)), x_(x), y_(y) {}
+  ChartScript(Ground ground, const std::pair<AxisRange, AxisRange>& ranges)
+      : ground_(ground), style_(ground_style(ground)), x_(ranges.first), y_(ranges.second) {}
 
   Ground ground() const { return ground_; }
   const GroundStyle& style() const { return style_; }
-  const Range& x() const { return x_; }
-  const Range& y() const { return y_; }
+  const AxisRange& x() const { return x_; }
+  const AxisRange& y() const { return y_; }
 
   /// Where a point of the plot is in the picture.
   double place_x(double x) const { return kPlotLeft + x_.share_of(x) * (kPlotRight - kPlotLeft); }
   double place_y(double y) const { return kPlotBottom + y_.share_of(y) * (kPlotTop - kPlotBottom); }
 
   template <class... Parts>
-  void line(std::string_view format, const Parts&... parts) {
-    text_ += script_text(format, parts...) + '\n';
+  void line(fmt::format_string<Parts...> format, Parts&&... parts) {
+    text_ += fmt::format(format, std::forward<Parts>(parts)...) + '\n';
   }
 
   /// Plots the lines of a data block; `format` and `parts` are what follows its name.
   template <class... Parts>
-  void plot(const std::string& data, std::string_view format, const Parts&... parts) {
-    plots_ += (plots_.empty() ? "" : ", \\\n     ") + data + script_text(format, parts...);
+  void plot(const std::string& data, fmt::format_string<Parts...> format, Parts&&... parts) {
+    plots_ += (plots_.empty() ? "" : ", \\\n     ") + data + fmt::format(format, std::forward<Parts>(parts)...);
   }
 
   void write_text(double x, double y, const std::string& text, Rgb color, std::string_view where = "left",
@@ -94,7 +76,7 @@ class ChartScript {
  private:
   Ground ground_;
   GroundStyle style_;
-  Range x_, y_;
+  AxisRange x_, y_;
   std::string text_, data_, plots_;
   int blocks_ = 0;
 };

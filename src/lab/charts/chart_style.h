@@ -3,7 +3,6 @@
 // Okabe and Ito, which colour-blind viewers can tell apart. Each colour has a marker of its own.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "lab/charts/chart.h"

@@ -2,8 +2,6 @@
 // Draws charts with the program gnuplot (Debian: gnuplot-nox).
 #pragma once
 
-#include <string>
-
 #include "lab/charts/chart.h"
 
 namespace ballpit {
@@ -14,5 +12,8 @@ std::string gnuplot_path();
 /// The chart as SVG, drawn by the gnuplot at this path. It names common fonts and embeds none. Throws RunError with
 /// gnuplot's message.
 std::string draw_svg(const Chart& chart, Ground ground, const std::string& gnuplot);
+
+/// Text for SVG and HTML: with &, <, > and " as entities.
+std::string html_text(std::string_view text);
 
 }  // namespace ballpit

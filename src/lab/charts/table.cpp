@@ -4,27 +4,15 @@
 #include <cassert>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/numbers.h"
-#include "scene/input_error.h"
 
 namespace ballpit {
 
-namespace {
-
-void append_text(std::string& line, const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    line += text;
-    return;
-  }
-  line += '"';
-  for (const char c : text) {
-    if (c == '"') line += '"';
-    line += c;
-  }
-  line += '"';
+void Table::add_columns(const std::vector<std::string>& headers, const std::string& method) {
+  for (const std::string& header : headers) columns.push_back(fmt::format(fmt::runtime(header), method));
 }
-
-}  // namespace
 
 std::string short_text(const Cell& cell) {
   if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
@@ -41,9 +29,13 @@ std::string csv_line(const std::vector<Cell>& cells) {
     if (&cell != &cells.front()) line += ',';
     if (const double* number = std::get_if<double>(&cell)) {
       if (!std::isnan(*number)) append_number(line, *number);
-    } else {
-      append_text(line, std::get<std::string>(cell));
+      continue;
     }
+    const std::string& text = std::get<std::string>(cell);
+    const std::string_view quote = text.find_first_of(",\"\n") == std::string::npos ? "" : "\"";
+    line += quote;
+    for (const char c : text) line.append(c == '"' ? 2 : 1, c);
+    line += quote;
   }
   return line + '\n';
 }

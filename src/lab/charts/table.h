@@ -31,6 +31,9 @@ struct Table {
   std::vector<std::vector<Cell>> rows = {};  ///< each as long as `columns`
   bool is_shown = false;                     ///< in the report too, not only in its file
 
+  /// Columns of a method, whose name replaces the {} in the headers.
+  void add_columns(const std::vector<std::string>& headers, const std::string& method);
+
   template <class... Values>
   void add_row(const Values&... values) {
     rows.push_back({cell_of(values)...});

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The tasks of `work-precision`: scenes whose outcome is known from a closed form or from exact motion, and the error
-// of each method in them.
+// of each method in them; the results of all methods, and their Pareto front.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <string>
-#include <vector>
 
 #include "lab/experiments/contact_methods.h"
+#include "measure/statistics.h"
 
 namespace ballpit {
 
@@ -28,23 +27,33 @@ struct Task {
   std::string truth;                  ///< its true value
   double coarsest;                    ///< [s] dt0; steps are dt0·2^−k
   int quick_halvings, full_halvings;  ///< k of the finest step
-  std::function<Trial(const ContactMethod&, double dt, uint64_t seed, bool is_quick)> run;
+  std::function<Trial(const Settings&, uint64_t seed, bool is_quick)> run;  ///< with a method's settings and a step
   bool is_mean = false;  ///< over many collisions, so that small errors are chance
   bool (*serves)(const ContactMethod&) = [](const ContactMethod&) { return true; };
 };
 
 const std::vector<Task>& tasks();
 
-std::vector<Task> contact_tasks();  ///< accuracy_contacts.cpp: a few spheres that hit each other, or a floor
-std::vector<Task> gas_tasks();      ///< accuracy_gases.cpp: many collisions
+std::vector<Task> gas_tasks();  ///< those of many collisions
 
-inline constexpr double kStepsOfContact = 20;  ///< of springs whose stiffness follows from the step
+/// A method at one step.
+struct Result {
+  const ContactMethod* method;
+  double dt;                  ///< [s]
+  double error = 0;           ///< infinite if it failed
+  double standard_error = 0;  ///< of the repeats
+  Spread seconds = {};        ///< of computation for a simulated second
+  bool has_failed() const { return !std::isfinite(error); }
+};
 
-inline Settings with_step(const ContactMethod& method, double dt) {
-  Settings settings = method.settings;
-  settings.dt = dt;
-  return settings;
-}
+/// The methods for a task. In single precision, quick runs use main methods only.
+std::vector<const ContactMethod*> methods_of(const Task& task, bool is_quick);
+
+/// The Pareto front: results that no other beats in both error and time, fastest first. Errors below `floor` and
+/// kMinError count as these.
+std::vector<Result> front_of(std::vector<Result> results, double floor);
+
+inline constexpr double kMinError = 1e-10;
 
 /// The order with which the error of the penalty response's restitution falls with the step, between 40 and 160 steps
 /// per contact: that of the mean |v'/v − e| over hits that start at different moments of a step.

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "lab/experiments/accuracy.h"
-#include "lab/experiments/same_error.h"
-#include "lab/experiments/timed_run.h"
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/theory.h"
 
@@ -20,16 +17,15 @@ constexpr double kCount = 4.0 * kCells * kCells * kCells;
 
 /// A task's run, which starts from a scene for its seed. The last scene is kept, since all methods of a repeat start
 /// from it.
-using Run = std::function<Trial(const Scene&, const ContactMethod&, double dt, bool is_quick)>;
+using Run = std::function<Trial(const Scene&, const Settings&, bool is_quick)>;
 
 decltype(Task::run) from(const std::function<Scene(uint64_t seed)>& make, const Run& run) {
   std::optional<uint64_t> made;
-  return
-      [make, run, made, start = Scene()](const ContactMethod& method, double dt, uint64_t seed, bool is_quick) mutable {
-        if (made != seed) start = make(seed);
-        made = seed;
-        return run(start, method, dt, is_quick);
-      };
+  return [make, run, made, start = Scene()](const Settings& settings, uint64_t seed, bool is_quick) mutable {
+    if (made != seed) start = make(seed);
+    made = seed;
+    return run(start, settings, is_quick);
+  };
 }
 
 std::function<Scene(uint64_t)> gas_of(double rho, double collisions = kCollisionsToEquilibrium) {
@@ -53,10 +49,9 @@ Trial trial_of(double value, double truth, const TimedRun& run) {
 }
 
 /// Z = 1 + W/(3·N·kT·t) with the virial W of all collisions.
-Trial run_pressure(const Scene& scene, double rho, double time, const ContactMethod& method, double dt) {
-  Settings settings = with_step(method, dt);
+Trial run_pressure(const Scene& scene, double rho, double time, Settings settings) {
   settings.keeps_tally = true;
-  TimedRun run(with_springs(scene, dt), settings);
+  TimedRun run(with_springs(scene, settings.dt), settings);
   const double kt = mean_of_samples(
       run, 0, time, [](World& world) { return 2 * world.report().kinetic_energy / (3 * (kCount - 1)); });
   const double virial = run.world().report().tally.virial;
@@ -65,18 +60,18 @@ Trial run_pressure(const Scene& scene, double rho, double time, const ContactMet
 
 Task pressure_task(const std::function<Scene(uint64_t)>& gas, double rho, const std::string& name,
                    const std::string& title, double coarsest, double time, int quick_halvings, int full_halvings) {
-  const Run run = [=](const Scene& scene, const ContactMethod& method, double dt, bool is_quick) {
-    return run_pressure(scene, rho, is_quick ? time / 4 : time, method, dt);
+  const Run run = [=](const Scene& scene, const Settings& settings, bool is_quick) {
+    return run_pressure(scene, rho, is_quick ? time / 4 : time, settings);
   };
   const std::string truth = "Kolafa et al. 2004, corrected for 108 spheres";
   return {name, title, "error of Z", truth, coarsest, quick_halvings, full_halvings, from(gas, run), true};
 }
 
 /// The median distance between the positions after a time and those of exact motion.
-Trial run_paths(const Scene& scene, double time, const ContactMethod& method, double dt) {
+Trial run_paths(const Scene& scene, double time, const Settings& settings) {
   const auto exact = make_cpu_world(scene, exact_motion(time));
   exact->step();
-  TimedRun run(with_springs(scene, dt), with_step(method, dt));
+  TimedRun run(with_springs(scene, settings.dt), settings);
   if (!run.reach(time)) return {kFailed, run.seconds()};
   const Bodies truth = exact->bodies(), end = run.world().bodies();
   const Vec3d period = scene.domain.max - scene.domain.min;
@@ -93,22 +88,17 @@ Trial run_paths(const Scene& scene, double time, const ContactMethod& method, do
 Task paths_task(double rho, const std::string& name, const std::string& title) {
   constexpr double kCollisions = 2;  // of each sphere; in each, errors grow by a factor of e^0.8 to e^2.5
   const double time = kCollisions / collision_rate(rho, kCount);
-  const Run run = [=](const Scene& scene, const ContactMethod& method, double dt, bool) {
-    return run_paths(scene, time, method, dt);
-  };
-  const auto has_errors = [](const ContactMethod& method) {
-    return method.settings.response != Response::event_driven;
-  };
+  const Run run = [=](const Scene& scene, const Settings& settings, bool) { return run_paths(scene, time, settings); };
   return {name, title, "median distance / diameter", "exact motion", time / 16,
-          5,    10,    from(gas_of(rho), run),       false,          has_errors};
+          5,    10,    from(gas_of(rho), run),       false,          has_steps};
 }
 
 constexpr double kEnergyRho = 0.5, kCoolingRho = 0.1;
 
 /// |E/E₀ − 1| of an elastic gas, divided by the number of collisions of a sphere.
-Trial run_energy(const Scene& scene, const ContactMethod& method, double dt, bool is_quick) {
+Trial run_energy(const Scene& scene, const Settings& settings, bool is_quick) {
   const double collisions = is_quick ? 10 : 40, time = collisions / collision_rate(kEnergyRho, kCount);
-  TimedRun run(with_springs(scene, dt), with_step(method, dt));
+  TimedRun run(with_springs(scene, settings.dt), settings);
   const auto energy = [&] {
     const Report report = run.world().report();
     return report.kinetic_energy + report.elastic_energy;
@@ -119,11 +109,11 @@ Trial run_energy(const Scene& scene, const ContactMethod& method, double dt, boo
 }
 
 /// T/T₀ after the time τ of Haff's law: about a quarter.
-Trial run_cooling(Scene scene, const ContactMethod& method, double dt, bool) {
+Trial run_cooling(Scene scene, const Settings& settings, bool) {
   constexpr double kRestitution = 0.9;
   scene.physics.restitution = kRestitution;
-  scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, kRestitution);
-  TimedRun run(scene, with_step(method, dt));
+  scene.physics.stiffness = stiffness_for(settings.dt, kStepsOfContact, 0.5, kRestitution);
+  TimedRun run(scene, settings);
   const double start = run.world().report().kinetic_energy;
   const double tau = cooling_time(kCoolingRho, kCount, kRestitution);
   if (!run.reach(tau)) return {kFailed, run.seconds()};
@@ -131,8 +121,8 @@ Trial run_cooling(Scene scene, const ContactMethod& method, double dt, bool) {
 }
 
 /// The mean height of a gas under gravity, for its energy, which is constant while its temperature is not.
-Trial run_column(const Scene& scene, const ContactMethod& method, double dt, bool is_quick) {
-  TimedRun run(with_springs(scene, dt), with_step(method, dt));
+Trial run_column(const Scene& scene, const Settings& settings, bool is_quick) {
+  TimedRun run(with_springs(scene, settings.dt), settings);
   const Report start = run.world().report();
   const auto count = static_cast<double>(scene.bodies.size());
   const double radius = scene.bodies.radius[0], weight = -scene.physics.gravity.y;
@@ -157,11 +147,11 @@ Scene uneven_mixture(uint64_t seed) {
 
 /// The share of the energy that the small spheres reach. With total momentum 0 and mass M, a sphere of mass m has a
 /// share in proportion to 1 − m/M.
-Trial run_mixture(Scene scene, const ContactMethod& method, double dt, bool is_quick) {
+Trial run_mixture(Scene scene, const Settings& settings, bool is_quick) {
   constexpr double kSettle = 5;
   const double large = scene.bodies.mass[0], small = scene.bodies.mass[1], all = kCount / 2 * (small + large);
-  scene.physics.stiffness = stiffness_for(dt, kStepsOfContact, small / 2, 1);
-  TimedRun run(scene, with_step(method, dt));
+  scene.physics.stiffness = stiffness_for(settings.dt, kStepsOfContact, small / 2, 1);
+  TimedRun run(scene, settings);
   const double share = mean_of_samples(run, kSettle, kSettle + (is_quick ? 5 : 20), [&](World& world) {
     const Bodies bodies = world.bodies();
     double energy[2] = {0, 0};

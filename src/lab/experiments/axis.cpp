@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The axis of sort and sweep: along the height of a tall box few intervals overlap, along that of a flat box nearly
 // all. Candidates for each axis against the formula, and the fastest broad phase for each shape of the box.
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <utility>
 
-#include <fmt/format.h>
-
-#include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/measure/winner_map.h"
-#include "scene/input_error.h"
+#include "lab/experiments/winner_map.h"
 #include "world/world.h"
 
 namespace ballpit {
@@ -26,8 +18,12 @@ std::vector<double> aspects(bool is_quick) {
 }
 
 WinnerPlan plan_of(bool is_quick) {
-  return {"aspect", Axis{"height of the box over its width", "", Scale::log}, aspects(is_quick),
-          winner_counts(is_quick), [](int64_t count, double aspect, uint64_t seed) {
+  return {"Fastest broad phase by the box’s shape",
+          "aspect",
+          Axis{"height of the box over its width", "", Scale::log},
+          aspects(is_quick),
+          winner_counts(is_quick),
+          [](int64_t count, double aspect, uint64_t seed) {
             return uniform_spheres({count, 0.3, 1, aspect}, seed);
           }};
 }
@@ -37,7 +33,7 @@ int64_t swept_count(bool is_quick) { return is_quick ? 10'000 : 30'000; }
 double candidates_along(const std::string& axis, const UniformSpheres& spheres, uint64_t seed) {
   Settings settings = search_by("sort-and-sweep");
   settings.axis = named<SweepAxis>(axis);
-  const std::unique_ptr<PairSearch> search = cpu_backend().make_pair_search(settings);
+  const auto search = cpu_backend().make_pair_search(settings);
   const SphereSet set = uniform_spheres(spheres, seed);
   search->find(set.arrays());
   return static_cast<double>(search->report().candidates);
@@ -70,20 +66,19 @@ std::vector<Sweep> measure_sweeps(Lab& lab) {
 }
 
 Chart sweep_chart(const WinnerPlan& plan, const std::vector<Sweep>& sweeps, int64_t count) {
-  const auto n = static_cast<double>(count);
-  const auto against_aspect = [&](const auto& value) {
-    return [&, value](const Sweep& sweep) { return Point{sweep.aspect, value(sweep) / n}; };
+  const auto series = [&](const char* label, const char* role, Stroke stroke, const auto& value) {
+    const auto to_point = [&](const Sweep& s) { return Point{s.aspect, value(s) / static_cast<double>(count)}; };
+    return make_series(label, role, stroke, sweeps, to_point);
   };
-  const auto along = [&](size_t axis) { return against_aspect([axis](const Sweep& s) { return s.candidates[axis]; }); };
   return {"candidates",
           fmt::format("Candidates of sort and sweep, {} spheres", grouped(count)),
           plan.axis,
           Axis{"candidates a sphere", "", Scale::log},
-          {make_series("", "theory", sweeps, against_aspect([](const Sweep& s) { return s.expected_x; }), Stroke::line),
-           make_series("", "theory", sweeps, against_aspect([](const Sweep& s) { return s.expected_z; }), Stroke::line),
-           make_series("along x", "second", sweeps, along(0), Stroke::points),
-           make_series("along z", "third", sweeps, along(1), Stroke::points),
-           make_series("auto", "sort-and-sweep", sweeps, along(2))}};
+          {series("", "theory", Stroke::line, [](const Sweep& s) { return s.expected_x; }),
+           series("", "theory", Stroke::line, [](const Sweep& s) { return s.expected_z; }),
+           series("along x", "second", Stroke::points, [](const Sweep& s) { return s.candidates[0]; }),
+           series("along z", "third", Stroke::points, [](const Sweep& s) { return s.candidates[1]; }),
+           series("auto", "sort-and-sweep", Stroke::line_and_points, [](const Sweep& s) { return s.candidates[2]; })}};
 }
 
 Table sweep_table(const std::vector<Sweep>& sweeps, int64_t count) {
@@ -96,30 +91,21 @@ Table sweep_table(const std::vector<Sweep>& sweeps, int64_t count) {
   return table;
 }
 
-Findings run(Lab& lab) {
+Findings measure(Lab& lab) {
   const WinnerPlan plan = plan_of(lab.is_quick());
   const std::vector<Sweep> sweeps = measure_sweeps(lab);
-  const std::vector<WinnerCell> cells = find_winners(lab, plan);
   const int64_t count = swept_count(lab.is_quick());
+  Findings findings = winner_findings(plan, find_winners(lab, plan));
+  findings.tables.push_back(sweep_table(sweeps, count));
+  findings.charts.insert(findings.charts.begin(), sweep_chart(plan, sweeps, count));
   const Sweep& tallest = sweeps.back();
-  const auto finds_best = [](const Sweep& s) {
-    return s.candidates[2] <= 1.01 * std::min(s.candidates[0], s.candidates[1]);
-  };
-  return {
-      {winner_table(plan, cells), sweep_table(sweeps, count)},
-      {sweep_chart(plan, sweeps, count), winner_chart(plan, cells, "Fastest broad phase by the box’s shape"),
-       time_chart(plan, cells)},
-      fmt::format("In a box {} times as tall as wide, sort and sweep tests {} times as many pairs along x as along "
-                  "z; auto takes the better axis in {} of {} shapes.",
-                  number_text(tallest.aspect), three_digits(tallest.candidates[0] / tallest.candidates[1]),
-                  std::count_if(sweeps.begin(), sweeps.end(), finds_best), sweeps.size()),
-      fmt::format("Equal spheres that fill 30 % of the box, from a flat plate to a tall column. Dotted: the expected "
-                  "number of overlapping intervals, n(n−1)/2 · (2D/L − D²/L²) for centres uniform along a length L, "
-                  "where D is the diameter; all pairs if L is less than D. Along the longest side, sort and sweep "
-                  "has few candidates; along the shortest, it is brute force after a sort. Auto takes the axis along "
-                  "which positions vary most. The map shows the fastest broad phase for each shape (sort and sweep "
-                  "with auto). {} {}.",
-                  winning_rule(), tally_of(cells))};
+  const auto right = std::ranges::count_if(
+      sweeps, [](const Sweep& s) { return s.candidates[2] <= 1.01 * std::min(s.candidates[0], s.candidates[1]); });
+  findings.values.insert({{"aspect", number_text(tallest.aspect)},
+                          {"times", three_digits(tallest.candidates[0] / tallest.candidates[1])},
+                          {"right", std::to_string(right)},
+                          {"shapes", std::to_string(sweeps.size())}});
+  return findings;
 }
 
 }  // namespace
@@ -130,14 +116,6 @@ double expected_interval_overlaps(int64_t count, double length) {
   return n * (n - 1) / 2 * share;
 }
 
-Experiment axis_experiment() {
-  return {"axis",
-          "Sort and sweep’s axis",
-          "How much does sort and sweep depend on its axis, and when does it beat the grids?",
-          15,
-          400,
-          measurements,
-          run};
-}
+Experiment axis_experiment() { return {"axis", 15, 400, measurements, measure}; }
 
 }  // namespace ballpit

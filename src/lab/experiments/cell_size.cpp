@@ -6,21 +6,11 @@
 //    ┌───┬───┐  ┌─┬─┬─┬─┐        differ by one at most. For centres at a distance d along it this is certain if d ≤ c
 //    │ ● │ ● │  │●│ │ │●│        and impossible if d > 2·c. Between, it has the probability 2 − d/c, since the grid has
 //    └───┴───┘  └─┴─┴─┴─┘        a random place.
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <utility>
 
-#include <fmt/format.h>
-
-#include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/measure/points.h"
-#include "lab/measure/search_timing.h"
+#include "lab/measure/searches.h"
 #include "measure/exact_pairs.h"
-#include "scene/input_error.h"
 #include "world/world.h"
 
 namespace ballpit {
@@ -51,7 +41,7 @@ std::vector<double> measure_recall(int64_t count, double size, uint64_t seed) {
   const std::vector<Pair> contacts = exact_pairs(spheres.arrays());
   std::vector<double> values;
   for (const std::string& grid : kGrids) {
-    const std::unique_ptr<PairSearch> search = cpu_backend().make_pair_search(with_cells(grid, size));
+    const auto search = cpu_backend().make_pair_search(with_cells(grid, size));
     search->find(spheres.arrays());
     const Deviation deviation = deviation_of(search->pairs(), contacts);
     values.push_back(1 - static_cast<double>(deviation.missed) / static_cast<double>(contacts.size()));
@@ -86,44 +76,41 @@ std::vector<Row> measure_all(Lab& lab) {
   return rows;
 }
 
-Chart time_chart(const std::vector<Row>& rows, int64_t count) {
-  Chart chart{"time", fmt::format("Time of a search against cell size, {} spheres", grouped(count)),
-              kCells, Axis{"time of a search", "ms", Scale::log},
-              {},     {},
-              kBounds};
+/// A chart against the cells' edge, with a series for each grid.
+template <class ToPoint>
+Chart chart_of(const char* name, const std::string& title, const Axis& y, const std::vector<Row>& rows, Stroke stroke,
+               const ToPoint& to_point) {
+  Chart chart{name, title, kCells, y, {}, {}, kBounds};
   for (size_t k = 0; k < kGrids.size(); ++k) {
-    chart.series.push_back(make_series(label_of(kGrids[k]), kGrids[k], rows, [&](const Row& row) {
-      return point_of(row.size, row.timings[k].spread(), 1e3);
-    }));
+    chart.series.push_back(
+        make_series(label_of(kGrids[k]), kGrids[k], stroke, rows, [&](const Row& row) { return to_point(row, k); }));
   }
   return chart;
 }
 
+Chart time_chart(const std::vector<Row>& rows, int64_t count) {
+  return chart_of("time", fmt::format("Time of a search against cell size, {} spheres", grouped(count)),
+                  {"time of a search", "ms", Scale::log}, rows, Stroke::line_and_points,
+                  [](const Row& row, size_t k) { return point_of(row.size, row.timings[k].spread(), 1e3); });
+}
+
 Chart recall_chart(const std::vector<Row>& rows) {
-  Chart chart{"recall", "Contacts found against cell size", kCells, {"contacts found", "%"}, {}, {}, kBounds};
+  Chart chart = chart_of("recall", "Contacts found against cell size", {"contacts found", "%"}, rows, Stroke::points,
+                         [](const Row& row, size_t k) {
+                           return point_of(row.size, Mean{100 * row.recall[k], 100 * row.recall[3]});
+                         });
   chart.x.high = 8.5;
-  chart.series.push_back(make_series(
-      "formula", "theory", rows,
-      [](const Row& row) {
-        return Point{row.size, 100 * row.recall[2]};
-      },
-      Stroke::line));
-  for (size_t k = 0; k < kGrids.size(); ++k) {
-    const auto to_point = [&](const Row& row) {
-      return point_of(row.size, Mean{100 * row.recall[k], 100 * row.recall[3]});
-    };
-    chart.series.push_back(make_series(label_of(kGrids[k]), kGrids[k], rows, to_point, Stroke::points));
-  }
+  const auto expected = [](const Row& row) { return Point{row.size, 100 * row.recall[2]}; };
+  chart.series.insert(chart.series.begin(), make_series("formula", "theory", Stroke::line, rows, expected));
   return chart;
 }
 
 Table table_of(const std::vector<Row>& rows) {
   Table table{"cells", {"edge of a cell [2·r_max]", "recall expected", "standard error"}};
   for (const std::string& grid : kGrids) {
-    for (const char* column : {"recall by {}", "candidates by {}", "time by {} [ms]", "lower quartile by {} [ms]",
-                               "upper quartile by {} [ms]"}) {
-      table.columns.push_back(fmt::format(fmt::runtime(column), grid));
-    }
+    table.add_columns({"recall by {}", "candidates by {}", "time by {} [ms]", "lower quartile by {} [ms]",
+                       "upper quartile by {} [ms]"},
+                      grid);
   }
   for (const Row& row : rows) {
     std::vector<Cell> cells{row.size, row.recall[2], row.recall[3]};
@@ -137,12 +124,6 @@ Table table_of(const std::vector<Row>& rows) {
   return table;
 }
 
-const Row& row_at(const std::vector<Row>& rows, double size) {
-  return *std::min_element(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
-    return std::fabs(a.size - size) < std::fabs(b.size - size);
-  });
-}
-
 /// The fastest cell size of linked cells among those that miss nothing.
 const Row& fastest(const std::vector<Row>& rows) {
   const Row* best = &rows.back();
@@ -154,27 +135,17 @@ const Row& fastest(const std::vector<Row>& rows) {
 
 int64_t measurements(bool is_quick) { return (1 + kSearchRounds) * static_cast<int64_t>(cell_sizes(is_quick).size()); }
 
-Findings run(Lab& lab) {
+Findings measure(Lab& lab) {
   const std::vector<Row> rows = measure_all(lab);
-  const Row& half = row_at(rows, 0.5);
+  const Row& half = *std::ranges::find(rows, 0.5, &Row::size);
   const Row& best = fastest(rows);
   const double slowdown = rows.back().timings[0].spread().median / best.timings[0].spread().median;
   return {{table_of(rows)},
           {recall_chart(rows), time_chart(rows, count_of(lab.is_quick()))},
-          fmt::format("Cells as wide as slide 7 allows at least, r, find only {} % of the contacts of touching spheres "
-                      "(theory: {} %). From 2·r_max on nothing is missed; there, linked cells are fastest at {} times "
-                      "2·r_max, {} times as fast as at 8.",
-                      three_digits(100 * half.recall[0]), three_digits(100 * half.recall[2]), number_text(best.size),
-                      three_digits(slowdown)),
-          "First chart: the share of contacts that the 3 × 3 × 3 block finds among pairs of equal spheres "
-          "that just touch, in random directions, compared with an exact reference. Dotted: along each axis, "
-          "two centres at a distance d lie in neighbouring cells of edge c with probability 2 − d/c, at most "
-          "1. Bars are one standard error. Slide 7 gives the least radius as the bound, which is half of "
-          "what the block needs: between r and 2·r_max contacts are missed. Second chart: the time of a "
-          "search on one thread among spheres that fill 30 % of the box. Smaller cells mean more cells to "
-          "visit, larger cells more spheres in each, and candidates grow with the cube of the edge. Without "
-          "--cell-size both grids choose cells that miss nothing. The sorted grid then looks only as far as "
-          "spheres reach, and is faster than here."};
+          {{"found", three_digits(100 * half.recall[0])},
+           {"expected", three_digits(100 * half.recall[2])},
+           {"best", number_text(best.size)},
+           {"slowdown", three_digits(slowdown)}}};
 }
 
 }  // namespace
@@ -196,14 +167,6 @@ double recall_error(double recall, size_t contacts) {
   return std::sqrt(recall * (1 - recall) / static_cast<double>(contacts));
 }
 
-Experiment cell_size_experiment() {
-  return {"cell-size",
-          "Cell size: time and recall",
-          "How large should a cell be, and what falls through when it is too small?",
-          6,
-          110,
-          measurements,
-          run};
-}
+Experiment cell_size_experiment() { return {"cell-size", 6, 110, measurements, measure}; }
 
 }  // namespace ballpit

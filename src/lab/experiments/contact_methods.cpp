@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <map>
-#include <string_view>
 
 #include "lab/measure/made_scenes.h"
 #include "lab/measure/theory.h"
 #include "methods/methods.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 namespace ballpit {
 
@@ -24,60 +23,45 @@ std::string role_of(std::string_view response) {
   return found == roles.end() ? "fourth" : found->second;
 }
 
-/// A setting other than the integrator that makes another method.
-struct Variant {
-  std::string name;  ///< empty: the default of the response
-  void (*apply)(Settings&);
-};
+/// The values of a setting that go with a response, without auto.
+template <class Choice>
+std::vector<Choice> choices_for(Response response, std::string_view setting) {
+  std::vector<Choice> choices;
+  for (const std::string_view name : kNames<Choice>) {
+    if (name != "auto" && goes_with(response, setting, name)) choices.push_back(named<Choice>(name));
+  }
+  return choices;
+}
 
-std::vector<Variant> variants_of(Response response) {
-  std::vector<Variant> variants{{"", [](Settings&) {}}};
-  if (goes_with(response, "solver", "gauss-seidel")) {
-    variants.push_back({"gauss-seidel", [](Settings& settings) { settings.solver = Solver::gauss_seidel; }});
-  }
-  if (goes_with(response, "swept", "on")) {
-    variants.push_back({"swept", [](Settings& settings) { settings.is_swept = true; }});
-  }
+/// Settings other than the integrator that make another method; empty: the default of the response.
+std::vector<std::string> variants_of(Response response) {
+  std::vector<std::string> variants{""};
+  if (goes_with(response, "solver", "gauss-seidel")) variants.push_back("gauss-seidel");
+  if (goes_with(response, "swept", "on")) variants.push_back("swept");
   return variants;
 }
 
-/// "penalty, rk4, float": the settings that differ among the methods of a response.
-std::string name_of(const Settings& settings, const Variant& variant, bool has_integrators) {
-  std::string name(name_of(settings.response));
-  if (has_integrators) name.append(", ").append(name_of(settings.integrator));
-  if (!variant.name.empty()) name += ", " + variant.name;
-  if (settings.precision == Precision::float32) name += ", float";
-  return name;
-}
-
-/// The name of the response for its default integrator and solver; for others, the setting that differs.
-std::string label_of(const Settings& settings, const Variant& variant, bool is_own) {
-  if (!variant.name.empty()) return "+ " + variant.name;
-  return is_own ? std::string(name_of(settings.response)) : "+ " + std::string(name_of(settings.integrator));
-}
-
 void add_methods(Response response, std::vector<ContactMethod>& list) {
-  std::vector<Integrator> integrators;
-  std::vector<Precision> precisions;
-  for (const std::string_view name : kNames<Integrator>) {
-    if (name != "auto" && goes_with(response, "integrator", name)) integrators.push_back(named<Integrator>(name));
-  }
-  for (const std::string_view name : kNames<Precision>) {
-    if (goes_with(response, "precision", name)) precisions.push_back(named<Precision>(name));
-  }
-  Settings own = settings_of(std::string(name_of(response)), 0);
+  const std::string name(name_of(response));
+  const std::vector<Integrator> integrators = choices_for<Integrator>(response, "integrator");
+  Settings own = settings_of(name, 0);
   own.integrator = integrator_of(own);
   for (const Integrator integrator : integrators) {
-    for (const Variant& variant : variants_of(response)) {
-      for (const Precision precision : precisions) {
-        Settings settings = own;
-        settings.integrator = integrator;
-        settings.precision = precision;
-        variant.apply(settings);
+    for (const std::string& variant : variants_of(response)) {
+      for (const Precision precision : choices_for<Precision>(response, "precision")) {
+        ContactMethod method{name, name, role_of(name), false, own};
+        method.settings.integrator = integrator;
+        method.settings.precision = precision;
+        if (variant == "gauss-seidel") method.settings.solver = Solver::gauss_seidel;
+        method.settings.is_swept = variant == "swept";
         const bool is_own = integrator == own.integrator;
-        const bool is_main = is_own && variant.name.empty() && precision == Precision::float64;
-        list.push_back({name_of(settings, variant, integrators.size() > 1), label_of(settings, variant, is_own),
-                        role_of(name_of(response)), is_main, settings});
+        method.is_main = is_own && variant.empty() && precision == Precision::float64;
+        if (integrators.size() > 1) method.name.append(", ").append(name_of(integrator));
+        if (!is_own) method.label = "+ " + std::string(name_of(integrator));
+        if (!variant.empty()) method.name += ", " + variant;
+        if (!variant.empty()) method.label = "+ " + variant;
+        if (precision == Precision::float32) method.name += ", float";
+        list.push_back(method);
       }
     }
   }
@@ -95,10 +79,11 @@ const std::vector<ContactMethod>& contact_methods() {
 }
 
 bool is_float_of_main(const ContactMethod& method) {
-  return std::any_of(contact_methods().begin(), contact_methods().end(), [&](const ContactMethod& other) {
-    return other.is_main && other.name + ", float" == method.name;
-  });
+  const auto is_its_main = [&](const ContactMethod& o) { return o.is_main && o.name + ", float" == method.name; };
+  return std::ranges::any_of(contact_methods(), is_its_main);
 }
+
+bool has_steps(const ContactMethod& method) { return method.settings.response != Response::event_driven; }
 
 Series series_of(const ContactMethod& method) {
   const bool is_float = method.settings.precision == Precision::float32;
@@ -118,6 +103,11 @@ void drop_equal_labels(std::vector<Series>& list) {
 
 double stiffness_for(double dt, double steps, double mu, double restitution) {
   return stiffness_of_duration(steps * dt, mu, damping_of(restitution, false));
+}
+
+Scene with_springs(Scene gas, double dt) {
+  gas.physics.stiffness = stiffness_for(dt, kStepsOfContact, 0.5, 1);
+  return gas;
 }
 
 }  // namespace ballpit

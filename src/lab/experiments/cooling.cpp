@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A gas that loses energy in each collision: Haff's law.
-#include <algorithm>
-#include <cmath>
 
-#include <fmt/format.h>
-
-#include "core/numbers.h"
-#include "lab/charts/chart_axis.h"
-#include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/hard_spheres.h"
-#include "lab/measure/points.h"
+#include "lab/measure/made_scenes.h"
+#include "lab/measure/theory.h"
 
 namespace ballpit {
 
@@ -56,22 +49,18 @@ Course course_of(Lab& lab, double restitution) {
 
 double haff(double time) { return std::pow(1 + time, -2); }
 
-Table table_of(const std::vector<Course>& courses) {
-  Table table{"temperature", {"restitution", "time [τ]", "T/T₀", "standard error", "Haff's law"}};
+std::vector<Table> tables_of(const std::vector<Course>& courses) {
+  Table temperature{"temperature", {"restitution", "time [τ]", "T/T₀", "standard error", "Haff's law"}};
+  Table tau{"tau", {"restitution", "τ, of Haff's", "standard error"}, {}, true};
   const std::vector<double> at = times();
   for (const Course& course : courses) {
     for (size_t t = 0; t < at.size(); ++t) {
       const Mean& mean = course.temperature[t];
-      table.add_row(course.restitution, at[t], mean.value, mean.error, haff(at[t]));
+      temperature.add_row(course.restitution, at[t], mean.value, mean.error, haff(at[t]));
     }
+    tau.add_row(course.restitution, course.tau.value, course.tau.error);
   }
-  return table;
-}
-
-Table tau_table(const std::vector<Course>& courses) {
-  Table table{"tau", {"restitution", "τ, of Haff's", "standard error"}, {}, true};
-  for (const Course& course : courses) table.add_row(course.restitution, course.tau.value, course.tau.error);
-  return table;
+  return {temperature, tau};
 }
 
 std::string label_of(const Course& course) { return "e = " + key_of(course.restitution); }
@@ -99,24 +88,34 @@ std::vector<Chart> charts_of(const std::vector<Course>& courses) {
 
 int64_t measurements(bool is_quick) { return static_cast<int64_t>(kRestitutions.size()) * seeds(is_quick); }
 
-Findings run(Lab& lab) {
+Findings measure(Lab& lab) {
   std::vector<Course> courses;
   for (const double restitution : kRestitutions) courses.push_back(course_of(lab, restitution));
   const Course& first = courses[1];
-  return {{table_of(courses), tau_table(courses)},
+  return {tables_of(courses),
           charts_of(courses),
-          fmt::format("A gas with {} cools by Haff's law: its τ is off by {} ± {} % from that of kinetic theory.",
-                      label_of(first), three_digits(100 * (first.tau.value - 1)), three_digits(100 * first.tau.error)),
-          "T/T₀ of gases of 256 spheres by exact motion: means over seeds with their standard errors. Time "
-          "is in units of τ = 6/((1 − e²)·Γ₀), which follows from the collision rate at the start; nothing "
-          "is fitted. The second chart magnifies the first. The more energy a collision takes, the less the "
-          "speeds follow Maxwell's distribution, and the larger is the deviation from the law."};
+          {{"gas", label_of(first)},
+           {"off", three_digits(100 * (first.tau.value - 1))},
+           {"error", three_digits(100 * first.tau.error)}}};
 }
 
 }  // namespace
 
-Experiment cooling_experiment() {
-  return {"cooling", "Cooling", "Does a gas that loses energy cool by Haff's law?", 5, 50, measurements, run};
+std::vector<double> cooling(const GasRun& run, double restitution, const std::vector<double>& times) {
+  Scene scene = equilibrium_gas(run.cells, run.rho, run.seed);
+  scene.physics.restitution = restitution;
+  const double tau = cooling_time(run.rho, count_of(run), restitution);
+  Settings settings = exact_motion(tau / 100);
+  std::vector<double> parts;
+  const auto world = make_cpu_world(scene, settings);
+  const double start = world->report().kinetic_energy;
+  for (const double time : times) {
+    step_until(*world, time * tau, settings.dt);
+    parts.push_back(world->report().kinetic_energy / start);
+  }
+  return parts;
 }
+
+Experiment cooling_experiment() { return {"cooling", 5, 50, measurements, measure}; }
 
 }  // namespace ballpit

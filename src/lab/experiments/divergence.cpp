@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How evenly a search distributes its work over threads, and how busy that keeps a GPU, whose threads run in lockstep.
 // The walks of slide 4 differ in length, and half of them end at once; the lists of slides 12 to 15 differ as cells do.
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <utility>
 
-#include <fmt/format.h>
-
-#include "core/numbers.h"
 #include "lab/experiments/experiments.h"
-#include "lab/measure/search_timing.h"
-#include "lab/measure/sphere_set.h"
-#include "measure/work_profile.h"
+#include "lab/measure/searches.h"
+#include "measure/statistics.h"
 #include "world/world.h"
 
 namespace ballpit {
@@ -24,24 +16,17 @@ struct Arrangement {
   SphereSet (*make)(int64_t count, uint64_t seed);
 };
 
-const std::vector<Arrangement>& arrangements() {
-  static const std::vector<Arrangement> table{
-      {"uniform", [](int64_t count, uint64_t seed) { return uniform_spheres({count}, seed); }},
-      {"radii 1:10",
-       [](int64_t count, uint64_t seed) {
-         return uniform_spheres({count, 0.3, 10}, seed);
-       }},
-      {"clouds", clouds},
-  };
-  return table;
-}
+SphereSet uniform(int64_t count, uint64_t seed) { return uniform_spheres({count}, seed); }
+SphereSet uneven(int64_t count, uint64_t seed) { return uniform_spheres({count, 0.3, 10}, seed); }
+
+constexpr Arrangement kArrangements[] = {{"uniform", uniform}, {"radii 1:10", uneven}, {"clouds", clouds}};
 
 /// Work has bins 0, 1, 2 to 3, 4 to 7, …; these hold all that an index can count.
 constexpr size_t kBins = 33;
 
 /// Threads, mean, most, SIMD efficiency, and the threads of each bin.
 std::vector<double> profile(const std::string& broadphase, const SphereSet& spheres) {
-  const std::unique_ptr<PairSearch> search = cpu_backend().make_pair_search(search_by(broadphase));
+  const auto search = cpu_backend().make_pair_search(search_by(broadphase));
   search->find(spheres.arrays());
   const WorkProfile work = profile_work(search->work_per_thread());
   std::vector<double> values{static_cast<double>(work.threads), work.mean, static_cast<double>(work.most),
@@ -53,7 +38,7 @@ std::vector<double> profile(const std::string& broadphase, const SphereSet& sphe
 
 int64_t count_of(bool is_quick) { return is_quick ? 10'000 : 100'000; }
 
-int64_t measurements(bool) { return static_cast<int64_t>(arrangements().size() * broad_phases().size()); }
+int64_t measurements(bool) { return static_cast<int64_t>(std::size(kArrangements) * broad_phases().size()); }
 
 /// The share of the threads by their work, at the middle of each bin; no work is drawn at a half.
 Series histogram(const std::string& broadphase, const std::vector<double>& values) {
@@ -66,7 +51,7 @@ Series histogram(const std::string& broadphase, const std::vector<double>& value
   return series;
 }
 
-Findings run(Lab& lab) {
+Findings measure(Lab& lab) {
   const int64_t count = count_of(lab.is_quick());
   Table table{
       "work", {"arrangement", "broad phase", "threads", "mean work", "most work", "SIMD efficiency [%]"}, {}, true};
@@ -76,7 +61,7 @@ Findings run(Lab& lab) {
               {"share of the threads", "%"}};
   double least = 1, most = 0;
   std::string worst, best;
-  for (const Arrangement& arrangement : arrangements()) {
+  for (const Arrangement& arrangement : kArrangements) {
     for (const std::string& name : broad_phases()) {
       const std::string key =
           fmt::format("work per thread; {}; {}; {} spheres; seed {}", arrangement.name, name, count, lab.seed());
@@ -84,33 +69,18 @@ Findings run(Lab& lab) {
           lab.measure(key, [&] { return profile(name, arrangement.make(count, lab.seed())); });
       table.add_row(arrangement.name, label_of(name), values[0], values[1], values[2], 100 * values[3]);
       if (values[3] < least) least = values[3], worst = label_of(name) + " among " + arrangement.name;
-      if (&arrangement != &arrangements().front() || name == "brute-force") continue;
+      if (&arrangement != kArrangements || name == "brute-force") continue;
       chart.series.push_back(histogram(name, values));
       if (values[3] > most) most = values[3], best = label_of(name);
     }
   }
-  return {{std::move(table)},
-          {std::move(chart)},
-          fmt::format("Among equal spheres the {} keeps {} % of the lanes of a warp busy; least does {}: {} %.", best,
-                      three_digits(100 * most), worst, three_digits(100 * least)),
-          "The threads of a GPU run in lockstep, in warps of 32: a warp takes as long as its longest thread. "
-          "SIMD efficiency is the work of all threads over 32 times the longest thread of each warp. In sort "
-          "and sweep, half of the threads hold an end and return at once (work 0, drawn at a half); the "
-          "others walk as far as their intervals reach. A thread of linked cells reads the lists of its "
-          "block, whose lengths are random. Brute force, not drawn, tests all later spheres in each thread: "
-          "neighbouring threads differ by one, so warps lose almost nothing, but the work is largest."};
+  return {{table},
+          {chart},
+          {{"best", best}, {"most", three_digits(100 * most)}, {"worst", worst}, {"least", three_digits(100 * least)}}};
 }
 
 }  // namespace
 
-Experiment divergence_experiment() {
-  return {"divergence",
-          "Work per thread",
-          "How evenly is the work of a search spread over its threads, and what does a GPU lose by that?",
-          2,
-          60,
-          measurements,
-          run};
-}
+Experiment divergence_experiment() { return {"divergence", 2, 60, measurements, measure}; }
 
 }  // namespace ballpit

@@ -1,26 +1,72 @@
 // SPDX-License-Identifier: MIT
 #include "lab/report/experiment.h"
 
+#include <sstream>
+
+#include <fmt/args.h>
+
 #include "core/error.h"
 #include "lab/experiments/experiments.h"
+#include "lab_texts.h"
 
 namespace ballpit {
 
+namespace {
+
+Experiment with_text(Experiment experiment) {
+  const std::vector<std::string> text = paragraphs_of(experiment.name);
+  experiment.title = text.at(0);
+  experiment.question = text.at(1);
+  experiment.answer = text.at(2);
+  experiment.see = text.at(3);
+  return experiment;
+}
+
+}  // namespace
+
+std::vector<std::string> paragraphs_of(std::string_view name) {
+  std::vector<std::string> paragraphs(1);
+  std::istringstream lines(std::string(entry_named(lab_texts(), std::string(name) + ".md", "assets/lab").text));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# ") || line.starts_with("> ")) line.erase(0, 2);
+    std::string& last = paragraphs.back();
+    if (line.empty()) {
+      paragraphs.emplace_back();
+    } else {
+      last += (last.empty() ? "" : " ") + line;
+    }
+  }
+  return paragraphs;
+}
+
 const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> table{
-      scaling_experiment(),   cell_size_experiment(),         density_experiment(),        size_ratio_experiment(),
-      axis_experiment(),      divergence_experiment(),        work_precision_experiment(), crossover_experiment(),
-      stability_experiment(), equation_of_state_experiment(), cooling_experiment(),        drift_experiment(),
-  };
+  static const std::vector<Experiment> table = [] {
+    std::vector<Experiment> all{
+        scaling_experiment(),   cell_size_experiment(),         density_experiment(),        size_ratio_experiment(),
+        axis_experiment(),      divergence_experiment(),        work_precision_experiment(), crossover_experiment(),
+        stability_experiment(), equation_of_state_experiment(), cooling_experiment(),        drift_experiment(),
+    };
+    std::ranges::transform(all, all.begin(), with_text);
+    return all;
+  }();
   return table;
 }
 
+Findings Experiment::run(Lab& lab) const {
+  Findings findings = measure(lab);
+  fmt::dynamic_format_arg_store<fmt::format_context> values;
+  for (const auto& [key, value] : findings.values) values.push_back(fmt::arg(key.c_str(), value));
+  if (findings.answer.empty()) findings.answer = fmt::vformat(answer, values);
+  findings.see = fmt::vformat(see, values);
+  return findings;
+}
+
 const Experiment& find_experiment(std::string_view name) {
+  const auto& all = experiments();
+  const auto found = std::ranges::find(all, name, &Experiment::name);
+  if (found != all.end()) return *found;
   std::vector<std::string_view> names;
-  for (const Experiment& experiment : experiments()) {
-    if (experiment.name == name) return experiment;
-    names.push_back(experiment.name);
-  }
+  for (const Experiment& experiment : all) names.push_back(experiment.name);
   throw UserError("EXPERIMENT", name, "all, " + join(names));
 }
 

@@ -2,17 +2,7 @@
 // Maps of where methods fail: measured values as colours, and the line of the formula.
 #include "lab/experiments/stability.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
-#include "core/numbers.h"
-#include "lab/charts/chart_axis.h"
-#include "lab/charts/table.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/failures.h"
-#include "lab/experiments/long_runs.h"
 #include "lab/measure/theory.h"
 
 namespace ballpit {
@@ -87,11 +77,12 @@ int64_t measurements(bool is_quick) {
   return count;
 }
 
-Findings run(Lab& lab) {
+Findings measure(Lab& lab) {
   Findings findings;
-  Table lines{"boundaries", {"map", "formula", "columns that cross", "largest distance [cells]"}};
+  Table lines{"boundaries", {"map", "formula", "columns that cross", "largest distance [cells]"}, {}, true};
   double farthest = 0;
   int within = 0;  // a distance of one cell
+  std::string maps;
   for (const FailureMap& which : failure_maps()) {
     const Map map = measure_map(lab, which);
     const MapBoundary boundary = boundary_of(which, map);
@@ -100,20 +91,13 @@ Findings run(Lab& lab) {
     lines.add_row(which.name, which.formula, boundary.columns, boundary.distance);
     findings.tables.push_back(table_of(which, map));
     findings.charts.push_back(chart_of(which, map, boundary));
-    findings.see += which.title + ": at the dotted line " + which.where + ". ";
+    maps += which.title + ": at the dotted line " + which.where + ". ";
   }
-  lines.is_shown = true;
-  findings.tables.push_back(lines);
-  findings.tables.push_back(broken(lab));
-  findings.see +=
-      "Colours are measured: the factor by which motion grows in a step; the part of hits that is found; "
-      "the part of searches with at least that recall; the part of gravity's speed that is left after a "
-      "step; the part of its way that a sphere moves. Triangles show where the measurement changes "
-      "sides, dotted lines are formulas; nothing is fitted.";
-  findings.answer = fmt::format(
-      "In {} of {} maps the measured boundary lies within a cell of the formula's line; the farthest is {} cells from "
-      "it.",
-      within, failure_maps().size(), three_digits(farthest));
+  findings.tables.insert(findings.tables.end(), {lines, broken(lab)});
+  findings.values = {{"descriptions", maps},
+                     {"within", std::to_string(within)},
+                     {"maps", std::to_string(failure_maps().size())},
+                     {"farthest", three_digits(farthest)}};
   return findings;
 }
 
@@ -154,14 +138,6 @@ MapBoundary boundary_of(const FailureMap& which, const Map& map) {
   return find_boundary(map, which.y.axis.scale, which.has_crossed, which.theory);
 }
 
-Experiment stability_experiment() {
-  return {"stability",
-          "Where methods fail",
-          "Does each method fail where its formula says, and nowhere else?",
-          15,
-          150,
-          measurements,
-          run};
-}
+Experiment stability_experiment() { return {"stability", 15, 150, measurements, measure}; }
 
 }  // namespace ballpit

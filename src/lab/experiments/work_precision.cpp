@@ -1,24 +1,65 @@
 // SPDX-License-Identifier: MIT
 // The cost of accuracy: computation time per simulated second against error, for every response, integrator, step and
 // precision.
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include <fmt/format.h>
-
 #include "core/error.h"
-#include "core/numbers.h"
-#include "lab/charts/table.h"
+#include "lab/experiments/accuracy.h"
 #include "lab/experiments/experiments.h"
-#include "lab/experiments/results.h"
-#include "response/damping.h"
+#include "response/pair_force.h"
 
 namespace ballpit {
 
 namespace {
 
 constexpr double kTolerances[] = {0.1, 0.01, 0.001};
+constexpr int kTaskRevision = 2;  // to be raised whenever a task measures something else
+
+int repeats(bool is_quick) { return is_quick ? 3 : 5; }
+
+/// All methods for a task, each with all its steps, the coarsest first; exact motion with one.
+std::vector<Result> cases_of(const Task& task, bool is_quick) {
+  std::vector<Result> cases;
+  for (const ContactMethod* method : methods_of(task, is_quick)) {
+    const int halvings = has_steps(*method) ? (is_quick ? task.quick_halvings : task.full_halvings) : 0;
+    for (int k = 0; k <= halvings; ++k) cases.push_back({method, std::ldexp(task.coarsest, -k)});
+  }
+  return cases;
+}
+
+/// Measures all cases. Each repeat covers all methods and steps, so that other load on the machine affects all equally.
+std::vector<Result> results_of(Lab& lab, const Task& task) {
+  std::vector<Result> results = cases_of(task, lab.is_quick());
+  std::vector<std::vector<double>> off(results.size()), seconds(results.size());
+  for (int repeat = 0; repeat < repeats(lab.is_quick()); ++repeat) {
+    const uint64_t seed = lab.seed() * 100 + static_cast<uint64_t>(repeat);
+    for (size_t k = 0; k < results.size(); ++k) {
+      const ContactMethod& method = *results[k].method;
+      const double dt = results[k].dt;
+      const auto key = key_of(task.name, kTaskRevision, method.name, dt, seed, lab.is_quick() ? "quick" : "full");
+      const auto values = lab.time(key, [&] {
+        const Trial trial = task.run(with_step(method, dt), seed, lab.is_quick());
+        return std::vector<double>{trial.off, trial.seconds};
+      });
+      off[k].push_back(values[0]);
+      seconds[k].push_back(values[1]);
+    }
+  }
+  for (size_t k = 0; k < results.size(); ++k) {
+    const Mean mean = mean_of(off[k]);
+    results[k].error = std::isfinite(mean.value) ? std::fabs(mean.value) : kFailed;
+    results[k].standard_error = mean.error;
+    results[k].seconds = spread_of(seconds[k]);
+  }
+  return results;
+}
+
+/// The typical standard error of the results that did not fail: smaller errors are chance. 0 if nothing is random.
+double floor_of(const Task& task, const std::vector<Result>& results) {
+  std::vector<double> floors;
+  for (const Result& result : results) {
+    if (task.is_mean && !result.has_failed()) floors.push_back(result.standard_error);
+  }
+  return floors.empty() ? 0 : spread_of(floors).median;
+}
 
 Table table_of(const Task& task, const std::vector<Result>& results) {
   Table table{task.name,
@@ -108,13 +149,13 @@ Table order_table(Lab& lab) {
 
 int64_t measurements(bool is_quick) {
   int64_t count = static_cast<int64_t>(orders().size());
-  for (const Task& task : tasks()) count += trial_count(task, is_quick);
+  for (const Task& task : tasks()) count += repeats(is_quick) * std::ssize(cases_of(task, is_quick));
   return count;
 }
 
 /// The fastest of a task within a tolerance; nullptr if there is none.
 const Result* fastest(const std::vector<Result>& front, double tolerance) {
-  const auto found = std::find_if(front.begin(), front.end(), [&](const Result& r) { return r.error <= tolerance; });
+  const auto found = std::ranges::find_if(front, [&](const Result& r) { return r.error <= tolerance; });
   return found == front.end() ? nullptr : &*found;
 }
 
@@ -142,11 +183,11 @@ std::string text_of(const Result* result, bool is_chance) {
 std::string counts_of(const std::vector<std::string>& names, size_t scenes) {
   std::vector<std::pair<std::string, int>> counts;
   for (const std::string& name : names) {
-    auto found = std::find_if(counts.begin(), counts.end(), [&](const auto& count) { return count.first == name; });
+    auto found = std::ranges::find(counts, name, &std::pair<std::string, int>::first);
     if (found == counts.end()) found = counts.insert(found, {name, 0});
     ++found->second;
   }
-  std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::ranges::stable_sort(counts, std::greater{}, &std::pair<std::string, int>::second);
   std::vector<std::string> texts;
   for (const auto& [name, count] : counts) texts.push_back(fmt::format("{} in {}", name, count));
   if (!texts.empty()) texts.front() += fmt::format(" of {} scenes", scenes);
@@ -154,7 +195,7 @@ std::string counts_of(const std::vector<std::string>& names, size_t scenes) {
   return join(texts) + (left > 0 ? fmt::format("; in {} nobody comes that close, or chance is larger", left) : "");
 }
 
-Findings run(Lab& lab) {
+Findings measure(Lab& lab) {
   Findings findings;
   Table best{"fastest", {"scene", "within 10 %", "within 1 %", "within 0.1 %"}, {}, true};
   Table scenes{"scenes", {"scene", "what is off", "against", "nothing came of"}, {}, true};
@@ -171,36 +212,33 @@ Findings run(Lab& lab) {
     if (winner) winners.emplace_back(name_of(winner->method->settings.response));
     scenes.add_row(task.name, task.error, task.truth, never_served(task, results, lab.is_quick()));
   }
-  findings.answer = "An error of one percent costs least by " + counts_of(winners, tasks().size()) + ".";
-  findings.see =
-      "Each point is a step, half as long as that of the point to its left: to the right, runs take "
-      "longer; further down, they are more accurate. Times are for a simulated second, without the "
-      "creation of the world; bars are their quartiles. Errors below 1e-10 are drawn there. Runs that "
-      "stopped, or in which the floor does not carry the weight, are × at the edge. Thin lines are the "
-      "other integrators and solvers of the response with the same colour and marker, without a label if "
-      "they end like the main line. Single precision is drawn, dashed, where it differs, and counts in "
-      "the Pareto front. Springs become stiffer with shorter steps, so that a contact always lasts 20 "
-      "steps, and their error in restitution stays constant; only in the first two charts their "
-      "stiffness is fixed. There a higher order helps little: the force does not start smoothly, so RK4 "
-      "keeps two or two and a half of its four orders, and Verlet one, or two and a half. The first "
-      "table names, for each scene, the fastest method within a tolerance; the second gives the "
-      "quantity, its true value, and the methods that failed at all steps.";
-  findings.tables.push_back(best);
-  findings.tables.push_back(scenes);
-  findings.tables.push_back(order_table(lab));
+  findings.values = {{"winners", counts_of(winners, tasks().size())}};
+  findings.tables.insert(findings.tables.end(), {best, scenes, order_table(lab)});
   return findings;
 }
 
 }  // namespace
 
-Experiment work_precision_experiment() {
-  return {"work-precision",
-          "Speed against accuracy",
-          "Which method, integrator, step and precision gives the least error in the least time?",
-          70,
-          1800,
-          measurements,
-          run};
+std::vector<const ContactMethod*> methods_of(const Task& task, bool is_quick) {
+  std::vector<const ContactMethod*> methods;
+  for (const ContactMethod& method : contact_methods()) {
+    const bool is_left_out = is_quick && method.settings.precision == Precision::float32 && !is_float_of_main(method);
+    if (task.serves(method) && !is_left_out) methods.push_back(&method);
+  }
+  return methods;
 }
+
+std::vector<Result> front_of(std::vector<Result> results, double floor) {
+  for (Result& result : results) result.error = std::max({result.error, floor, kMinError});
+  std::ranges::sort(results, {}, [](const Result& result) { return result.seconds.median; });
+  std::vector<Result> front;
+  for (const Result& result : results) {
+    if (result.has_failed() || (!front.empty() && result.error >= front.back().error)) continue;
+    front.push_back(result);
+  }
+  return front;
+}
+
+Experiment work_precision_experiment() { return {"work-precision", 70, 1800, measurements, measure}; }
 
 }  // namespace ballpit

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lab/measure/made_scenes.h"
 
-#include <cmath>
+#include <chrono>
 
+#include "core/error.h"
 #include "core/interrupt.h"
 #include "core/random.h"
 #include "lab/measure/theory.h"
@@ -54,13 +55,6 @@ Scene wide_box(double half) {
   scene.domain.min = Vec3d(-half);
   scene.domain.max = Vec3d(half);
   scene.physics.restitution = scene.physics.wall_restitution = 1.0;
-  return scene;
-}
-
-Scene head_on(double speed, double gap) {
-  Scene scene = wide_box();
-  add_sphere(scene, {-0.5 - gap / 2, 0, 0}, {speed / 2, 0, 0}, 0.5, 1.0);
-  add_sphere(scene, {0.5 + gap / 2, 0, 0}, {-speed / 2, 0, 0}, 0.5, 1.0);
   return scene;
 }
 
@@ -161,6 +155,17 @@ void step_until(World& world, double time, double dt) {
     stop_if_interrupted();
     world.step();
   }
+}
+
+bool TimedRun::reach(double time) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    if (!has_stopped_) step_until(*world_, time, dt_);
+  } catch (const RunError&) {
+    has_stopped_ = true;
+  }
+  spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return !has_stopped_;
 }
 
 }  // namespace ballpit

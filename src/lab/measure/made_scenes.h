@@ -2,10 +2,7 @@
 // Scenes made in code whose outcome is known, and worlds that run them on one thread of the CPU.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
+#include <algorithm>
 
 #include "methods/settings.h"
 #include "scene/scene.h"
@@ -17,9 +14,6 @@ void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity, doub
 
 /// A cube around the origin with this half edge, without gravity and losses.
 Scene wide_box(double half = 50.0);
-
-/// Two spheres of mass 1 and diameter 1 that approach head-on along x at `speed`, `gap` [m] apart.
-Scene head_on(double speed, double gap);
 
 /// Subtracts the velocity of the centre of mass from all velocities.
 void stop_center(Bodies& bodies);
@@ -54,5 +48,27 @@ std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settin
 
 /// Steps until the time [s] is reached to within half a step. Throws Interrupted.
 void step_until(World& world, double time, double dt);
+
+/// A world on the CPU whose steps are timed. Its failure is a result, not an error.
+class TimedRun {
+ public:
+  TimedRun(const Scene& scene, const Settings& settings) : world_(make_cpu_world(scene, settings)), dt_(settings.dt) {}
+
+  /// Steps until `time` [s]; false if the run stops before.
+  bool reach(double time);
+
+  /// Computation time [s] per simulated second.
+  double seconds() const { return spent_ / std::max(world_->time(), dt_); }
+
+  double spent() const { return spent_; }  ///< computation time [s]
+
+  World& world() { return *world_; }
+
+ private:
+  std::unique_ptr<World> world_;
+  double dt_;
+  double spent_ = 0;
+  bool has_stopped_ = false;
+};
 
 }  // namespace ballpit

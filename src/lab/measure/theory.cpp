@@ -2,7 +2,6 @@
 #include "lab/measure/theory.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -28,17 +27,9 @@ double reference_z(double rho) {
     double factor;
     int power;
   };
-  constexpr std::array<Term, 11> kTerms{{{4, 1},
-                                         {6, 2},
-                                         {2.3647684, 3},
-                                         {-0.8698551, 4},
-                                         {1.1062803, 5},
-                                         {-1.1014221, 6},
-                                         {0.66605866, 7},
-                                         {-0.03633431, 8},
-                                         {-0.20965164, 10},
-                                         {0.10555569, 14},
-                                         {-0.0087238, 22}}};
+  constexpr Term kTerms[] = {{4, 1},          {6, 2},          {2.3647684, 3},   {-0.8698551, 4},   {1.1062803, 5},
+                             {-1.1014221, 6}, {0.66605866, 7}, {-0.03633431, 8}, {-0.20965164, 10}, {0.10555569, 14},
+                             {-0.0087238, 22}};
   const double eta = pi * rho / 6, x = eta / (1 - eta);
   double z = 1;
   for (const Term& term : kTerms) z += term.factor * std::pow(x, term.power);

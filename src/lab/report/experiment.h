@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The table of experiments. The command line, `list`, tests and documents use it. Each has a file in experiments/.
+// The table of experiments. The command line, `list`, tests and documents use it. Each has a file in experiments/, and
+// its text in assets/lab/NAME.md: "# title", the question, "> answer", and a paragraph about what the charts show.
 #pragma once
-
-#include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "lab/charts/chart.h"
 #include "lab/charts/table.h"
@@ -17,18 +13,21 @@ namespace ballpit {
 struct Findings {
   std::vector<Table> tables;
   std::vector<Chart> charts;
-  std::string answer;  ///< one sentence with a number, computed from the data
-  std::string see;     ///< a paragraph: what was measured, how, and what the charts show
+  std::map<std::string, std::string> values;  ///< fill the {name} of the text
+  std::string answer = {};                    ///< one sentence with a number, computed from the data
+  std::string see = {};                       ///< a paragraph: what was measured, how, and what the charts show
 };
 
 struct Experiment {
-  std::string_view name;                   ///< as on the command line
-  std::string_view title;                  ///< for the audience
-  std::string_view question;               ///< the one that it answers
-  double quick_seconds;                    ///< [s] about, on two cores
-  double full_seconds;                     ///< [s]
-  int64_t (*measurements)(bool is_quick);  ///< the largest number that it asks its laboratory for
-  Findings (*run)(Lab& lab);
+  std::string_view name;                                         ///< as on the command line
+  double quick_seconds;                                          ///< [s] about, on two cores
+  double full_seconds;                                           ///< [s]
+  int64_t (*measurements)(bool is_quick);                        ///< the largest number that it asks its laboratory for
+  Findings (*measure)(Lab& lab);                                 ///< without the text, unless the answer is another one
+  std::string title = {}, question = {}, answer = {}, see = {};  ///< the text, with {name} for values
+
+  /// Measures, and fills the text.
+  Findings run(Lab& lab) const;
 };
 
 /// In the order of the report.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lab/report/report.h"
 
-#include <string_view>
+#include <algorithm>
+#include <cstdint>
 
 #include <fmt/format.h>
 
-#include "lab/charts/html.h"
-#include "lab/report/html_head.h"
+#include "lab/charts/gnuplot.h"
+#include "report_files.h"
 
 namespace ballpit {
 
@@ -94,24 +95,6 @@ std::string fill(const char* pattern, const Parts&... parts) {
   return fmt::format(fmt::runtime(pattern), parts...);
 }
 
-std::string contents_of(const Format& format, const std::vector<ReportSection>& sections) {
-  std::string lines;
-  for (const ReportSection& section : sections) {
-    lines += fill(format.contents_line, section.experiment->name, format.escape(section.experiment->title),
-                  format.escape(section.findings.answer));
-  }
-  return fill(format.contents, lines);
-}
-
-std::string charts_of(const Format& format, const ReportSection& section) {
-  std::string charts;
-  for (const DrawnChart& chart : section.charts) {
-    charts += fill(format.chart, section.experiment->name, chart.name, format.escape(chart.title),
-                   svg_address(chart.light), svg_address(chart.dark));
-  }
-  return charts.empty() ? "" : fill(format.charts, charts);
-}
-
 std::string text_of(const Format& format, const Table& table) {
   std::string header, rules, rows;
   for (size_t k = 0; k < table.columns.size(); ++k) {
@@ -131,39 +114,59 @@ std::string text_of(const Format& format, const Table& table) {
 
 std::string text_of(const Format& format, const ReportSection& section) {
   const Experiment& experiment = *section.experiment;
-  const Findings& findings = section.findings;
-  std::string text = fill(format.heading, experiment.name, format.escape(experiment.title)) +
-                     fill(format.paragraph, format.escape(experiment.question)) +
-                     fill(format.emphasis, format.escape(findings.answer)) + charts_of(format, section);
-  std::string data;
-  for (const Table& table : findings.tables) {
-    if (table.is_shown) text += text_of(format, table);
+  std::string charts, tables, data;
+  for (const DrawnChart& chart : section.charts) {
+    charts += fill(format.chart, experiment.name, chart.name, format.escape(chart.title), svg_address(chart.light),
+                   svg_address(chart.dark));
+  }
+  if (!charts.empty()) charts = fill(format.charts, charts);
+  for (const Table& table : section.findings.tables) {
+    if (table.is_shown) tables += text_of(format, table);
     data += fill(format.data, experiment.name, format.escape(table.name));
   }
-  return text + fill(format.paragraph, format.escape(findings.see)) +
+  return fill(format.heading, experiment.name, format.escape(experiment.title)) +
+         fill(format.paragraph, format.escape(experiment.question)) +
+         fill(format.emphasis, format.escape(section.findings.answer)) + charts + tables +
+         fill(format.paragraph, format.escape(section.findings.see)) +
          fill(format.section_end, format.escape_code(section.command), data);
 }
 
 std::string report(const Format& format, const std::vector<ReportSection>& sections,
                    const std::vector<std::string>& circumstances, const std::string& lack) {
-  std::string text = fill(format.title, "Ballpit: the laboratory’s report");
+  std::string text = fill(format.title, "Ballpit: the laboratory’s report"), contents, results;
   for (const std::string& line : circumstances) text += fill(format.circumstance, format.escape(line));
   if (!lack.empty()) text += fill(format.emphasis, format.escape(lack));
-  text += contents_of(format, sections);
-  for (const ReportSection& section : sections) text += text_of(format, section);
-  return text + format.end;
+  for (const ReportSection& section : sections) {
+    const Experiment& experiment = *section.experiment;
+    contents += fill(format.contents_line, experiment.name, format.escape(experiment.title),
+                     format.escape(section.findings.answer));
+    results += text_of(format, section);
+  }
+  return text + fill(format.contents, contents) + results + format.end;
 }
 
 }  // namespace
 
 std::string report_html(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
                         const std::string& lack) {
-  return kHtmlHead + report(kHtml, sections, circumstances, lack);
+  return std::string(report_files().front().text) + report(kHtml, sections, circumstances, lack);
 }
 
 std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
                             const std::string& lack) {
   return report(kMarkdown, sections, circumstances, lack);
+}
+
+std::string svg_address(std::string_view svg) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result = "data:image/svg+xml;base64,";
+  for (size_t k = 0; k < svg.size(); k += 3) {
+    uint32_t bits = 0;
+    const size_t size = std::min<size_t>(3, svg.size() - k);
+    for (size_t b = 0; b < 3; ++b) bits = bits << 8 | (b < size ? static_cast<uint8_t>(svg[k + b]) : 0u);
+    for (size_t d = 0; d < 4; ++d) result += d <= size ? kDigits[bits >> (18 - 6 * d) & 63u] : '=';
+  }
+  return result;
 }
 
 }  // namespace ballpit

@@ -3,9 +3,6 @@
 // light or dark as the reader's system is set; and the same in Markdown, for a repository's pages.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "lab/report/experiment.h"
 
 namespace ballpit {
@@ -32,5 +29,8 @@ std::string report_html(const std::vector<ReportSection>& sections, const std::v
 /// The same in Markdown, with the charts as links to "NAME/CHART.svg".
 std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
                             const std::string& lack);
+
+/// "data:image/svg+xml;base64,…": the address of a picture that the page itself contains.
+std::string svg_address(std::string_view svg);
 
 }  // namespace ballpit

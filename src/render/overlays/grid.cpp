@@ -9,15 +9,10 @@
 //        ├──┼──┘                                │░░│  │▓▓│
 //        └──┘                                   └──┴──┴──┘
 // Cost: proportional to the number of cells and bodies.
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 
-#include "broad_phase/inspection.h"
 #include "render/overlays/overlay.h"
-#include "render/painter.h"
-#include "render/projection.h"
 
 namespace ballpit {
 
@@ -27,32 +22,15 @@ constexpr float kEdgeWidth = 2.0f;       // [1/1080 of the picture's height]
 constexpr float kLegibleCell = 40.0f;    // [pixel]
 constexpr int64_t kMaxWithEdges = 4000;  // occupied cells
 
-size_t cell_index(const IVec3& cells, int x, int y, int z) {
-  return (static_cast<size_t>(z) * static_cast<size_t>(cells.y) + static_cast<size_t>(y)) *
-             static_cast<size_t>(cells.x) +
-         static_cast<size_t>(x);
-}
-
 /// 0 to 1: one body is clearly visible, and counts up to about eight look different.
 float strength(int count) { return static_cast<float>(count) / static_cast<float>(count + 2); }
 
 /// Cells with one body are faint, full cells stand out.
 float spatial_opacity(int count) { return std::min(0.4f + 0.25f * static_cast<float>(count - 1), 1.0f); }
 
-/// A corner of cells. The last cells along an axis may extend beyond the domain; they are drawn up to its wall.
-Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IVec3& corner) {
-  Vec3 point = grid.origin + grid.edge * Vec3(corner);
-  for (int axis = 0; axis < domain.dimensions; ++axis) {
-    const bool has_wall = axis != 1 || !domain.open_top;
-    if (has_wall && corner[axis] == grid.cells[axis]) point[axis] = std::min(point[axis], domain.max[axis]);
-  }
-  return point;
-}
-
 /// The largest count of the cells around the lattice edge that starts at `point` and runs along `axis`.
 int fullest_around_edge(const GridInspection& grid, const std::vector<int>& counts, IVec3 point, int axis) {
-  const int a = (axis + 1) % 3;
-  const int b = (axis + 2) % 3;
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
   int fullest = 0;
   for (int da = -1; da <= 0; ++da) {
     for (int db = -1; db <= 0; ++db) {
@@ -60,38 +38,25 @@ int fullest_around_edge(const GridInspection& grid, const std::vector<int>& coun
       cell[a] += da;
       cell[b] += db;
       if (cell[a] < 0 || cell[b] < 0 || cell[a] >= grid.cells[a] || cell[b] >= grid.cells[b]) continue;
-      fullest = std::max(fullest, counts[cell_index(grid.cells, cell.x, cell.y, cell.z)]);
+      fullest = std::max(fullest, counts[index_of(grid, cell)]);
     }
   }
   return fullest;
 }
 
-/// An opacity that falls with the distance from the viewer: from 1 at the front of the grid to kFarthest.
-class DepthFade {
- public:
-  DepthFade(const GridInspection& grid, const Camera& camera) : eye_(camera.eye) {
-    const Vec3 size = grid.edge * Vec3(grid.cells);
-    const float middle = length(grid.origin + size / 2.0f - eye_);
-    nearest_ = middle - length(size) / 2;
-    farthest_ = middle + length(size) / 2;
-  }
-
-  float at(const Vec3& point) const {
-    const float way = (length(point - eye_) - nearest_) / (farthest_ - nearest_);
-    return 1 + (kFarthest - 1) * std::clamp(way, 0.0f, 1.0f);
-  }
-
- private:
-  static constexpr float kFarthest = 0.25f;
-  Vec3 eye_;
-  float nearest_;
-  float farthest_;
-};
+/// An opacity that falls with the distance from the viewer: from 1 at the front of the grid to a quarter at its back.
+float fade_at(const Vec3& point, const GridInspection& grid, const Camera& camera) {
+  constexpr float kFarthest = 0.25f;
+  const Vec3 size = grid.edge * Vec3(grid.cells);
+  const float middle = length(grid.origin + size / 2.0f - camera.eye);
+  const float nearest = middle - length(size) / 2, farthest = middle + length(size) / 2;
+  const float way = (length(point - camera.eye) - nearest) / (farthest - nearest);
+  return 1 + (kFarthest - 1) * std::clamp(way, 0.0f, 1.0f);
+}
 
 /// Adds the lattice's edges along `axis` through `start`; neighbours with equal counts become one line.
-void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const DomainBox& domain,
-                     const std::vector<int>& counts, const DepthFade& fade, const Theme& theme,
-                     std::vector<Line>& lines) {
+void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const std::vector<int>& counts,
+                     const FrameView& view, const Theme& theme, std::vector<Line>& lines) {
   const auto count_at = [&](int step) {
     IVec3 point = start;
     point[axis] = step;
@@ -105,24 +70,23 @@ void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const Do
     IVec3 end = start;
     start[axis] = first;
     end[axis] = step;
-    const Vec3 a = lattice_point(grid, domain, start);
-    const Vec3 b = lattice_point(grid, domain, end);
-    const float opacity = spatial_opacity(count);
-    lines.push_back({a, to_rgba(theme.grid, opacity * fade.at(a)), b, to_rgba(theme.grid, opacity * fade.at(b))});
+    const auto color_at = [&](const Vec3& point) {
+      return to_rgba(theme.grid, spatial_opacity(count) * fade_at(point, grid, view.camera));
+    };
+    const Vec3 a = lattice_point(grid, view.domain, start), b = lattice_point(grid, view.domain, end);
+    lines.push_back({a, color_at(a), b, color_at(b)});
   }
 }
 
-std::vector<Line> occupied_edges(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
-                                 const Camera& camera, const Theme& theme) {
-  const DepthFade fade(grid, camera);
+std::vector<Line> occupied_edges(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view,
+                                 const Theme& theme) {
   std::vector<Line> lines;
   for (int axis = 0; axis < 3; ++axis) {
-    const int a = (axis + 1) % 3;
-    const int b = (axis + 2) % 3;
+    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     IVec3 start(0);
     for (start[a] = 0; start[a] <= grid.cells[a]; ++start[a]) {
       for (start[b] = 0; start[b] <= grid.cells[b]; ++start[b]) {
-        add_edges_along(axis, start, grid, domain, counts, fade, theme, lines);
+        add_edges_along(axis, start, grid, counts, view, theme, lines);
       }
     }
   }
@@ -131,19 +95,20 @@ std::vector<Line> occupied_edges(const GridInspection& grid, const DomainBox& do
 
 /// A face in each occupied cell: in planar scenes its square; in spatial ones its floor, for grids with more edges than a
 /// viewer can distinguish.
-std::vector<Face> occupied_faces(const GridInspection& grid, const DomainBox& domain, const std::vector<int>& counts,
-                                 const Camera& camera, const Theme& theme) {
-  const DepthFade fade(grid, camera);
+std::vector<Face> occupied_faces(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view,
+                                 const Theme& theme) {
+  const DomainBox& domain = view.domain;
   const int across = domain.is_planar() ? 1 : 2;
   std::vector<Face> faces;
   IVec3 cell(0);
   for (cell.z = 0; cell.z < grid.cells.z; ++cell.z) {
     for (cell.y = 0; cell.y < grid.cells.y; ++cell.y) {
       for (cell.x = 0; cell.x < grid.cells.x; ++cell.x) {
-        const int count = counts[cell_index(grid.cells, cell.x, cell.y, cell.z)];
+        const int count = counts[index_of(grid, cell)];
         if (count == 0) continue;
         const Vec3 low = lattice_point(grid, domain, cell), size = lattice_point(grid, domain, cell + 1) - low;
-        const float opacity = domain.is_planar() ? 0.6f * strength(count) : spatial_opacity(count) * fade.at(low);
+        const float opacity =
+            domain.is_planar() ? 0.6f * strength(count) : spatial_opacity(count) * fade_at(low, grid, view.camera);
         Face face{low, {size.x, 0, 0}, Vec3(0), to_rgba(theme.grid, opacity)};
         face.v[across] = size[across];
         faces.push_back(face);
@@ -161,13 +126,14 @@ std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domai
     const float tolerance = 1e-3f * grid.edge[axis];
     return std::abs(point[axis] - domain.min[axis]) < tolerance || std::abs(point[axis] - domain.max[axis]) < tolerance;
   };
-  for (int x = 0; x <= grid.cells.x; ++x) {
-    const Vec3 foot = lattice_point(grid, domain, {x, 0, 0});
-    if (!on_border(foot, 0)) lines.push_back({foot, color, lattice_point(grid, domain, {x, grid.cells.y, 0}), color});
-  }
-  for (int y = 0; y <= grid.cells.y; ++y) {
-    const Vec3 start = lattice_point(grid, domain, {0, y, 0});
-    if (!on_border(start, 1)) lines.push_back({start, color, lattice_point(grid, domain, {grid.cells.x, y, 0}), color});
+  for (const int axis : {0, 1}) {
+    for (int k = 0; k <= grid.cells[axis]; ++k) {
+      IVec3 from(0), to = grid.cells;
+      from[axis] = to[axis] = k;
+      to.z = 0;
+      const Vec3 start = lattice_point(grid, domain, from);
+      if (!on_border(start, axis)) lines.push_back({start, color, lattice_point(grid, domain, to), color});
+    }
   }
   return lines;
 }
@@ -178,7 +144,7 @@ void draw_counts(const GridInspection& grid, const std::vector<int>& counts, con
   if (projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y)) < kLegibleCell) return;
   for (int y = 0; y < grid.cells.y; ++y) {
     for (int x = 0; x < grid.cells.x; ++x) {
-      const int count = counts[cell_index(grid.cells, x, y, 0)];
+      const int count = counts[index_of(grid, {x, y, 0})];
       if (count == 0) continue;
       const Vec2 corner = projection.at(lattice_point(grid, view.domain, {x + 1, y + 1, 0}));
       painter.sheet.text(corner + Vec2(-5, 3) * painter.sheet.unit(), kUpperRight, painter.ink(), std::to_string(count),
@@ -187,11 +153,16 @@ void draw_counts(const GridInspection& grid, const std::vector<int>& counts, con
   }
 }
 
-bool shows_labels(const FrameView& view) {
-  return std::find(view.overlays.begin(), view.overlays.end(), "labels") != view.overlays.end();
-}
-
 }  // namespace
+
+Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IVec3& corner) {
+  Vec3 point = grid.origin + grid.edge * Vec3(corner);
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    const bool has_wall = axis != 1 || !domain.open_top;
+    if (has_wall && corner[axis] == grid.cells[axis]) point[axis] = std::min(point[axis], domain.max[axis]);
+  }
+  return point;
+}
 
 std::vector<int> count_per_cell(const GridInspection& grid) {
   std::vector<int> counts(grid.head.size(), 0);
@@ -207,13 +178,13 @@ void draw_grid(const FrameView& view, Painter& painter) {
     if (grid.head.empty()) continue;
     const std::vector<int> counts = count_per_cell(grid);
     if (view.domain.is_planar()) {
-      painter.faces.draw(occupied_faces(grid, view.domain, counts, view.camera, painter.theme));
+      painter.faces.draw(occupied_faces(grid, counts, view, painter.theme));
       painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
-      if (!shows_labels(view)) draw_counts(grid, counts, view, painter);
+      if (!view.shows("labels")) draw_counts(grid, counts, view, painter);
     } else if (std::count_if(counts.begin(), counts.end(), [](int count) { return count > 0; }) <= kMaxWithEdges) {
-      painter.lines.draw(occupied_edges(grid, view.domain, counts, view.camera, painter.theme), width);
+      painter.lines.draw(occupied_edges(grid, counts, view, painter.theme), width);
     } else {
-      painter.faces.draw(occupied_faces(grid, view.domain, counts, view.camera, painter.theme));
+      painter.faces.draw(occupied_faces(grid, counts, view, painter.theme));
     }
   }
   draw_selection(view, painter);

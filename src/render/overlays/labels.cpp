@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with few
 // cells also the number of each cell: in its lower left corner (slide 8), or in another one if a sphere lies there.
-#include <algorithm>
 #include <iterator>
-#include <optional>
-#include <string>
-#include <string_view>
 
-#include "bodies/body_snapshot.h"
-#include "broad_phase/inspection.h"
 #include "render/body_buffer.h"
 #include "render/overlays/overlay.h"
-#include "render/painter.h"
-#include "render/projection.h"
 
 namespace ballpit {
 
@@ -68,17 +60,11 @@ bool meets(const Area& a, const Area& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-bool shows_lines(const FrameView& view) {
-  constexpr std::string_view kWithLines[] = {"pairs", "velocity", "intervals"};
-  return std::find_first_of(view.overlays.begin(), view.overlays.end(), std::begin(kWithLines), std::end(kWithLines)) !=
-         view.overlays.end();
-}
-
 /// From near to far: a sphere gets no number where a nearer sphere or number covers it. Where lines meet in the centre, a
 /// number has a disc of its sphere's colour behind it. Returns how many numbers were drawn.
 size_t draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
   const std::vector<Mark> marks = contact_marks(view.inspection.bodies.count, view.inspection.contacts);
-  const bool has_discs = shows_lines(view);
+  const bool has_discs = view.shows("pairs") || view.shows("velocity") || view.shows("intervals");
   std::vector<Area> taken;
   for (size_t k = 0; k < spheres.size(); ++k) {
     const Seen& sphere = spheres[k];

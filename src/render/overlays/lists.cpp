@@ -20,12 +20,8 @@
 //
 // A hashed grid has buckets instead of cells. If there are more entries or bodies than fit in a row, a histogram
 // shows the lengths of the lists or ranges instead.
-#include <algorithm>
 
-#include "broad_phase/inspection.h"
 #include "render/overlays/overlay.h"
-#include "render/painter.h"
-#include "world/inspection.h"
 
 namespace ballpit {
 
@@ -137,8 +133,8 @@ bool draw_arrays(const Arrays& arrays, int64_t selected, Painter& painter) {
   if (!fits(arrays) || width < text.x + 4 * u) return false;
 
   const float number = text.y + 2 * u, height = std::max(kBoxHeight * u, text.y + 6 * u);
-  const Strip strip = painter.take_strip(2 * (number + height) + (kGap + kArcs + kMargin) * u);
-  const Boxes cells{left, width, strip.top + kMargin * u / 2 + number, height, number};
+  const float top = painter.take_strip(2 * (number + height) + (kGap + kArcs + kMargin) * u);
+  const Boxes cells{left, width, top + kMargin * u / 2 + number, height, number};
   const Boxes bodies{left, width, cells.top + height + kGap * u + number, height, number};
   draw_array(arrays.name_of_cells(), arrays.cells, cells, painter.theme.grid, painter);
   draw_array(arrays.name_of_bodies(), arrays.bodies, bodies, painter.theme.body, painter);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlays/overlay.h"
 
-#include <algorithm>
-
 namespace ballpit {
 
 namespace {

@@ -8,12 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "render/frame_view.h"
-#include "world/inspection.h"
+#include "render/painter.h"
 
 namespace ballpit {
-
-struct Painter;  // render/painter.h: what all overlays draw with
 
 struct OverlayEntry {
   std::string_view name;                             ///< "grid", as typed
@@ -61,6 +58,28 @@ inline constexpr size_t kMaxCandidates = 20000;
 /// The candidates that are not contacts, each once.
 std::vector<Pair> candidates_apart(const Inspection& inspection);
 
+/// The index of a cell in the grid's `head`.
+inline size_t index_of(const GridInspection& grid, const IVec3& cell) {
+  return (static_cast<size_t>(cell.z) * static_cast<size_t>(grid.cells.y) + static_cast<size_t>(cell.y)) *
+             static_cast<size_t>(grid.cells.x) +
+         static_cast<size_t>(cell.x);
+}
+
+/// A corner of cells. The last cells along an axis may extend beyond the domain; they are drawn up to its wall.
+Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IVec3& corner);
+
+/// A cell of a grid and its list.
+struct ListedIn {
+  IVec3 cell{0};
+  int index = 0;                  ///< of the cell: head[index]
+  bool is_sorted = false;         ///< a range of bodies sorted by cell, not a linked list
+  std::vector<int32_t> bodies{};  ///< of the list, from its head on, or of the range
+  size_t place = 0;               ///< index of the sphere in `bodies`
+};
+
+/// Empty if no grid lists the body.
+std::optional<ListedIn> listed_in(const Inspection& inspection, int32_t body);
+
 /// Cells from `low` (included) to `high` (excluded).
 struct Block {
   IVec3 low, high;
@@ -75,5 +94,18 @@ float arrow_time(const FrameView& view);
 /// The longest path until the next search for contacts, in diameters of its sphere: above 1, spheres may pass through each
 /// other. 0 without velocities.
 float longest_way(const FrameView& view);
+
+/// A thread's walk along the sorted list: from a begin to the end of the same body.
+struct Walk {
+  int body = -1;
+  size_t first = 0, last = 0;  ///< entries of the list
+  std::vector<size_t> met;     ///< the begins between them, which the thread tests
+};
+
+/// The walk of the selected body; without a selection, the walk with the most tests. Its body is −1 if there is none.
+Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected);
+
+/// The other spheres of the pairs that contain the body, ascending.
+std::vector<int32_t> partners_of(const std::vector<Pair>& pairs, int32_t body);
 
 }  // namespace ballpit

@@ -7,16 +7,11 @@
 //
 // Lines of candidates and contacts are in front of their own two spheres and behind others; those of missed contacts are in
 // front of everything. Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <tuple>
 
-#include "bodies/body_snapshot.h"
 #include "render/overlays/overlay.h"
-#include "render/painter.h"
-#include "render/projection.h"
-#include "world/inspection.h"
 
 namespace ballpit {
 

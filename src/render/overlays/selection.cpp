@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Marks the selected sphere with a ring, and the block of 3 × 3 (× 3) cells that is searched for its contacts (slide 10).
-#include <algorithm>
+// Finds its list and its partners for the panel.
 #include <cmath>
 
-#include "bodies/body_snapshot.h"
-#include "broad_phase/inspection.h"
 #include "render/overlays/overlay.h"
-#include "render/painter.h"
-#include "render/projection.h"
 
 namespace ballpit {
 
@@ -30,29 +26,10 @@ std::vector<Face> far_sides(const Vec3& low, const Vec3& size, const Camera& cam
   return faces;
 }
 
-std::vector<Line> edges_of(const Vec3& low, const Vec3& size, Rgba color) {
-  std::vector<Line> lines;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    for (int corner = 0; corner < 4; ++corner) {
-      Vec3 from = low, along(0);
-      if (corner & 1) from[a] += size[a];
-      if (corner & 2) from[b] += size[b];
-      along[axis] = size[axis];
-      if (length(along) > 0) lines.push_back({from, color, from + along, color});
-    }
-  }
-  return lines;
-}
-
 void draw_block(const GridInspection& grid, const Block& block, const FrameView& view, Painter& painter) {
   const DomainBox& domain = view.domain;
-  const Vec3 low = grid.origin + grid.edge * Vec3(block.low);
-  Vec3 high = grid.origin + grid.edge * Vec3(block.high);
-  for (int axis = 0; axis < 3; ++axis) {  // the last cells may extend beyond the wall
-    if (block.high[axis] == grid.cells[axis] && !(axis == 1 && domain.open_top)) high[axis] = domain.max[axis];
-  }
-  Vec3 size = high - low;
+  const Vec3 low = lattice_point(grid, domain, block.low);
+  Vec3 size = lattice_point(grid, domain, block.high) - low;
   const Rgba tint = to_rgba(painter.theme.selected, kTint);
   if (domain.is_planar()) {
     size.z = 0;
@@ -60,25 +37,60 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
   } else {
     painter.faces.draw(far_sides(low, size, view.camera, tint));
   }
-  painter.lines.draw(edges_of(low, size, to_rgba(painter.theme.selected)), kWidth * painter.line_unit);
+  const Rgba color = to_rgba(painter.theme.selected);
+  std::vector<Line> lines;  // in the plane each twice, so that their smooth borders are stronger
+  for_each_edge(low, size, 8, [&](const Vec3& from, const Vec3& along) {
+    lines.push_back({from, color, from + along, color});
+  });
+  painter.lines.draw(lines, kWidth * painter.line_unit);
+}
+
+/// The cell that lists the body; none if the grid does not list it.
+std::optional<IVec3> cell_listing(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
+  const Vec3 place = (bodies.position_of(body) - grid.origin) / grid.edge;
+  IVec3 cell(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(place[axis])) continue;
+    cell[axis] = static_cast<int>(std::clamp(place[axis], 0.0f, static_cast<float>(grid.cells[axis] - 1)));
+  }
+  const size_t index = index_of(grid, cell);
+  if (index >= grid.head.size()) return std::nullopt;
+  int32_t listed = grid.head[index];
+  while (listed >= 0 && listed != body) listed = grid.next[static_cast<size_t>(listed)];
+  return listed < 0 ? std::nullopt : std::optional(cell);
 }
 
 }  // namespace
 
 std::optional<Block> block_around(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
-  const Vec3 place = (bodies.position_of(body) - grid.origin) / grid.edge;
-  IVec3 cell;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int inside = std::isfinite(place[axis]) ? static_cast<int>(std::floor(place[axis])) : 0;
-    cell[axis] = std::clamp(inside, 0, grid.cells[axis] - 1);
+  const std::optional<IVec3> cell = cell_listing(grid, bodies, body);
+  if (!cell) return std::nullopt;
+  return Block{glm::max(*cell - 1, IVec3(0)), glm::min(*cell + 2, grid.cells)};
+}
+
+std::optional<ListedIn> listed_in(const Inspection& inspection, int32_t body) {
+  for (const GridInspection& grid : inspection.grids) {
+    const std::optional<IVec3> cell = cell_listing(grid, inspection.bodies, body);
+    if (!cell) continue;
+    const size_t index = index_of(grid, *cell);
+    ListedIn found{*cell, static_cast<int>(index), grid.is_sorted()};
+    for (int32_t b = grid.head[index]; b >= 0; b = grid.next[static_cast<size_t>(b)]) found.bodies.push_back(b);
+    if (found.is_sorted) std::reverse(found.bodies.begin(), found.bodies.end());
+    found.place = static_cast<size_t>(std::find(found.bodies.begin(), found.bodies.end(), body) - found.bodies.begin());
+    return found;
   }
-  if (grid.head.empty()) return std::nullopt;
-  const auto index = static_cast<size_t>((cell.z * grid.cells.y + cell.y) * grid.cells.x + cell.x);
-  if (index >= grid.head.size()) return std::nullopt;
-  int32_t listed = grid.head[index];
-  while (listed >= 0 && listed != body) listed = grid.next[static_cast<size_t>(listed)];
-  if (listed < 0) return std::nullopt;
-  return Block{glm::max(cell - 1, IVec3(0)), glm::min(cell + 2, grid.cells)};
+  return std::nullopt;
+}
+
+std::vector<int32_t> partners_of(const std::vector<Pair>& pairs, int32_t body) {
+  std::vector<int32_t> partners;
+  for (const Pair& pair : pairs) {
+    if (pair.i == body) partners.push_back(pair.j);
+    if (pair.j == body) partners.push_back(pair.i);
+  }
+  std::sort(partners.begin(), partners.end());
+  partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+  return partners;
 }
 
 void draw_selection(const FrameView& view, Painter& painter) {

@@ -7,16 +7,12 @@
 //
 // A search finds contacts at both ends of the path; only swept contacts are found in between. The velocity is the present
 // one: forces during the step are ignored.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include "bodies/body_snapshot.h"
 #include "render/overlays/overlay.h"
-#include "render/painter.h"
-#include "render/projection.h"
 
 namespace ballpit {
 

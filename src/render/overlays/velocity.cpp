@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Draws an arrow along each velocity, from the centre of the sphere. The longest arrow is a twelfth of the picture's height;
 // a note gives its speed.
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "bodies/body_snapshot.h"
 #include "render/overlays/overlay.h"
-#include "render/painter.h"
-#include "render/projection.h"
 
 namespace ballpit {
 
