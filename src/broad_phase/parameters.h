@@ -12,7 +12,6 @@
 //     inspect(exec)            its grids for the audience, if it has some
 //     axis(), endpoints(exec, bodies)
 //                              the axis and the sorted list of sort-and-sweep, for the audience
-//     walks(exec)              how far each thread walks, if that differs from its number of candidates
 //     bytes()                  memory held
 //
 // Among the candidates of all bodies, each pair is at most once, and every pair in contact is.

@@ -23,6 +23,7 @@
 #include "bodies/bodies_view.h"
 #include "broad_phase/grid.h"
 #include "broad_phase/sweep_candidates.h"
+#include "broad_phase/sweep_rules.h"
 #include "exec/reduce.h"
 
 namespace ballpit {
@@ -130,10 +131,7 @@ class SortAndSweep {
   void plan(const BroadPhaseParameters<V>& parameters) {
     box_ = parameters.box;
     wanted_axis_ = parameters.axis;
-    constexpr double kCoarser =
-        double(std::numeric_limits<float>::epsilon()) / double(std::numeric_limits<Real>::epsilon());
-    guard_ = static_cast<Real>(kCoarser * rounding_guard(parameters.box) + 1e-6 * double(parameters.largest_radius()));
-    largest_diameter_ = 2 * double(parameters.largest_radius());
+    rules_ = sweep_rules(parameters);
   }
 
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
@@ -147,7 +145,7 @@ class SortAndSweep {
     slots_.resize(n);
     exec.parallel_for(
         "store endpoints", n,
-        StoreEndpoints<V>{axis_, guard_, bodies.position, bodies.radius, keys_.span(), endpoints_.span()});
+        StoreEndpoints<V>{axis_, rules_.guard, bodies.position, bodies.radius, keys_.span(), endpoints_.span()});
     exec.sort_pairs("sort endpoints", keys_.span(), endpoints_.span());
     const Span<int> is_begin(reinterpret_cast<int*>(keys_.span().data()), 2 * n);  // reuses the keys' memory
     exec.parallel_for("mark begins", 2 * n, MarkBegin{count, endpoints_.span(), is_begin});
@@ -159,16 +157,12 @@ class SortAndSweep {
   }
 
   SortAndSweepCandidates<V> candidates() const {
-    const double length = double(box_.max[axis_]) - double(box_.min[axis_]);
-    const bool is_narrow = box_.is_periodic() && length <= 2 * largest_diameter_ * (1 + 1e-5) + 8 * double(guard_);
     return {slots_.view(),
-            endpoints_.span(),
-            begins_before_.span(),
             begins_before_end_.span(),
             axis_,
-            guard_,
-            box_.is_periodic() ? Real(length) : Real(0),
-            is_narrow};
+            rules_.guard,
+            box_.is_periodic() ? Real(box_.extent(axis_)) : Real(0),
+            rules_.is_narrow[axis_]};
   }
 
   std::vector<GridInspection> inspect(Exec&) const { return {}; }
@@ -186,27 +180,10 @@ class SortAndSweep {
     for (const int endpoint : exec.download(endpoints_.span())) {
       const bool is_end = endpoint >= n;
       const int body = is_end ? endpoint - static_cast<int>(n) : endpoint;
-      const Real x = position[size_t(body)][axis_], reach = radius[is_uniform ? 0 : size_t(body)] + guard_;
+      const Real x = position[size_t(body)][axis_], reach = radius[is_uniform ? 0 : size_t(body)] + rules_.guard;
       result.push_back({static_cast<float>(is_end ? x + reach : x - reach), body, is_end});
     }
     return result;
-  }
-
-  /// How many entries each begin walks to its end, in the order of the list; 0 for the ends.
-  std::vector<int> walks(Exec& exec) const {
-    const std::vector<int> endpoints = exec.download(endpoints_.span());
-    const int n = static_cast<int>(endpoints.size() / 2);
-    std::vector<int> begin(static_cast<size_t>(n)), walks(endpoints.size(), 0);
-    for (int p = 0; p < 2 * n; ++p) {
-      const int endpoint = endpoints[static_cast<size_t>(p)];
-      if (endpoint < n) {
-        begin[static_cast<size_t>(endpoint)] = p;
-      } else {
-        const int from = begin[static_cast<size_t>(endpoint - n)];
-        walks[static_cast<size_t>(from)] = p - from;
-      }
-    }
-    return walks;
   }
 
   int64_t bytes() const {
@@ -217,8 +194,7 @@ class SortAndSweep {
   Box<V> box_;
   int wanted_axis_ = kAutoAxis;
   int axis_ = 0;
-  Real guard_ = 0;
-  double largest_diameter_ = 0;
+  SweepRules<V> rules_;
   Buffer<uint32_t> keys_;
   Buffer<int> endpoints_, begins_before_, begins_before_end_;
   Slots<V, Exec> slots_;

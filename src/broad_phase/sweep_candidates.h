@@ -2,9 +2,8 @@
 // The candidates that sort-and-sweep finds in its sorted list (sort_and_sweep.h): for each begin the slots up to its
 // end.
 //
-//     list    b0  b2  e0  b1  e2  e1      begins_before      0  1  2  2  3  3
-//     slot     0   1       2              begins_before_end  of body 0: 2, 1: 3, 2: 3
-//                                         candidates         slot 0: [1, 2)   slot 1: [2, 3)   slot 2: none
+//     list    b0  b2  e0  b1  e2  e1      begins_before_end  of body 0: 2, 1: 3, 2: 3
+//     slot     0   1       2              candidates         slot 0: [1, 2)   slot 1: [2, 3)   slot 2: none
 //
 // In a periodic domain an interval that crosses the border continues at the start of the list: a second range [0, k),
 // found by binary search. Cost: O(1), periodic O(log n), for each begin.
@@ -18,8 +17,6 @@ template <class V>
 struct SortAndSweepCandidates {
   using Real = Scalar<V>;
   SlotsView<V> slots_view;
-  Span<const int> endpoints;          ///< the sorted list
-  Span<const int> begins_before;      ///< for each entry of the list
   Span<const int> begins_before_end;  ///< for each body
   int axis = 0;
   Real guard = 0;          ///< [m] by which intervals are longer than spheres
@@ -27,12 +24,8 @@ struct SortAndSweepCandidates {
   bool is_narrow = false;  ///< periodic, and so short that spheres may meet on both sides: all pairs are candidates
 
   HOST_DEVICE const SlotsView<V>& slots() const { return slots_view; }
-  HOST_DEVICE int threads() const { return static_cast<int>(endpoints.size()); }
-
-  /// One thread per entry of the list: an end has nothing to do.
-  HOST_DEVICE int slot_of(int thread) const {
-    return endpoints[thread] < slots_view.count ? begins_before[thread] : -1;
-  }
+  HOST_DEVICE int threads() const { return slots_view.count; }
+  HOST_DEVICE int slot_of(int thread) const { return thread; }
 
   template <class Visit>
   HOST_DEVICE void for_each_range(int slot, Visit&& visit) const {

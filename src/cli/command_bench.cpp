@@ -144,7 +144,7 @@ std::string text_of(const TimingPlan& plan, const std::vector<StepTiming>& timin
       "a gas of equal elastic spheres, {:.0f} % of the volume; medians and quartiles of {} blocks of steps\n"
       "speedup: against {} on the same processor\n\n",
       100 * kGasVolumeFraction, plan.blocks, plan.cases.front().method);
-  text += fmt::format("{:>9}  {:<15} {:<7} {:>7}  {:>10}  {:>22}  {:>11}  {:>7}\n", "spheres", "method", "backend",
+  text += fmt::format("{:>9}  {:<22} {:<7} {:>7}  {:>10}  {:>22}  {:>11}  {:>7}\n", "spheres", "method", "backend",
                       "threads", "ms a step", "quartiles", "ns a sphere", "speedup");
   for (const StepTiming& timing : timings) {
     text += row_of(timing, timings);
@@ -155,15 +155,21 @@ std::string text_of(const TimingPlan& plan, const std::vector<StepTiming>& timin
 
 class BenchCommand {
  public:
-  BenchCommand() { plan_.counts = {1000, 10'000, 100'000}; }
+  BenchCommand() {
+    plan_.counts = {1000, 10'000, 100'000};
+    for (const std::string& name : names_of<BroadPhase>()) {
+      if (!is_of_lecture(named<BroadPhase>(name))) methods_.push_back(name);
+    }
+  }
 
   void add_options(CommandOptions& command) {
     command.add({"--counts", "N,…", "numbers of spheres", fmt::format("{}", fmt::join(plan_.counts, ","))},
                 [this](const std::string& text) {
                   plan_.counts = parse_numbers("--counts", text, Range{int64_t{1}, int64_t{100'000'000}});
                 });
-    command.add({"--methods", "NAME,…", "some of " + join(methods_) + "; default: all"},
-                [this](const std::string& text) { methods_ = parse_choices("--methods", text, methods_); });
+    const std::vector<std::string> known = names_of<BroadPhase>();
+    command.add({"--methods", "NAME,…", "some of " + join(known) + "; default: all but those of the lecture"},
+                [this, known](const std::string& text) { methods_ = parse_choices("--methods", text, known); });
     command.add({"--threads", "N,…", "numbers of CPU threads, 0 for all cores; default: 1 and all cores"},
                 [this](const std::string& text) {
                   threads_ = parse_numbers("--threads", text, Range{0, 256});
@@ -212,7 +218,7 @@ class BenchCommand {
 
   std::vector<GivenOption> given_;
   TimingPlan plan_;
-  std::vector<std::string> methods_ = names_of<BroadPhase>(), backends_;
+  std::vector<std::string> methods_, backends_;
   std::vector<int> threads_{1, 0};
   bool stages_ = false, json_ = false;
 };

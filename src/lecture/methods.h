@@ -2,23 +2,34 @@
 // Broad phases that run the slides' own kernels. They test spheres themselves and yield pairs in contact. A comparison with
 // the tuned methods shows what tuning gains. The interface is that of broad_phase/parameters.h, with
 //
-//     find(exec, bodies)       tests all candidates, after prepare(); found() are the contacts, in any order
+//     find(exec, bodies)       tests all candidates, after prepare(): the contacts, in any order
+//     list_candidates(exec, bodies)
+//                              the same without a test: the candidates
 //     tests(exec)              the number of tests
-//     work(exec)               the entries of lists that each thread has read
+//     work(exec)               the entries of lists that each thread has read, and the body that it works for, or −1
 //
 // in place of candidates().
 #pragma once
 
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "broad_phase/sort_and_sweep.h"
-#include "broad_phase/sweep_rules.h"
-#include "exec/reduce.h"
 #include "lecture/brute_force.h"
 #include "lecture/linked_cell.h"
 #include "lecture/sort_and_sweep.h"
 
 namespace ballpit::lecture {
+
+/// Whether a broad phase finds contacts itself.
+template <class Method>
+concept FindsPairs = std::remove_cvref_t<Method>::kFindsPairs;
+
+/// Memory for kernels that list what they would test.
+struct ListingMemory : AtomicMemory {
+  HOST_DEVICE bool test(int, int, bool) const { return true; }
+};
 
 /// Kernel: a member function of a slide's kernels, for thread t.
 template <class Kernels, auto kFunction>
@@ -47,126 +58,141 @@ struct StoreKeys {
   HOST_DEVICE void operator()(int entry) const { keys[entry] = sortable(kernels.coordinate(entry)); }
 };
 
-/// Kernel: the position of entry k of the sorted list.
-template <class Kernels>
-struct LocateEntry {
-  Kernels kernels;
-  Span<float> at;  ///< [m]
-  HOST_DEVICE void operator()(int k) const { at[k] = kernels.coordinate(kernels.list[k]); }
-};
-
-/// What the methods share: the memory of the pairs and of the threads' work.
-template <class V, class Exec>
+/// What the methods share: the memory of the pairs and of the threads' work. `Derived` has kernels<Memory>(bodies, sink),
+/// whose collide(t) is the work of thread t of threads(bodies).
+template <class Derived, class V, class Exec>
 class Method {
   template <class T>
   using Buffer = typename Exec::template Buffer<T>;
 
  public:
-  void plan(const BroadPhaseParameters<V>& parameters) { box_ = parameters.box; }
+  static constexpr bool kFindsPairs = true;
 
-  Span<const Pair> found() const { return {pairs_.span().data(), found_}; }
+  Span<const Pair> find(Exec& exec, const BodiesView<V>& bodies) { return collide<AtomicMemory>(exec, bodies); }
+  Span<const Pair> list_candidates(Exec& exec, const BodiesView<V>& bodies) {
+    return collide<ListingMemory>(exec, bodies);
+  }
+
   int64_t tests(Exec& exec) const {
     return reduce(exec, "sum tests", tests_.size(), int64_t{0}, ReadValue<int>{tests_.span()}, Sum{});
   }
-  std::vector<int> work(Exec& exec) const { return exec.download(Span<const int>(steps_.span())); }
+
+  std::pair<std::vector<int>, std::vector<int>> work(Exec& exec) const {
+    std::vector<int> worker(static_cast<size_t>(steps_.size()));
+    std::iota(worker.begin(), worker.end(), 0);
+    return {exec.download(steps_.span()), worker};
+  }
+
   std::vector<GridInspection> inspect(Exec&) const { return {}; }
   int64_t bytes() const { return pairs_.bytes() + count_.bytes() + tests_.bytes() + steps_.bytes(); }
 
  protected:
   Spheres<V> spheres(const BodiesView<V>& bodies) const { return {bodies.position, bodies.radius, box_}; }
 
-  /// Runs the kernel that `kernels_into(sink)` makes; again where the contacts did not fit.
-  template <class KernelsInto>
-  void collide(Exec& exec, const char* name, int64_t threads, const KernelsInto& kernels_into) {
-    tests_.resize(threads);
-    steps_.resize(threads);
+  Box<V> box_;
+
+ private:
+  /// Runs again where the pairs did not fit.
+  template <class Memory>
+  Span<const Pair> collide(Exec& exec, const BodiesView<V>& bodies) {
+    auto& self = static_cast<Derived&>(*this);
+    tests_.resize(self.threads(bodies));
+    steps_.resize(self.threads(bodies));
     count_.resize(1);
     for (;;) {
       exec.fill("clear count", count_.span(), 0ull);
-      const auto kernels = kernels_into(PairSink{pairs_.span(), count_.span().data()});
-      exec.parallel_for(name, threads, Collide<decltype(kernels)>{kernels, tests_.span(), steps_.span()});
-      found_ = static_cast<int64_t>(exec.download(count_.span())[0]);
-      if (found_ <= pairs_.size()) return;
-      pairs_.resize(found_);
+      const auto kernels = self.template kernels<Memory>(bodies, PairSink{pairs_.span(), count_.span().data()});
+      exec.parallel_for(Derived::kCollide, tests_.size(),
+                        Collide<std::remove_const_t<decltype(kernels)>>{kernels, tests_.span(), steps_.span()});
+      const auto found = static_cast<int64_t>(exec.download(count_.span())[0]);
+      if (found <= pairs_.size()) return {pairs_.span().data(), found};
+      pairs_.resize(found);
     }
   }
 
- private:
-  Box<V> box_;
   Buffer<Pair> pairs_;
   Buffer<unsigned long long> count_;
   Buffer<int> tests_, steps_;
-  int64_t found_ = 0;
 };
 
 template <class V, class Exec>
-class BruteForceMethod : public Method<V, Exec> {
+class BruteForceMethod : public Method<BruteForceMethod<V, Exec>, V, Exec> {
  public:
-  explicit BruteForceMethod(const BroadPhaseParameters<V>& parameters) { this->plan(parameters); }
+  static constexpr const char* kCollide = "slide 5: test all";
 
+  explicit BruteForceMethod(const BroadPhaseParameters<V>& parameters) { plan(parameters); }
+  void plan(const BroadPhaseParameters<V>& parameters) { this->box_ = parameters.box; }
   void prepare(Exec&, const BodiesView<V>&) {}
 
-  void find(Exec& exec, const BodiesView<V>& bodies) {
-    this->collide(exec, "slide 5: test all", bodies.size(), [&](const PairSink& sink) {
-      return BruteForce<V, AtomicMemory>{{}, this->spheres(bodies), sink};
-    });
+  int64_t threads(const BodiesView<V>& bodies) const { return bodies.size(); }
+  template <class Memory>
+  BruteForce<V, Memory> kernels(const BodiesView<V>& bodies, const PairSink& sink) {
+    return {{}, this->spheres(bodies), sink};
   }
 };
 
 template <class V, class Exec>
-class SortAndSweepMethod : public Method<V, Exec> {
+class SortAndSweepMethod : public Method<SortAndSweepMethod<V, Exec>, V, Exec> {
+  using Base = Method<SortAndSweepMethod<V, Exec>, V, Exec>;
+
  public:
+  static constexpr const char* kCollide = "slide 4: sweep";
+
   explicit SortAndSweepMethod(const BroadPhaseParameters<V>& parameters) { plan(parameters); }
 
   void plan(const BroadPhaseParameters<V>& parameters) {
-    Method<V, Exec>::plan(parameters);
+    this->box_ = parameters.box;
     rules_ = sweep_rules(parameters);
     wanted_axis_ = parameters.axis;
   }
 
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     const int64_t n = bodies.size();
-    const Box<V>& box = this->spheres(bodies).box;
-    axis_ = wanted_axis_ >= 0 ? wanted_axis_ : widest_axis(exec, bodies.position, (box.min + box.max) / Scalar<V>(2));
+    const V center = (this->box_.min + this->box_.max) / Scalar<V>(2);
+    axis_ = wanted_axis_ >= 0 ? wanted_axis_ : widest_axis(exec, bodies.position, center);
     list_.resize(2 * n);
     keys_.resize(2 * n);
-    const Kernels kernels = this->kernels(bodies, {});
+    const auto kernels = this->kernels<AtomicMemory>(bodies, {});
+    using Kernels = SortAndSweep<V, AtomicMemory>;
     exec.parallel_for("slide 2: store entries", n, Run<Kernels, &Kernels::store_entries>{kernels});
     exec.parallel_for("slide 2: project", 2 * n, StoreKeys<Kernels>{kernels, keys_.span()});
     exec.sort_pairs("slide 3: sort", keys_.span(), list_.span());
   }
 
-  void find(Exec& exec, const BodiesView<V>& bodies) {
-    this->collide(exec, "slide 4: sweep", list_.size(), [&](const PairSink& sink) { return kernels(bodies, sink); });
+  int64_t threads(const BodiesView<V>& bodies) const { return 2 * bodies.size(); }
+  template <class Memory>
+  SortAndSweep<V, Memory> kernels(const BodiesView<V>& bodies, const PairSink& sink) {
+    return {{}, this->spheres(bodies), sink, list_.span(), axis_, rules_.guard, rules_.is_narrow[axis_]};
+  }
+
+  /// One thread per entry: those of the ends are idle.
+  std::pair<std::vector<int>, std::vector<int>> work(Exec& exec) const {
+    auto [steps, worker] = Base::work(exec);
+    const std::vector<int> list = exec.download(list_.span());
+    for (size_t k = 0; k < list.size(); ++k) worker[k] = list[k] % 2 == 0 ? list[k] / 2 : -1;
+    return {steps, worker};
   }
 
   int axis() const { return axis_; }
 
   /// The sorted list, for the bodies that it was prepared for.
   std::vector<Endpoint> endpoints(Exec& exec, const BodiesView<V>& bodies) const {
-    typename Exec::template Buffer<float> positions;
-    positions.resize(list_.size());
-    exec.parallel_for("locate entries", positions.size(), LocateEntry<Kernels>{kernels(bodies, {}), positions.span()});
-    const std::vector<int> list = exec.download(Span<const int>(list_.span()));
-    const std::vector<float> at = exec.download(positions.span());
+    const bool is_uniform = bodies.radius.is_uniform() && bodies.size() > 0;
+    const std::vector<V> position = exec.download(bodies.position);
+    const auto radius = exec.download(Span<const Scalar<V>>(bodies.radius.data(), is_uniform ? 1 : bodies.size()));
+    std::vector<int> list = exec.download(list_.span());
+    const Spheres<V> spheres{{position.data(), bodies.size()}, {radius.data(), is_uniform ? 0 : 1}, this->box_};
+    const SortAndSweep<V, PlainMemory> kernels{{}, spheres, {}, {}, axis_, rules_.guard, false};
     std::vector<Endpoint> result;
-    for (size_t k = 0; k < at.size(); ++k) {
-      result.push_back({at[k], Kernels::sphere_of(list[k]), Kernels::is_end(list[k])});
+    for (const int entry : list) {
+      result.push_back({kernels.coordinate(entry), kernels.sphere_of(entry), kernels.is_end(entry)});
     }
     return result;
   }
 
-  int64_t bytes() const { return Method<V, Exec>::bytes() + list_.bytes() + keys_.bytes(); }
+  int64_t bytes() const { return Base::bytes() + list_.bytes() + keys_.bytes(); }
 
  private:
-  using Kernels = SortAndSweep<V, AtomicMemory>;
-
-  Kernels kernels(const BodiesView<V>& bodies, const PairSink& sink) const {
-    const Span<const int> list = list_.span();
-    return {{}, this->spheres(bodies), sink, {const_cast<int*>(list.data()), list.size()}, axis_, rules_.guard,
-            rules_.is_narrow[axis_]};
-  }
-
   SweepRules<V> rules_;
   int wanted_axis_ = kAutoAxis;
   int axis_ = 0;
@@ -175,12 +201,16 @@ class SortAndSweepMethod : public Method<V, Exec> {
 };
 
 template <class V, class Exec>
-class LinkedCellMethod : public Method<V, Exec> {
+class LinkedCellMethod : public Method<LinkedCellMethod<V, Exec>, V, Exec> {
+  using Base = Method<LinkedCellMethod<V, Exec>, V, Exec>;
+
  public:
+  static constexpr const char* kCollide = "slide 10: walk cells";
+
   explicit LinkedCellMethod(const BroadPhaseParameters<V>& parameters) { plan(parameters); }
 
   void plan(const BroadPhaseParameters<V>& parameters) {
-    Method<V, Exec>::plan(parameters);
+    this->box_ = parameters.box;
     const Scalar<V> largest = parameters.largest_radius();
     grid_ = make_grid(parameters, SizeClass<V>{largest, parameters.count}, V(2 * largest), false);
   }
@@ -188,32 +218,28 @@ class LinkedCellMethod : public Method<V, Exec> {
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     head_.resize(grid_.size());
     next_.resize(bodies.size());
-    const Kernels kernels = this->kernels(bodies, {});
+    const auto kernels = this->kernels<AtomicMemory>(bodies, {});
+    using Kernels = LinkedCell<V, AtomicMemory>;
     exec.parallel_for("slide 13: clear cells", head_.size(), Run<Kernels, &Kernels::clear>{kernels});
     exec.parallel_for("slide 14: insert", bodies.size(), Run<Kernels, &Kernels::insert>{kernels});
   }
 
-  void find(Exec& exec, const BodiesView<V>& bodies) {
-    this->collide(exec, "slide 10: walk cells", bodies.size(),
-                  [&](const PairSink& sink) { return kernels(bodies, sink); });
+  int64_t threads(const BodiesView<V>& bodies) const { return bodies.size(); }
+  template <class Memory>
+  LinkedCell<V, Memory> kernels(const BodiesView<V>& bodies, const PairSink& sink) {
+    return {{}, this->spheres(bodies), sink, grid_, head_.span(), next_.span(), {}};
   }
 
   std::vector<GridInspection> inspect(Exec& exec) const {
     GridInspection result = describe_grid(grid_);
-    result.head = exec.download(Span<const int>(head_.span()));
-    result.next = exec.download(Span<const int>(next_.span()));
+    result.head = exec.download(head_.span());
+    result.next = exec.download(next_.span());
     return {result};
   }
 
-  int64_t bytes() const { return Method<V, Exec>::bytes() + head_.bytes() + next_.bytes(); }
+  int64_t bytes() const { return Base::bytes() + head_.bytes() + next_.bytes(); }
 
  private:
-  using Kernels = LinkedCell<V, AtomicMemory>;
-
-  Kernels kernels(const BodiesView<V>& bodies, const PairSink& sink) {
-    return {{}, this->spheres(bodies), sink, grid_, head_.span(), next_.span(), {}};
-  }
-
   Grid<V> grid_;
   typename Exec::template Buffer<int> head_, next_;
 };

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include "broad_phase/choose_broad_phase.h"
+#include "broad_phase/parameters.h"
 #include "broad_phase/sweep_rules.h"
-#include "broad_phase/widest_axis.h"
-#include "core/embedded_file.h"
+#include "core/file.h"
 #include "core/error.h"
 #include "exec/cpu_executor.h"
 #include "lecture/brute_force.h"

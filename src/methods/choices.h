@@ -20,10 +20,24 @@ constexpr std::array<std::string_view, sizeof...(Name)> in_order(Name... name) {
 template <class Enum>
 inline constexpr auto kNames = in_order();
 
-enum class BroadPhase { automatic, brute_force, sort_and_sweep, linked_cell, sorted_grid };
+/// The last three run the slides' own kernels (src/lecture).
+enum class BroadPhase {
+  automatic,
+  brute_force,
+  sort_and_sweep,
+  linked_cell,
+  sorted_grid,
+  lecture_brute_force,
+  lecture_sort_and_sweep,
+  lecture_linked_cell
+};
 template <>
 inline constexpr auto kNames<BroadPhase> = in_order("auto", "brute-force", "sort-and-sweep", "linked-cell",
-                                                    "sorted-grid");
+                                                    "sorted-grid", "lecture/brute-force", "lecture/sort-and-sweep",
+                                                    "lecture/linked-cell");
+
+/// Whether it is a slide's own kernel, which users must ask for by name.
+constexpr bool is_of_lecture(BroadPhase method) { return method >= BroadPhase::lecture_brute_force; }
 
 /// What a grid keeps its cells in: an array with an entry for each cell, or one with fewer entries, shared by hashing.
 enum class CellTable { automatic, dense, hashed };

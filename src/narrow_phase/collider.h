@@ -19,6 +19,7 @@
 #include "broad_phase/linked_cell.h"
 #include "broad_phase/sort_and_sweep.h"
 #include "broad_phase/sorted_grid.h"
+#include "lecture/methods.h"
 #include "narrow_phase/contact_list.h"
 #include "narrow_phase/vector_search.h"
 
@@ -37,7 +38,9 @@ class Collider {
 
  public:
   using AnyBroadPhase =
-      std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>>;
+      std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>,
+                   lecture::BruteForceMethod<V, Exec>, lecture::SortAndSweepMethod<V, Exec>,
+                   lecture::LinkedCellMethod<V, Exec>>;
 
   Collider() = default;  ///< call plan() before use
 
@@ -64,6 +67,15 @@ class Collider {
         break;
       case BroadPhase::sorted_grid:
         use<SortedGrid<V, Exec>>();
+        break;
+      case BroadPhase::lecture_brute_force:
+        use<lecture::BruteForceMethod<V, Exec>>();
+        break;
+      case BroadPhase::lecture_sort_and_sweep:
+        use<lecture::SortAndSweepMethod<V, Exec>>();
+        break;
+      case BroadPhase::lecture_linked_cell:
+        use<lecture::LinkedCellMethod<V, Exec>>();
         break;
       case BroadPhase::automatic:
         throw std::logic_error("a broad phase is chosen before");
@@ -138,8 +150,15 @@ class Collider {
   /// Pairs tested to find the contacts, without those tested for the candidate list.
   int64_t tests(Exec& exec) const {
     if (source_ == Source::list) return list_.candidates().pairs.size();
-    return std::visit([&](auto& method) { return search_.template tests<decltype(method.candidates())>(exec); },
-                      broad_phase_);
+    return std::visit(
+        [&](auto& method) {
+          if constexpr (lecture::FindsPairs<decltype(method)>) {
+            return method.tests(exec);
+          } else {
+            return search_.template tests<decltype(method.candidates())>(exec);
+          }
+        },
+        broad_phase_);
   }
 
   int64_t searches() const { return searches_; }  ///< by the broad phase since plan()
@@ -206,7 +225,15 @@ class Collider {
   }
 
   void test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
-    std::visit([&](auto& method) { search_.find(exec, method.candidates(), bodies, box(), rows); }, broad_phase_);
+    std::visit(
+        [&](auto& method) {
+          if constexpr (lecture::FindsPairs<decltype(method)>) {
+            put_into_rows(exec, method.find(exec, bodies), bodies.size(), rows);
+          } else {
+            search_.find(exec, method.candidates(), bodies, box(), rows);
+          }
+        },
+        broad_phase_);
   }
 
   BroadPhaseChoice choice_;

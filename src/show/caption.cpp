@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/numbers.h"
-#include "measure/work_profile.h"
+#include "measure/statistics.h"
 
 namespace ballpit {
 

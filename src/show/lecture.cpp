@@ -11,10 +11,10 @@
 #include "lecture_text.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "scene/table_reader.h"
 #include "show/caption.h"
-#include "show/parse.h"
+#include "show/options.h"
 
 namespace ballpit {
 

@@ -23,7 +23,7 @@
 #include "lecture/recorded_run.h"
 #include "methods/choices.h"
 #include "scene/input_error.h"
-#include "show/given_options.h"
+#include "show/options.h"
 #include "show/view.h"
 
 namespace ballpit {

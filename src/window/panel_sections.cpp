@@ -52,7 +52,7 @@ void Panel::draw_detection(Demo& demo) {
   if (!section("Detection")) return;
   const Settings& settings = demo.session.settings();
   for (const Method& method : methods()) {
-    if (method.family != Family::broadphase) continue;
+    if (method.family != Family::broadphase || is_of_lecture(named<BroadPhase>(method.name))) continue;
     const std::string name(method.name);
     if (ImGui::RadioButton(std::string(method.label).c_str(), name_of(settings.broadphase) == method.name)) {
       demo.set("broadphase", name);

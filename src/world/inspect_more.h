@@ -34,10 +34,12 @@ template <class V, class Exec>
 std::pair<std::vector<int>, std::vector<int>> thread_work(Exec& exec, const Collider<V, Exec>& collider) {
   return std::visit(
       [&](const auto& method) {
-        const auto candidates = method.candidates();
         std::pair<std::vector<int>, std::vector<int>> result;
         auto& [work, worker] = result;
-        if constexpr (GivesRanges<decltype(candidates)>) {
+        if constexpr (lecture::FindsPairs<decltype(method)>) {
+          return method.work(exec);
+        } else if constexpr (GivesRanges<decltype(method.candidates())>) {
+          const auto candidates = method.candidates();
           typename Exec::template Buffer<int> sums, bodies;
           sums.resize(candidates.threads());
           bodies.resize(candidates.threads());
@@ -49,7 +51,6 @@ std::pair<std::vector<int>, std::vector<int>> thread_work(Exec& exec, const Coll
           worker.resize(work.size());
           std::iota(worker.begin(), worker.end(), 0);
         }
-        if constexpr (requires { method.walks(exec); }) work = method.walks(exec);
         return result;
       },
       collider.broad_phase());
@@ -79,13 +80,26 @@ void inspect_more(const BodyStore<V, Exec>& bodies, const Collider<V, Exec>& col
     search.pairs(exec, bodies.view());
     if (wanted.candidates) {
       seen.candidates = std::visit(
-          [&](const auto& method) { return candidate_pairs(exec, method.candidates(), bodies.view(), bodies.box()); },
-          search.broad_phase());
+          [&](auto& method) {
+            if constexpr (lecture::FindsPairs<decltype(method)>) {
+              ContactRows<Exec> rows;
+              put_into_rows(exec, method.list_candidates(exec, bodies.view()), bodies.count(), rows);
+              return exec.download(rows.pairs());
+            } else {
+              return candidate_pairs(exec, method.candidates(), bodies.view(), bodies.box());
+            }
+          },
+          search.prepared(exec, bodies.view()));
     }
-    const auto* const sweep = std::get_if<SortAndSweep<V, Exec>>(&search.broad_phase());
-    if (wanted.endpoints && sweep) {
-      seen.axis = sweep->axis();
-      seen.endpoints = sweep->endpoints(exec, bodies.view());
+    if (wanted.endpoints) {
+      std::visit(
+          [&](const auto& method) {
+            if constexpr (requires { method.endpoints(exec, bodies.view()); }) {
+              seen.axis = method.axis();
+              seen.endpoints = method.endpoints(exec, bodies.view());
+            }
+          },
+          search.broad_phase());
     }
     if (wanted.work) std::tie(seen.work, seen.worker) = thread_work(exec, search);
   }

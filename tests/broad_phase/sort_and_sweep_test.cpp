@@ -28,8 +28,8 @@ Spheres with_intervals(const std::vector<Interval>& intervals) {
   return spheres;
 }
 
-std::unique_ptr<PairSearch> sweep(const Spheres& spheres, const char* axis) {
-  auto search = cpu_backend().make_pair_search(settings_of({.broadphase = "sort-and-sweep", .axis = axis}));
+std::unique_ptr<PairSearch> sweep(const Spheres& spheres, const char* axis, const char* method = "sort-and-sweep") {
+  auto search = cpu_backend().make_pair_search(settings_of({.broadphase = method, .axis = axis}));
   search->find(arrays_of(spheres));
   return search;
 }
@@ -50,27 +50,35 @@ TEST_CASE("the unsigned order of sortable numbers is the order of floats") {
 }
 
 TEST_CASE("slide 4: in the list b0 e0 b1 b2 e1 e2 the begins walk 1, 2 and 2 entries, and the ends none") {
-  const auto search = sweep(with_intervals({{0, 1}, {2, 4}, {3, 5}}), "x");
-  CHECK(search->work_per_thread() == std::vector<int>{1, 0, 2, 2, 0, 0});
-  CHECK(search->report().candidates == 1);  // b1 meets b2
-  CHECK(search->pairs() == std::vector<Pair>{{1, 2}});
+  const Spheres spheres = with_intervals({{0, 1}, {2, 4}, {3, 5}});
+  for (const char* const method : {"sort-and-sweep", "lecture/sort-and-sweep"}) {
+    const auto search = sweep(spheres, "x", method);
+    CHECK(search->report().candidates == 1);  // b1 meets b2
+    CHECK(search->pairs() == std::vector<Pair>{{1, 2}});
+  }
+  CHECK(sweep(spheres, "x", "lecture/sort-and-sweep")->work_per_thread() == std::vector<int>{1, 0, 2, 2, 0, 0});
+}
+
+TEST_CASE("with the begins numbered, a thread for each begin tests the begins up to its end") {
+  CHECK(sweep(with_intervals({{0, 1}, {2, 4}, {3, 5}}), "x")->work_per_thread() == std::vector<int>{0, 1, 0});
+  CHECK(sweep(with_intervals({{0, 10}, {4, 5}, {6, 7}}), "x")->work_per_thread() == std::vector<int>{2, 0, 0});
 }
 
 TEST_CASE("in the list b0 b2 e0 b1 e2 e1 the begins walk 2, 3 and 2 entries, and two meet another begin") {
-  const auto search = sweep(with_intervals({{0, 2}, {3, 5}, {1, 4}}), "x");
+  const auto search = sweep(with_intervals({{0, 2}, {3, 5}, {1, 4}}), "x", "lecture/sort-and-sweep");
   CHECK(search->work_per_thread() == std::vector<int>{2, 3, 0, 2, 0, 0});
   CHECK(search->report().candidates == 2);  // b0 meets b2, b2 meets b1
 }
 
 TEST_CASE("an interval inside another one is met once") {
-  const auto search = sweep(with_intervals({{0, 10}, {4, 5}}), "x");
+  const auto search = sweep(with_intervals({{0, 10}, {4, 5}}), "x", "lecture/sort-and-sweep");
   CHECK(search->work_per_thread() == std::vector<int>{3, 1, 0, 0});  // b0 b1 e1 e0
   CHECK(search->report().candidates == 1);
 }
 
-TEST_CASE("each list entry is a thread, and half of them return at once") {
+TEST_CASE("on slide 4 each list entry is a thread, and half of them return at once") {
   const Spheres spheres = make_family("u30", 500, 1);
-  const std::vector<int> walks = sweep(spheres, "auto")->work_per_thread();
+  const std::vector<int> walks = sweep(spheres, "auto", "lecture/sort-and-sweep")->work_per_thread();
   CHECK(walks.size() == 1000);
   CHECK(std::count(walks.begin(), walks.end(), 0) == 500);
 }

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "lecture/recorded_run.h"
-#include "scene/catalog.h"
+#include "scene/read_scene.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
 

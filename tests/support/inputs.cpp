@@ -123,13 +123,19 @@ std::vector<Way> ways(int dimensions) {
   for (const int threads : {1, 2}) {
     list.push_back({.broadphase = "brute-force", .threads = threads});
     list.push_back({.broadphase = "sort-and-sweep", .threads = threads});
+    for (const char* method : {"lecture/brute-force", "lecture/sort-and-sweep", "lecture/linked-cell"}) {
+      list.push_back({.broadphase = method, .threads = threads});
+    }
     for (const char* table : {"dense", "hashed"}) {
       list.push_back({.broadphase = "linked-cell", .table = table, .threads = threads});
       list.push_back({.broadphase = "sorted-grid", .table = table, .threads = threads});
     }
   }
   for (const char* axis : {"x", "y", "z"}) {
-    if (axis[0] - 'x' < dimensions) list.push_back({.broadphase = "sort-and-sweep", .axis = axis});
+    if (axis[0] - 'x' < dimensions) {
+      list.push_back({.broadphase = "sort-and-sweep", .axis = axis});
+      list.push_back({.broadphase = "lecture/sort-and-sweep", .axis = axis});
+    }
   }
   list.push_back({.broadphase = "sorted-grid"});
   list.push_back({.broadphase = "auto"});
