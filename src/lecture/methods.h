@@ -55,7 +55,7 @@ template <class Kernels>
 struct StoreKeys {
   Kernels kernels;
   Span<uint32_t> keys;
-  HOST_DEVICE void operator()(int entry) const { keys[entry] = sortable(kernels.coordinate(entry)); }
+  HOST_DEVICE void operator()(int k) const { keys[k] = sortable(kernels.coordinate(kernels.list[k])); }
 };
 
 /// What the methods share: the memory of the pairs and of the threads' work. `Derived` has kernels<Memory>(bodies, sink),

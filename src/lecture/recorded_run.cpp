@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "broad_phase/parameters.h"
-#include "broad_phase/sweep_rules.h"
+#include "broad_phase/sort_and_sweep.h"
 #include "core/file.h"
 #include "core/error.h"
 #include "exec/cpu_executor.h"

@@ -33,10 +33,11 @@ struct SortAndSweep {
     return static_cast<float>(spheres.box.wrap(edge)[axis]);
   }
 
-  /// Slides 2 and 3: one thread per sphere puts its begin and its end into the common list.
+  /// Slides 2 and 3: one thread per sphere puts its begin and its end into the common list. Begins come first, so that
+  /// after a stable sort spheres that touch exactly are found.
   HOST_DEVICE void store_entries(int i) const {
-    memory.store(&list[2 * i], 2 * i);
-    memory.store(&list[2 * i + 1], 2 * i + 1);
+    memory.store(&list[i], 2 * i);
+    memory.store(&list[spheres.size() + i], 2 * i + 1);
   }
 
   /// Slide 3: sorts the list by coordinate. One thread, by insertion; large lists are sorted by a radix sort instead.

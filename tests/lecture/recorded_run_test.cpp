@@ -60,7 +60,7 @@ TEST_CASE("operations point to the lines of the source that perform them") {
   };
   const Row row = GENERATE(values<Row>({
       {KernelName::brute_force, Action::test, "collide", "memory.test(i, j"},
-      {KernelName::sort_and_sweep, Action::store, "store", "memory.store(&list[2 * i"},
+      {KernelName::sort_and_sweep, Action::store, "store", "memory.store(&list["},
       {KernelName::sort_and_sweep, Action::store, "sort", "memory.store(&list[at]"},
       {KernelName::sort_and_sweep, Action::test, "sweep", "memory.test(i, j"},
       {KernelName::linked_cell, Action::store, "clear", "memory.store(&head[cell], -1)"},

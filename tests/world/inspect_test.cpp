@@ -223,8 +223,13 @@ TEST_CASE("sort and sweep shows the list of slide 3") {
   CHECK(names_of(seen.endpoints) == "b0 b2 e0 b1 e2 e1");
   const std::vector<float> expected{1, 2, 3, 4, 5, 6};
   for (size_t p = 0; p < 6; ++p) CHECK(seen.endpoints[p].at == Approx(expected[p]));
-  CHECK(seen.work == std::vector<int>{2, 3, 0, 2, 0, 0});  // steps along the list
-  CHECK(seen.worker == std::vector<int32_t>{0, 2, -1, 1, -1, -1});
+  CHECK(seen.work == std::vector<int>{1, 1, 0});  // a thread for each begin tests the begins up to its end
+  CHECK(seen.worker == std::vector<int32_t>{0, 2, 1});
+  const Inspection on_slides = seen_in(scene, {.broadphase = "lecture/sort-and-sweep", .axis = "x"});
+  CHECK(on_slides.axis == 0);
+  CHECK(names_of(on_slides.endpoints) == "b0 b2 e0 b1 e2 e1");
+  CHECK(on_slides.work == std::vector<int>{2, 3, 0, 2, 0, 0});  // a thread for each entry walks the list
+  CHECK(on_slides.worker == std::vector<int32_t>{0, 2, -1, 1, -1, -1});
   CHECK(seen_in(scene, {.broadphase = "sort-and-sweep", .axis = "y"}).axis == 1);
   CHECK(seen_in(scene, {.broadphase = "linked-cell"}).axis == -1);
   CHECK(seen_in(scene, {.broadphase = "linked-cell"}).endpoints.empty());

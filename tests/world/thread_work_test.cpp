@@ -23,7 +23,7 @@ Collider<V, CpuExecutor> collider(const Way& way, const BodyArrays<V>& bodies) {
 
 }  // namespace
 
-TEST_CASE("the work of all threads adds up to the candidates, except where threads walk lists") {
+TEST_CASE("thread_work adds up to the candidates, except where threads walk lists") {
   for (const Input& input : inputs()) {
     const Scene scene = input.make(51);
     const auto check = [&]<class V>(const BodyArrays<V>& bodies) {
