@@ -4,15 +4,14 @@
 //
 //         b0 ────────── e0                        list    b0  b2  e0  b1  e2  e1
 //               b2 ───────────── e2               slot     0   1       2            (the begins, numbered)
-//                          b1 ───────── e1        thread b0 walks to e0 and tests b2; b2 walks to e2 and tests b1;
-//     ──────────────────────────────────▶ axis    thread e0 returns at once
+//                          b1 ───────── e1        thread b0 tests the begins up to e0: b2; thread b2 those up to e2: b1
+//     ──────────────────────────────────▶ axis
 //
 // The begins between a sphere's begin and its end have consecutive numbers, so the candidates are one range of slots
-// (sweep_candidates.h).
+// (sweep_candidates.h), and no thread walks the list as on slide 4; lecture/kernels/sort_and_sweep.h does.
 //
 // Cost: one stable sort of 2n endpoints, O(n log n) or, by radix, O(n); then one test for each overlap on the axis,
-// which is O(n^(5/3)) for a cube of spheres. The walks differ in length, and half of all threads return at once
-// (docs/model.md). Memory: 24 bytes a body, and a copy of position and radius. Source: Baraff, "Dynamic simulation of
+// which is O(n^(5/3)) for a cube of spheres. Memory: 24 bytes a body, and a copy of position and radius. Source: Baraff, "Dynamic simulation of
 // non-penetrating rigid bodies" (1992); Witkin, Baraff, Kass, "Physically Based Modeling" (SIGGRAPH course, 1997).
 // Siblings: brute_force.h, linked_cell.h, sorted_grid.h.
 #pragma once

@@ -11,8 +11,10 @@ namespace ballpit {
 
 template <class V>
 struct SweepRules {
-  Scalar<V> guard = 0;  ///< by which intervals are longer than spheres: positions are rounded, keys even to single precision [m]
-  bool is_narrow[kDimensions<V>]{};  ///< axes, periodic and so short that spheres may meet on both sides: all pairs are tested
+  Scalar<V> guard =
+      0;  ///< by which intervals are longer than spheres: positions are rounded, keys even to single precision [m]
+  bool is_narrow
+      [kDimensions<V>]{};  ///< axes, periodic and so short that spheres may meet on both sides: all pairs are tested
 };
 
 template <class V>

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "broad_phase/sort_and_sweep.h"
-#include "lecture/brute_force.h"
-#include "lecture/linked_cell.h"
-#include "lecture/sort_and_sweep.h"
+#include "lecture/kernels/brute_force.h"
+#include "lecture/kernels/linked_cell.h"
+#include "lecture/kernels/sort_and_sweep.h"
 
 namespace ballpit::lecture {
 

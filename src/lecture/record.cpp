@@ -88,7 +88,8 @@ void Recorder::run_threads(int threads, RunThread body, const void* kernel, cons
   std::vector<Thread> states(static_cast<size_t>(threads));
   for (const int number : interleaving) {
     if (number < 0 || number >= threads) {
-      throw UserError("interleaving", "thread " + std::to_string(number), "threads 0 to " + std::to_string(threads - 1));
+      throw UserError("interleaving", "thread " + std::to_string(number),
+                      "threads 0 to " + std::to_string(threads - 1));
     }
     Thread& thread = states[static_cast<size_t>(number)];
     if (!thread.is_finished) advance(thread, number, body, kernel, 1);

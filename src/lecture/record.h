@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/span.h"
-#include "lecture/memory.h"
+#include "lecture/kernels/memory.h"
 
 namespace ballpit::lecture {
 
@@ -35,8 +35,8 @@ constexpr bool is_shared(Action action) { return action != Action::compute && ac
 struct Operation {
   Action action;
   int thread;
-  int line;            ///< of the kernel's source file
-  int array = -1;      ///< in Record::arrays
+  int line;        ///< of the kernel's source file
+  int array = -1;  ///< in Record::arrays
   int64_t index = 0;
   int old_value = 0;
   int value = 0;
@@ -94,7 +94,8 @@ class Recorder {
   /// Runs kernel(t) for each t in 0 … threads−1. Throws UserError if the interleaving names another thread.
   template <class Kernel>
   void run(int threads, const Kernel& kernel, const Interleaving& interleaving = {}) {
-    run_threads(threads, [](const void* k, int t) { (*static_cast<const Kernel*>(k))(t); }, &kernel, interleaving);
+    run_threads(
+        threads, [](const void* k, int t) { (*static_cast<const Kernel*>(k))(t); }, &kernel, interleaving);
   }
 
   const Record& record() const { return record_; }
@@ -119,7 +120,7 @@ class Recorder {
   std::vector<Span<int>> memory_;  // of the record's arrays
   Thread* current_ = nullptr;
   int number_ = 0;
-  size_t repeated_ = 0;   // results of the current thread that were given again
+  size_t repeated_ = 0;  // results of the current thread that were given again
   int64_t allowed_ = 0;  // shared operations until it must wait
 };
 

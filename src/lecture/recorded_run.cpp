@@ -5,11 +5,11 @@
 
 #include "broad_phase/parameters.h"
 #include "broad_phase/sort_and_sweep.h"
-#include "core/file.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "exec/cpu_executor.h"
-#include "lecture/brute_force.h"
-#include "lecture/sort_and_sweep.h"
+#include "lecture/kernels/brute_force.h"
+#include "lecture/kernels/sort_and_sweep.h"
 #include "lecture_files.h"
 
 namespace ballpit::lecture {
@@ -29,9 +29,7 @@ struct Input {
   }
 
   int count() const { return static_cast<int>(position.size()); }
-  Spheres<V> spheres() const {
-    return {{position.data(), count()}, {radius.data(), radius.size() == 1 ? 0 : 1}, box};
-  }
+  Spheres<V> spheres() const { return {{position.data(), count()}, {radius.data(), radius.size() == 1 ? 0 : 1}, box}; }
   BroadPhaseParameters<V> parameters(const Settings& settings) const {
     return broad_phase_parameters<V>(settings, box, {radius.data(), static_cast<int64_t>(radius.size())}, count());
   }
@@ -113,12 +111,12 @@ RecordedRun run_linked_cell(KernelName name, const Input<V>& input, const Settin
   runner.run().grid = describe_grid(grid);
   std::vector<int> head(static_cast<size_t>(grid.size()), kUnset), next(input.position.size(), kUnset);
   runner.name("head", head);
-  const LinkedCell<V, RecordedMemory> kernels{runner.name("next", next), input.spheres(), {},      grid,
-                                              span_of(head),             span_of(next),   mistakes};
+  const LinkedCell<V, RecordedMemory> kernels{
+      runner.name("next", next), input.spheres(), {}, grid, span_of(head), span_of(next), mistakes};
   runner.phase("clear", grid.size(), [&](int cell) { kernels.clear(cell); });
   const bool is_racing = name == KernelName::race;
-  runner.phase("insert", input.count(), [&](int i) { is_racing ? kernels.insert_racing(i) : kernels.insert(i); },
-               interleaving);
+  runner.phase(
+      "insert", input.count(), [&](int i) { is_racing ? kernels.insert_racing(i) : kernels.insert(i); }, interleaving);
   runner.phase("collide", input.count(), [&](int i) { kernels.collide(i); });
   return runner.finish();
 }

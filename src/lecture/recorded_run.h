@@ -11,7 +11,7 @@
 #include "bodies/body_snapshot.h"
 #include "bodies/pair.h"
 #include "broad_phase/inspection.h"
-#include "lecture/linked_cell.h"
+#include "lecture/kernels/linked_cell.h"
 #include "lecture/record.h"
 #include "methods/settings.h"
 #include "scene/scene.h"
@@ -35,7 +35,7 @@ inline constexpr int64_t kMaxRecorded = 500;  ///< spheres; more would make reco
 
 /// Part of a record: a launch of one kernel function.
 struct Phase {
-  std::string_view name;  ///< "insert"
+  std::string_view name;       ///< "insert"
   size_t first = 0, last = 0;  ///< its operations: first … last − 1
 };
 

@@ -37,10 +37,9 @@ class Collider {
   using Real = Scalar<V>;
 
  public:
-  using AnyBroadPhase =
-      std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>, SortedGrid<V, Exec>,
-                   lecture::BruteForceMethod<V, Exec>, lecture::SortAndSweepMethod<V, Exec>,
-                   lecture::LinkedCellMethod<V, Exec>>;
+  using AnyBroadPhase = std::variant<BruteForce<V, Exec>, SortAndSweep<V, Exec>, LinkedCell<V, Exec>,
+                                     SortedGrid<V, Exec>, lecture::BruteForceMethod<V, Exec>,
+                                     lecture::SortAndSweepMethod<V, Exec>, lecture::LinkedCellMethod<V, Exec>>;
 
   Collider() = default;  ///< call plan() before use
 

@@ -80,7 +80,9 @@ const std::vector<Placeholder>& placeholder_table() {
        }},
       {"moves", "entries that the kernel has moved up to the cursor",
        [](const PageState& s) {
-         const auto is_move = [](const Operation& o) { return o.action == Action::store && o.old_value != lecture::kUnset; };
+         const auto is_move = [](const Operation& o) {
+           return o.action == Action::store && o.old_value != lecture::kUnset;
+         };
          return count_operations(s, is_move);
        }},
       {"lost", "spheres that are in no list after the kernel", lost_particles},

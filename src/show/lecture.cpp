@@ -30,7 +30,8 @@ LocalText read_text(const TableReader& reader, std::string_view key) {
 /// Its placeholders must be known.
 LocalText read_caption(const TableReader& reader) {
   const LocalText caption = read_text(reader, "caption");
-  for (const auto& [key, text] : {std::pair<const char*, std::string>{"caption", caption.en}, {"caption_de", caption.de}}) {
+  for (const auto& [key, text] :
+       {std::pair<const char*, std::string>{"caption", caption.en}, {"caption_de", caption.de}}) {
     if (const std::string unknown = unknown_placeholder(text); !unknown.empty()) {
       throw reader.error(key, unknown, join(placeholders()));
     }
@@ -74,7 +75,8 @@ std::vector<std::string> read_overlays(const TableReader& reader) {
   std::vector<std::string> overlays = read_texts(reader, "overlays");
   const std::vector<std::string> known = names_in(overlay_table());
   for (const std::string& name : overlays) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) throw reader.error("overlays", quoted(name), join(known));
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw reader.error("overlays", quoted(name), join(known));
   }
   return overlays;
 }
@@ -109,8 +111,9 @@ PageStop read_stop(const TableReader& reader, const std::string& text, lecture::
   PageStop stop{text.substr(0, blank), -1};
   const std::vector<std::string_view> phases = lecture::phases_of(kernel);
   const bool is_phase = std::find(phases.begin(), phases.end(), stop.phase) != phases.end();
-  const std::optional<int> thread =
-      blank == std::string::npos ? std::nullopt : number_in(Range{0, std::numeric_limits<int>::max()}, text.substr(blank + 1));
+  const std::optional<int> thread = blank == std::string::npos
+                                        ? std::nullopt
+                                        : number_in(Range{0, std::numeric_limits<int>::max()}, text.substr(blank + 1));
   if (!is_phase || (blank != std::string::npos && !thread)) {
     throw reader.error("stops", quoted(text), "a phase of the kernel, or one and a thread's number: " + join(phases));
   }
@@ -126,8 +129,10 @@ void read_kernel(const TableReader& reader, Page& page) {
     if (reader.has(key) && !page.kernel) throw reader.error(key, "no kernel", "only with a kernel");
   }
   page.interleaving = read_integers(reader, "interleaving", lecture::kMaxRecorded - 1);
-  if (const auto mistake = reader.choice("mistake", kNames<PageMistake>)) page.mistake = static_cast<PageMistake>(*mistake);
-  for (const std::string& text : read_texts(reader, "stops")) page.stops.push_back(read_stop(reader, text, *page.kernel));
+  if (const auto mistake = reader.choice("mistake", kNames<PageMistake>))
+    page.mistake = static_cast<PageMistake>(*mistake);
+  for (const std::string& text : read_texts(reader, "stops"))
+    page.stops.push_back(read_stop(reader, text, *page.kernel));
 }
 
 /// A scene's path is relative to the lecture's file.
@@ -153,7 +158,8 @@ Page read_page(const TableReader& reader, const std::filesystem::path& folder) {
   page.view.overlays = read_overlays(reader);
   if (const std::optional<std::string> color = reader.text("color")) {
     const std::vector<std::string> known = names_in(coloring_table());
-    if (std::find(known.begin(), known.end(), *color) == known.end()) throw reader.error("color", quoted(*color), join(known));
+    if (std::find(known.begin(), known.end(), *color) == known.end())
+      throw reader.error("color", quoted(*color), join(known));
     page.view.coloring = *color;
   }
   page.view.selected = reader.integer("select", 0, kLargestCount).value_or(-1);

@@ -40,7 +40,7 @@ class PairSearch {
 
   virtual SearchReport report() = 0;
 
-  /// The work of each thread of the last search, as a GPU would run it: candidates, or list entries for the sweep.
+  /// The work of each thread of the last search, as a GPU would run it: candidates, or list entries for the slides' kernels.
   virtual std::vector<int> work_per_thread() = 0;
 };
 

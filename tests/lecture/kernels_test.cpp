@@ -4,10 +4,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "lecture/brute_force.h"
-#include "lecture/linked_cell.h"
+#include "lecture/kernels/brute_force.h"
+#include "lecture/kernels/linked_cell.h"
+#include "lecture/kernels/sort_and_sweep.h"
 #include "lecture/record.h"
-#include "lecture/sort_and_sweep.h"
 #include "tests/support/body_arrays.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
@@ -40,7 +40,8 @@ struct SweepDesk {
 
   explicit SweepDesk(const Scene& scene) : bodies(scene), list(2 * size_t(bodies.count()), 0) {
     recorder.name("list", span());
-    kernels = {recorder.memory(), {bodies.view().position, bodies.view().radius, bodies.box}, {}, span(), 0, 1e-6f, false};
+    kernels = {
+        recorder.memory(), {bodies.view().position, bodies.view().radius, bodies.box}, {}, span(), 0, 1e-6f, false};
   }
   Span<int> span() { return {list.data(), static_cast<int64_t>(list.size())}; }
 };
@@ -83,7 +84,8 @@ struct CellDesk {
     Settings settings;
     settings.cell_size = cell_size;
     const BroadPhaseParameters<V> parameters = bodies.parameters(settings);
-    grid = make_grid(parameters, {parameters.largest_radius(), parameters.count}, V(2 * parameters.largest_radius()), false);
+    grid = make_grid(parameters, {parameters.largest_radius(), parameters.count}, V(2 * parameters.largest_radius()),
+                     false);
     head.assign(static_cast<size_t>(grid.size()), 0);
     next.assign(static_cast<size_t>(bodies.count()), 0);
     recorder.name("head", {head.data(), grid.size()});
@@ -101,10 +103,12 @@ struct CellDesk {
     recorder.run(static_cast<int>(head.size()), [&](int cell) { kernels.clear(cell); });
   }
   void insert(const Interleaving& interleaving = {}) {
-    recorder.run(bodies.count(), [&](int i) { kernels.insert(i); }, interleaving);
+    recorder.run(
+        bodies.count(), [&](int i) { kernels.insert(i); }, interleaving);
   }
   void insert_racing(const Interleaving& interleaving) {
-    recorder.run(bodies.count(), [&](int i) { kernels.insert_racing(i); }, interleaving);
+    recorder.run(
+        bodies.count(), [&](int i) { kernels.insert_racing(i); }, interleaving);
   }
   std::vector<Pair> collide() {
     recorder.run(bodies.count(), [&](int i) { kernels.collide(i); });
@@ -154,7 +158,10 @@ TEST_CASE("slide 16: two threads that load the same old value lose a sphere and 
 }
 
 TEMPLATE_TEST_CASE("on record, linked cells find every contact, in any interleaving", "", Vec2, Vec3) {
-  const Cloud cloud{.count = 60, .dimensions = kDimensions<TestType>, .smallest = 0.05, .largest = 0.2,
+  const Cloud cloud{.count = 60,
+                    .dimensions = kDimensions<TestType>,
+                    .smallest = 0.05,
+                    .largest = 0.2,
                     .boundary = GENERATE(Boundary::walls, Boundary::periodic)};
   for (uint64_t seed = 1; seed < 6; ++seed) {
     const Scene scene = make_cloud(cloud, seed);

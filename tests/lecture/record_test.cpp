@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Logical threads take turns as an interleaving says, and every operation is on record.
+#include "lecture/record.h"
+
 #include <functional>
 #include <set>
 
 #include <catch2/catch.hpp>
 
 #include "core/error.h"
-#include "lecture/record.h"
 
 using namespace ballpit;
 using namespace ballpit::lecture;
@@ -81,7 +82,8 @@ TEST_CASE("plain loads and stores lose a particle in some interleavings of two t
   // A particle is lost unless one thread has stored `head` before the other loads it: 3 · 2 of 20 orders each keep both
   // (load and store of one come first: then the 4 operations left, of which one belongs to the first thread: 4 orders).
   CHECK(losses == 20 - 2 * 4);
-  for_each_interleaving(2, 2, [&](const Interleaving& order) { CHECK(insert_all(2, true, order).in_list.size() == 2); });
+  for_each_interleaving(2, 2,
+                        [&](const Interleaving& order) { CHECK(insert_all(2, true, order).in_list.size() == 2); });
 }
 
 TEST_CASE("atomicExch keeps all particles in every interleaving of three threads") {
@@ -104,14 +106,15 @@ TEST_CASE("three threads with plain loads and stores keep between one and three 
   CHECK(kept == std::set<size_t>{1, 2, 3});
 }
 
-TEST_CASE("a record names thread, array, index, old and new value of each operation, in the order of the interleaving") {
+TEST_CASE(
+    "a record names thread, array, index, old and new value of each operation, in the order of the interleaving") {
   const Record record = insert_all(2, false, {0, 1, 1, 0}).record;
   struct Row {
     Action action;
     int thread, array, index, old_value, value;
   };
-  const std::vector<Row> expected{{Action::load, 0, 0, 0, -1, -1}, {Action::load, 1, 0, 0, -1, -1},
-                                  {Action::store, 1, 0, 0, -1, 1}, {Action::store, 0, 0, 0, 1, 0},
+  const std::vector<Row> expected{{Action::load, 0, 0, 0, -1, -1},  {Action::load, 1, 0, 0, -1, -1},
+                                  {Action::store, 1, 0, 0, -1, 1},  {Action::store, 0, 0, 0, 1, 0},
                                   {Action::store, 0, 1, 0, -2, -1}, {Action::store, 1, 1, 1, -2, -1}};
   REQUIRE(record.operations.size() == expected.size());
   for (size_t k = 0; k < expected.size(); ++k) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A recorded run of each slide's kernel: its phases, its contacts, and the lines of its source.
+#include "lecture/recorded_run.h"
+
 #include <algorithm>
 #include <sstream>
 
 #include <catch2/catch.hpp>
 
-#include "lecture/recorded_run.h"
 #include "scene/read_scene.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
@@ -119,9 +120,8 @@ TEST_CASE("the sweep tests every other begin between a begin and its end: on sli
 
 TEST_CASE("on slide 9, sphere 0 of the lecture's grid is hashed to cell 6") {
   const RecordedRun run = record(KernelName::linked_cell, load_scene("lecture-grid"), {}, {}, 2);
-  const auto hashed =
-      std::find_if(run.record.operations.begin(), run.record.operations.end(),
-                   [](const Operation& o) { return o.action == Action::compute && o.thread == 0; });
+  const auto hashed = std::find_if(run.record.operations.begin(), run.record.operations.end(),
+                                   [](const Operation& o) { return o.action == Action::compute && o.thread == 0; });
   REQUIRE(hashed != run.record.operations.end());
   CHECK(hashed->value == 6);
   CHECK(run.grid->cells == IVec3(5, 5, 1));

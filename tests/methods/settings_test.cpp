@@ -36,7 +36,8 @@ TEST_CASE("a value that is not allowed names option, finding and choices") {
   };
   const Row row = GENERATE(values<Row>({
       {"broadphase", "magic",
-       "--broadphase: found magic, allowed auto, brute-force, sort-and-sweep, linked-cell, sorted-grid"},
+       "--broadphase: found magic, allowed auto, brute-force, sort-and-sweep, linked-cell, sorted-grid, "
+       "lecture/brute-force, lecture/sort-and-sweep, lecture/linked-cell"},
       {"table", "sparse", "--table: found sparse, allowed auto, dense, hashed"},
       {"axis", "w", "--axis: found w, allowed auto, x, y, z"},
       {"skin", "-0.1", "--skin: found -0.1, allowed 0 to 10"},

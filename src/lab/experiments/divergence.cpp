@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How evenly a search distributes its work over threads, and how busy that keeps a GPU, whose threads run in lockstep.
-// The walks of slide 4 differ in length, and half of them end at once; the lists of slides 12 to 15 differ as cells do.
+// The walks of slide 4 differ in length; the lists of slides 12 to 15 differ as cells do.
 
 #include "lab/experiments/experiments.h"
 #include "lab/measure/searches.h"
@@ -57,14 +57,14 @@ Findings measure(Lab& lab) {
       "work", {"arrangement", "broad phase", "threads", "mean work", "most work", "SIMD efficiency [%]"}, {}, true};
   Chart chart{"work",
               fmt::format("Threads by their work, {} equal spheres", grouped(count)),
-              Axis{"work of a thread: candidates, or entries walked", "", Scale::log},
+              Axis{"work of a thread: candidates", "", Scale::log},
               {"share of the threads", "%"}};
   double least = 1, most = 0;
   std::string worst, best;
   for (const Arrangement& arrangement : kArrangements) {
     for (const std::string& name : broad_phases()) {
       const std::string key =
-          fmt::format("work per thread; {}; {}; {} spheres; seed {}", arrangement.name, name, count, lab.seed());
+          fmt::format("tests of each thread; {}; {}; {} spheres; seed {}", arrangement.name, name, count, lab.seed());
       const std::vector<double> values =
           lab.measure(key, [&] { return profile(name, arrangement.make(count, lab.seed())); });
       table.add_row(arrangement.name, label_of(name), values[0], values[1], values[2], 100 * values[3]);

@@ -13,10 +13,13 @@ struct Spheres {
   PerBody<Scalar<V>> radius;  ///< [m]
   Box<V> box;
 
-  HOST_DEVICE int size() const { return static_cast<int>(position.size()); }
+  HOST_DEVICE int size() const {
+    return static_cast<int>(position.size());
+  }
 
   HOST_DEVICE bool touch(int i, int j) const {
-    return in_contact(box.displacement(position[i], position[j]), radius[i] + radius[j]);
+    return in_contact(box.displacement(position[i], position[j]),
+                      radius[i] + radius[j]);
   }
 };
 

@@ -2,8 +2,8 @@
 // Brute force as on slide 5: every pair is tested, O(n²). The tuned method: broad_phase/brute_force.h.
 #pragma once
 
-#include "lecture/memory.h"
-#include "lecture/spheres.h"
+#include "lecture/kernels/memory.h"
+#include "lecture/kernels/spheres.h"
 
 namespace ballpit::lecture {
 
@@ -13,12 +13,14 @@ struct BruteForce {
   Spheres<V> spheres;
   PairSink contacts;
 
-  /// Slide 5: one thread per sphere, which tests all spheres after it.
+  // One thread per sphere i tests all spheres after it (slide 5).
   HOST_DEVICE Work collide(int i) const {
     Work work;
     for (int j = i + 1; j < spheres.size(); ++j) {
-      ++work.tests, ++work.steps;
-      if (memory.test(i, j, spheres.touch(i, j))) memory.append(contacts, i, j);
+      work.count_step();
+      work.count_test();
+      const bool touch = memory.test(i, j, spheres.touch(i, j));
+      if (touch) memory.append(contacts, i, j);
     }
     return work;
   }

@@ -31,6 +31,9 @@ struct PairSink {
 struct Work {
   int tests = 0;  ///< pairs of spheres
   int steps = 0;  ///< entries of lists that it has read
+
+  HOST_DEVICE void count_test() { ++tests; }
+  HOST_DEVICE void count_step() { ++steps; }
 };
 
 struct PlainMemory {
@@ -42,7 +45,9 @@ struct PlainMemory {
 
   /// Access to memory that other threads use at the same time. Not atomic as a pair: slide 16.
   HOST_DEVICE int load_shared(const int* at) const { return *at; }
-  HOST_DEVICE void store_shared(int* at, int stored) const { *at = stored; }
+  HOST_DEVICE void store_shared(int* at, int stored) const {
+    *at = stored;
+  }
 
   /// Stores a value and returns the old one.
   HOST_DEVICE int atomicExch(int* at, int stored) const {
@@ -52,16 +57,28 @@ struct PlainMemory {
   }
 
   /// The outcome of a test of two spheres, for the record.
-  HOST_DEVICE bool test(int, int, bool is_contact) const { return is_contact; }
+  HOST_DEVICE bool test(int, int, bool is_contact) const {
+    return is_contact;
+  }
 
-  HOST_DEVICE void append(const PairSink& sink, int i, int j) const { sink.put((*sink.count)++, i, j); }
+  HOST_DEVICE void append(const PairSink& sink, int i, int j) const {
+    sink.put((*sink.count)++, i, j);
+  }
 };
 
 struct AtomicMemory : PlainMemory {
-  HOST_DEVICE int load_shared(const int* at) const { return relaxed_load(at); }
-  HOST_DEVICE void store_shared(int* at, int stored) const { relaxed_store(at, stored); }
-  HOST_DEVICE int atomicExch(int* at, int stored) const { return atomic_exchange(at, stored); }
-  HOST_DEVICE void append(const PairSink& sink, int i, int j) const { sink.put(atomic_add(sink.count, 1), i, j); }
+  HOST_DEVICE int load_shared(const int* at) const {
+    return relaxed_load(at);
+  }
+  HOST_DEVICE void store_shared(int* at, int stored) const {
+    relaxed_store(at, stored);
+  }
+  HOST_DEVICE int atomicExch(int* at, int stored) const {
+    return atomic_exchange(at, stored);
+  }
+  HOST_DEVICE void append(const PairSink& sink, int i, int j) const {
+    sink.put(atomic_add(sink.count, 1), i, j);
+  }
 };
 
 }  // namespace ballpit::lecture
