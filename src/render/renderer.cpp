@@ -67,14 +67,21 @@ void draw_floor(const DomainBox& domain, Painter& painter) {
 /// The edges of the box. Without a ceiling, the upright ones continue above it and fade.
 void draw_edges(const DomainBox& domain, Painter& painter) {
   const Rgba color = to_rgba(painter.theme.domain, kOpacity), faded = to_rgba(painter.theme.domain, 0);
+  const Vec3 low = domain.min, size = domain.max - low, x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
   std::vector<Line> lines;
-  for_each_edge(domain.min, domain.max - domain.min, domain.is_planar() ? 4 : 8,
-                [&](const Vec3& from, const Vec3& along) {
-                  const Vec3 to = from + along;
-                  if (domain.open_top && along.y == 0 && from.y > domain.min.y) return;
-                  lines.push_back({from, color, to, color});
-                  if (domain.open_top && along.y > 0) lines.push_back({to, color, to + kRise * along, faded});
-                });
+  const auto add = [&](const Vec3& from, const Vec3& to) { lines.push_back({from, color, to, color}); };
+  for (const Vec3& corner : domain.open_top ? std::vector{low} : std::vector{low, low + y}) {
+    add(corner, corner + x);
+    if (domain.is_planar()) continue;
+    add(corner + x, corner + x + z);
+    add(corner + x + z, corner + z);
+    add(corner + z, corner);
+  }
+  for (const Vec3& foot :
+       domain.is_planar() ? std::vector{low, low + x} : std::vector{low, low + x, low + z, low + x + z}) {
+    add(foot, foot + y);
+    if (domain.open_top) lines.push_back({foot + y, color, foot + y + kRise * y, faded});
+  }
   painter.lines.draw(lines, kWidth * painter.line_unit);
 }
 

@@ -32,20 +32,6 @@ struct Face {
   Rgba color;
 };
 
-/// Visits the edges that begin at the first `corners` of a box's 8: their starts, and the vectors along them, to larger
-/// coordinates. In the plane 4 corners begin all edges; 8 visit each twice.
-template <class Visit>
-void for_each_edge(const Vec3& low, const Vec3& size, int corners, Visit&& visit) {
-  for (int corner = 0; corner < corners; ++corner) {
-    const Vec3 part(corner & 1, corner >> 1 & 1, corner >> 2);
-    for (int axis = 0; axis < 3; ++axis) {
-      Vec3 along(0);
-      along[axis] = size[axis];
-      if (part[axis] == 0 && size[axis] > 0) visit(low + part * size, along);
-    }
-  }
-}
-
 class LineRenderer {
  public:
   /// `width` in pixels; a line thinner than one pixel becomes fainter instead.

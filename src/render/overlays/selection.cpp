@@ -39,9 +39,14 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
   }
   const Rgba color = to_rgba(painter.theme.selected);
   std::vector<Line> lines;  // in the plane each twice, so that their smooth borders are stronger
-  for_each_edge(low, size, 8, [&](const Vec3& from, const Vec3& along) {
-    lines.push_back({from, color, from + along, color});
-  });
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 from = corner_of(low, low + size, corner);
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 to = from;
+      to[axis] += size[axis];
+      if (!(corner >> axis & 1) && size[axis] > 0) lines.push_back({from, color, to, color});
+    }
+  }
   painter.lines.draw(lines, kWidth * painter.line_unit);
 }
 
