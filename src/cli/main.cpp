@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::array kCommands {
   CommandEntry{"show", "a window with the panel", make_show_command},
+      CommandEntry{"lecture", "a lecture, page by page; --export makes a handout", make_lecture_command},
       CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
       CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
       CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file or a scene", make_pairs_command},

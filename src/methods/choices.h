@@ -82,6 +82,11 @@ enum class BackendName { automatic, cpu, cuda };
 template <>
 inline constexpr auto kNames<BackendName> = in_order("auto", "cpu", "cuda");
 
+/// Of what the audience reads.
+enum class Language { english, german };
+template <>
+inline constexpr auto kNames<Language> = in_order("en", "de");
+
 template <class Enum>
 constexpr std::string_view name_of(Enum value) {
   return kNames<Enum>[static_cast<size_t>(value)];

@@ -82,10 +82,12 @@ Camera in_units(Camera camera, const Vec3& origin, float length) {
   return camera;
 }
 
-Camera leave_room_below(Camera camera, float fraction) {
-  camera.fov = 2 * std::atan(std::tan(camera.fov / 2) / (1 - fraction));
-  camera.orthographic_height /= 1 - fraction;
-  camera.shift = (1 - fraction) * camera.shift + Vec2(0, fraction);
+Camera leave_room(Camera camera, const Room& room, float aspect) {
+  camera.fov = 2 * std::atan(std::tan(camera.fov / 2) / room.height());
+  camera.orthographic_height /= room.height();
+  camera.aspect = aspect;
+  camera.shift =
+      Vec2(room.width(), room.height()) * camera.shift + Vec2(room.left - room.right, room.below - room.above);
   return camera;
 }
 

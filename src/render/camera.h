@@ -45,7 +45,20 @@ Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float 
 /// The same view in coordinates in which `origin` is 0 and `length` [m] is 1.
 Camera in_units(Camera camera, const Vec3& origin, float length);
 
+/// Parts of a picture's width and height that remain free at its edges.
+struct Room {
+  float left = 0, right = 0, below = 0, above = 0;
+
+  float width() const { return 1 - left - right; }
+  float height() const { return 1 - below - above; }
+};
+
+/// A camera that was made for the part of a picture between the room, for the whole picture with this aspect.
+Camera leave_room(Camera camera, const Room& room, float aspect);
+
 /// The same view, smaller, in the upper part of the picture: `fraction` of the height remains free below.
-Camera leave_room_below(Camera camera, float fraction);
+inline Camera leave_room_below(const Camera& camera, float fraction) {
+  return leave_room(camera, {.below = fraction}, camera.aspect);
+}
 
 }  // namespace ballpit

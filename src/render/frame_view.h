@@ -23,6 +23,8 @@ struct DomainBox {
   float longest_edge() const { return std::max({max.x - min.x, max.y - min.y, is_planar() ? 0 : max.z - min.z}); }
 };
 
+struct PageView;  // render/page_view.h: what a page of a lecture adds
+
 /// Refers to the inspection, which must live until the picture is drawn.
 struct FrameView {
   bool shows(std::string_view overlay) const {
@@ -38,6 +40,7 @@ struct FrameView {
   float step = 0;                     ///< [s] until the next search for contacts
   Wanted left_out{};                  ///< data that overlays want, but that is too large to be in the inspection
   bool is_written = false;            ///< the world has written bodies and contact marks into the renderer's buffer
+  const PageView* page = nullptr;     ///< of a lecture
 };
 
 }  // namespace ballpit

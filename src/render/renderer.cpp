@@ -146,7 +146,7 @@ void Renderer::draw(const FrameView& view) {
     colored = coloring.color(view.inspection);
     bodies_.set_marks(colored.marks);
   }
-  sheet_.begin(width(), height(), options_.left);
+  sheet_.begin(width(), height(), options_.left, options_.text_scale);
   canvas().bind();
   set_state();
   const int left = options_.left * options_.supersample;
@@ -174,6 +174,10 @@ void Renderer::set_state() {
 void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, const Colored& colored) {
   const int height = canvas().height;
   Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f, {}, {}};
+  if (view.page) {
+    draw_page(*view.page, painter);
+    if (view.page->has_no_scene) return;
+  }
   draw_floor(view.domain, painter);
   draw_overlays(view, painter, true);
   body_renderer_.draw(bodies_, view, height);

@@ -25,8 +25,9 @@ struct RenderTarget {
 
 struct RenderOptions {
   Theme theme = themes().front();
-  int supersample = 1;  ///< 1 to 4: draws that many times larger in each direction and averages, for stills
-  int left = 0;         ///< [pixel] of the picture's width that are left to a panel
+  int supersample = 1;   ///< 1 to 4: draws that many times larger in each direction and averages, for stills
+  int left = 0;          ///< [pixel] of the picture's width that are left to a panel
+  float text_scale = 1;  ///< of the scene's text
 };
 
 class Renderer {

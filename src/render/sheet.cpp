@@ -11,15 +11,16 @@
 #include <imgui_internal.h>
 
 #include "core/error.h"
+#include "mono.h"
 #include "roboto.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr std::array<float, 4> kSizes{22, 26, 38, 22};  // [pixel] at 1080 lines, in the order of TextSize
-constexpr float kSmallest = 9;                          // [pixel] smaller letters are not legible
-constexpr float kLargest = 128;                         // [pixel] larger letters are magnified, to save memory
+constexpr std::array<float, 5> kSizes{22, 26, 38, 22, 22};  // [pixel] at 1080 lines, in the order of TextSize
+constexpr float kSmallest = 9;                              // [pixel] smaller letters are not legible
+constexpr float kLargest = 128;                             // [pixel] larger letters are magnified, to save memory
 constexpr float kFine = 64;    // [pixel] up to this size, letters are sampled twice horizontally
 constexpr float kHead = 4.5f;  // of an arrow [width of its line]
 constexpr float kDots = 2.5f;  // from one dot to the next [width]
@@ -32,6 +33,21 @@ const ImVector<ImWchar>& glyph_ranges() {
     ImFontGlyphRangesBuilder builder;
     builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
     builder.AddText(" −–—…·×√≤≥≈→∞∂Δ°²³⁻⁴µ‘’“”„ αβγδεζλμπρστω");
+    ImVector<ImWchar> result;
+    builder.BuildRanges(&result);
+    return result;
+  }();
+  return ranges;
+}
+
+constexpr ImWchar kFloorSigns[] = {0x230A, 0x230B, 0};  // ⌊ ⌋
+
+/// Source code, with formulas in its comments.
+const ImVector<ImWchar>& code_ranges() {
+  static const ImVector<ImWchar> ranges = [] {
+    ImFontGlyphRangesBuilder builder;
+    builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
+    builder.AddText("⌊⌋·×−…");
     ImVector<ImWchar> result;
     builder.BuildRanges(&result);
     return result;
@@ -76,12 +92,26 @@ void Sheet::load_fonts() {
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
   for (size_t k = 0; k < fonts_.size(); ++k) {
-    const bool is_panel = k == static_cast<size_t>(TextSize::panel);
-    const float min = kSmallest * (is_panel ? panel_density_ : 1), scale = is_panel ? panel_scale_ : 1;
+    const auto kind = static_cast<TextSize>(k);
+    const bool is_panel = kind == TextSize::panel, is_code = kind == TextSize::code;
+    const float min = kSmallest * (is_panel ? panel_density_ : 1);
+    const float scale = is_panel                  ? panel_scale_
+                        : is_code                 ? 1
+                        : kind == TextSize::title ? (1 + text_scale_) / 2
+                                                  : text_scale_;
     const float size = std::max(min, std::round(kSizes[k] * unit() * scale)), drawn = std::min(size, kLargest);
     config.OversampleH = drawn <= kFine ? 2 : 1;
-    fonts_[k] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(roboto()), static_cast<int>(roboto_size()), drawn,
-                                           &config, glyph_ranges().Data);
+    const auto add = [&](const unsigned char* font, size_t bytes, const ImWchar* ranges) {
+      return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(font), static_cast<int>(bytes), drawn, &config,
+                                        ranges);
+    };
+    fonts_[k] =
+        is_code ? add(mono(), mono_size(), code_ranges().Data) : add(roboto(), roboto_size(), glyph_ranges().Data);
+    if (!is_code) {  // the signs that Roboto lacks
+      config.MergeMode = true;
+      add(mono(), mono_size(), kFloorSigns);
+      config.MergeMode = false;
+    }
     fonts_[k]->Scale = size / drawn;
   }
   ImGui::GetIO().FontDefault = font(TextSize::panel);
@@ -108,14 +138,17 @@ void Sheet::prepare_shapes() {
   shared.SetCircleTessellationMaxError(ImGui::GetStyle().CircleTessellationMaxError);
 }
 
-void Sheet::begin(int width, int height, int left) {
+void Sheet::begin(int width, int height, int left, float scale) {
   ImGui::SetCurrentContext(context_);
   width_ = width;
   height_ = height;
   left_ = left;
   if (!ImGui::GetIO().BackendRendererUserData) throw RunError("Dear ImGui", "the OpenGL backend is gone");
   if (font_height_ == 0) ImGui_ImplOpenGL3_NewFrame();  // makes the backend's objects
-  if (font_height_ != height) load_fonts();
+  if (font_height_ != height || scale != text_scale_) {
+    text_scale_ = scale;
+    load_fonts();
+  }
   prepare_shapes();
   list_->_ResetForNewFrame();
   list_->Flags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill |

@@ -20,8 +20,9 @@ struct ImFont;
 
 namespace ballpit {
 
-/// At 1080 lines: 22, 26 and 38 pixels, and 22 for the panel unless scaled; in proportion at other heights, at least 9.
-enum class TextSize { small, normal, title, panel };
+/// At 1080 lines: 22, 26 and 38 pixels, 22 for the panel, and 22 for code, whose letters have equal widths; in proportion
+/// at other heights, at least 9. Panel and scene have scales of their own.
+enum class TextSize { small, normal, title, panel, code };
 
 /// The point of a text that a position refers to: fractions of its width and height, from the upper left.
 struct Anchor {
@@ -38,8 +39,9 @@ class Sheet {
   Sheet(const Sheet&) = delete;
   Sheet& operator=(const Sheet&) = delete;
 
-  /// For a picture of this size, whose first `left` pixels of width belong to a panel: x starts there.
-  void begin(int width, int height, int left = 0);
+  /// For a picture of this size, whose first `left` pixels of width belong to a panel: x starts there. `scale` is that of
+  /// the scene's text; titles grow by half as much.
+  void begin(int width, int height, int left = 0, float scale = 1);
   void draw();
 
   int width() const { return width_ - left_; }  ///< [pixel] beside a panel
@@ -74,8 +76,8 @@ class Sheet {
 
   ImGuiContext* context_;
   std::unique_ptr<ImDrawList> list_;
-  std::array<ImFont*, 4> fonts_{};
-  float panel_scale_ = 1, panel_density_ = 1;
+  std::array<ImFont*, 5> fonts_{};
+  float panel_scale_ = 1, panel_density_ = 1, text_scale_ = 1;
   int width_ = 0, height_ = 0, left_ = 0, font_height_ = 0;
 };
 

@@ -113,15 +113,15 @@ Needs read_needs(const TableReader& root) {
   return needs;
 }
 
-std::vector<DefaultOption> read_defaults(const TableReader& root) {
+std::vector<DefaultOption> read_defaults(const TableReader& root, std::string_view section) {
   std::vector<DefaultOption> options;
-  const auto reader = root.section("defaults", {});
+  const auto reader = root.section(section, {});
   for (const auto& [key, node] : reader.table()) {
     const std::string name(key.str());
     const std::optional<std::string> value = typed(node);
     if (!value) throw reader.error(name, describe(node), "a number, a text in quotes, true or false");
     const Place place = reader.place(name);
-    options.push_back({name, *value, fmt::format("{}:{}: [defaults] {}", place.file, place.line, name)});
+    options.push_back({name, *value, fmt::format("{}:{}: [{}] {}", place.file, place.line, section, name)});
   }
   return options;
 }

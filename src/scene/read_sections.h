@@ -14,7 +14,7 @@ Physics read_physics(const TableReader& root, int dimensions);
 Needs read_needs(const TableReader& root);
 
 /// Options as text, as on the command line. The caller checks whether they exist.
-std::vector<DefaultOption> read_defaults(const TableReader& root);
+std::vector<DefaultOption> read_defaults(const TableReader& root, std::string_view section = "defaults");
 
 /// Appends the [[spheres]] tables to `scene.bodies`; returns their lines.
 SphereLines read_spheres(const TableReader& root, Scene& scene);

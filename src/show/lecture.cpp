@@ -110,12 +110,14 @@ PageStop read_stop(const TableReader& reader, const std::string& text, lecture::
   const size_t blank = text.find(' ');
   PageStop stop{text.substr(0, blank), -1};
   const std::vector<std::string_view> phases = lecture::phases_of(kernel);
+  if (text == kStart) return stop;
   const bool is_phase = std::find(phases.begin(), phases.end(), stop.phase) != phases.end();
   const std::optional<int> thread = blank == std::string::npos
                                         ? std::nullopt
                                         : number_in(Range{0, std::numeric_limits<int>::max()}, text.substr(blank + 1));
   if (!is_phase || (blank != std::string::npos && !thread)) {
-    throw reader.error("stops", quoted(text), "a phase of the kernel, or one and a thread's number: " + join(phases));
+    throw reader.error("stops", quoted(text),
+                       "start, or a phase of the kernel, alone or with a thread's number: " + join(phases));
   }
   if (thread) stop.thread = *thread;
   return stop;

@@ -41,6 +41,8 @@ inline constexpr auto kNames<PageMistake> = in_order("none", "int-for-floor", "n
 
 lecture::Mistakes mistakes_of(PageMistake mistake);
 
+inline constexpr std::string_view kStart = "start";  ///< the stop before the first operation
+
 /// The cursor's place after a phase of the record, or after the operations of one thread in it.
 struct PageStop {
   std::string phase;

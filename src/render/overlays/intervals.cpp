@@ -217,10 +217,12 @@ std::optional<Row> take_row(const std::vector<Endpoint>& endpoints, Painter& pai
   return Row{left, box, top + kAbove * u, top + kAbove * u + height};
 }
 
-void draw_list(const std::vector<Endpoint>& endpoints, const Walk& walk, const Row& row, Painter& painter) {
+void draw_list(const std::vector<Endpoint>& endpoints, const Walk& walk, const Row& row, const PageView* page,
+               Painter& painter) {
   for (size_t k = 0; k < endpoints.size(); ++k) {
     const bool is_met = std::binary_search(walk.met.begin(), walk.met.end(), k);
     draw_box(endpoints[k], k, row, walk.body >= 0 && endpoints[k].body == walk.body, is_met, painter);
+    if (page) mark_touched(*page, "list", static_cast<int64_t>(k), row.low(k), row.high(k), painter);
   }
   if (walk.body >= 0) draw_walk(walk, row, painter);
 }
@@ -251,9 +253,9 @@ Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected) {
   return walk;
 }
 
-float intervals_room(const Inspection& inspection) {
+float intervals_room(const Inspection& inspection, float text_scale) {
   if (inspection.axis < 0) return 0;
-  return inspection.endpoints.size() <= kMaxLabels ? 0.21f : 0.06f;
+  return inspection.endpoints.size() <= kMaxLabels ? 0.07f + 0.14f * text_scale : 0.06f;
 }
 
 void draw_intervals(const FrameView& view, Painter& painter) {
@@ -262,7 +264,7 @@ void draw_intervals(const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
   const float u = painter.sheet.unit();
   const bool has_labels = endpoints.size() <= kMaxLabels;
-  const Walk walk = shown_walk(endpoints, view.selected);
+  const Walk walk = view.page && !view.page->walks ? Walk{} : shown_walk(endpoints, view.selected);
   const std::optional<Row> row = take_row(endpoints, painter);
   const float labels = has_labels ? kRows * painter.sheet.size_of("0", TextSize::small).y + kLabels * u : 30 * u;
   const float bottom = static_cast<float>(painter.sheet.height()) - painter.taken - labels;
@@ -284,7 +286,7 @@ void draw_intervals(const FrameView& view, Painter& painter) {
   } else {
     draw_ticks(endpoints, axis, painter);
   }
-  if (row) draw_list(endpoints, walk, *row, painter);
+  if (row) draw_list(endpoints, walk, *row, view.page, painter);
 }
 
 }  // namespace ballpit

@@ -67,7 +67,7 @@ Arrays arrays_of(const GridInspection& grid) {
 }
 
 void draw_array(const char* name, const std::vector<int32_t>& values, const Boxes& boxes, const Vec3& color,
-                Painter& painter) {
+                const PageView* page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit();
   sheet.text({kMargin * u, boxes.top + boxes.height / 2}, kLeft, painter.ink(), name);
@@ -79,8 +79,13 @@ void draw_array(const char* name, const std::vector<int32_t>& values, const Boxe
     sheet.frame(low, high, to_rgba(color), 2 * u);
     sheet.text(boxes.over_number(k) + Vec2(0, boxes.number / 2), kCentre, painter.ink(0.65f), std::to_string(k),
                TextSize::small);
+    const bool is_unset = values[k] == lecture::kUnset;
     sheet.text((low + high) / 2.0f, kCentre, painter.ink(is_empty ? 0.55f : 1),
-               is_empty ? "–1" : std::to_string(values[k]), TextSize::small);
+               is_unset   ? "?"
+               : is_empty ? "–1"
+                          : std::to_string(values[k]),
+               TextSize::small);
+    if (page) mark_touched(*page, name, static_cast<int64_t>(k), low, high, painter);
   }
 }
 
@@ -123,7 +128,7 @@ void draw_range(const Arrays& arrays, size_t cell, const Boxes& offsets, const B
 bool fits(const Arrays& arrays) { return arrays.entries() <= kMaxBoxes && arrays.bodies.size() <= kMaxBoxes; }
 
 /// Returns false if the boxes would be too narrow for their numbers.
-bool draw_arrays(const Arrays& arrays, int64_t selected, Painter& painter) {
+bool draw_arrays(const Arrays& arrays, int64_t selected, const PageView* page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const std::string widest = std::string(arrays.name_of_cells()) + " ";
   const float u = sheet.unit(), left = kMargin * u + sheet.size_of(widest).x + 8 * u;
@@ -136,8 +141,8 @@ bool draw_arrays(const Arrays& arrays, int64_t selected, Painter& painter) {
   const float top = painter.take_strip(2 * (number + height) + (kGap + kArcs + kMargin) * u);
   const Boxes cells{left, width, top + kMargin * u / 2 + number, height, number};
   const Boxes bodies{left, width, cells.top + height + kGap * u + number, height, number};
-  draw_array(arrays.name_of_cells(), arrays.cells, cells, painter.theme.grid, painter);
-  draw_array(arrays.name_of_bodies(), arrays.bodies, bodies, painter.theme.body, painter);
+  draw_array(arrays.name_of_cells(), arrays.cells, cells, painter.theme.grid, page, painter);
+  draw_array(arrays.name_of_bodies(), arrays.bodies, bodies, painter.theme.body, page, painter);
   for (size_t entry = 0; entry < arrays.entries(); ++entry) {
     bool is_selected = false;
     arrays.for_each_body(entry, [&](int32_t body) { is_selected |= body == selected; });
@@ -194,8 +199,8 @@ std::vector<int> count_lengths(const GridInspection& grid, size_t max) {
   return result;
 }
 
-float lists_room(const Inspection& inspection) {
-  return !inspection.grids.empty() && fits(arrays_of(inspection.grids[0])) ? 0.29f : 0.0f;
+float lists_room(const Inspection& inspection, float text_scale) {
+  return !inspection.grids.empty() && fits(arrays_of(inspection.grids[0])) ? 0.21f + 0.08f * text_scale : 0.0f;
 }
 
 void draw_lists(const FrameView& view, Painter& painter) {
@@ -203,7 +208,7 @@ void draw_lists(const FrameView& view, Painter& painter) {
   const GridInspection& grid = view.inspection.grids[0];
   const Arrays arrays = arrays_of(grid);
   if (arrays.entries() == 0) return;
-  if (!draw_arrays(arrays, view.selected, painter)) draw_histogram(grid, painter);
+  if (!draw_arrays(arrays, view.selected, view.page, painter)) draw_histogram(grid, painter);
 }
 
 }  // namespace ballpit

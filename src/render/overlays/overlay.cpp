@@ -35,12 +35,12 @@ const std::vector<OverlayEntry>& overlay_table() {
   return table;
 }
 
-float room_below(const std::vector<std::string>& overlays, const Inspection& inspection) {
+float room_below(const std::vector<std::string>& overlays, const Inspection& inspection, float text_scale) {
   constexpr float kMaxRoom = 0.5f;  // the scene needs the rest
   float room = 0;
   for (const OverlayEntry& entry : overlay_table()) {
     const bool enabled = std::find(overlays.begin(), overlays.end(), entry.name) != overlays.end();
-    if (enabled && entry.room_below) room += entry.room_below(inspection);
+    if (enabled && entry.room_below) room += entry.room_below(inspection, text_scale);
   }
   return std::min(room, kMaxRoom);
 }

@@ -17,7 +17,8 @@ struct OverlayEntry {
   std::string_view label;                            ///< "Grid cells", as the panel shows it
   void (*draw)(const FrameView&, Painter&);          ///< only a note if the inspection lacks the data
   Wanted wanted = {};                                ///< of the inspection, for drawing
-  float (*room_below)(const Inspection&) = nullptr;  ///< part of the picture's height that it fills at the lower edge
+  /// Part of the picture's height that it fills at the lower edge, with text of this scale.
+  float (*room_below)(const Inspection&, float text_scale) = nullptr;
   std::string (*lacking)(const Inspection&) = nullptr;  ///< why the method gives it nothing to draw; "" if it does
   bool is_under_discs = false;                          ///< in planar scenes; all others are drawn after the bodies
 
@@ -28,7 +29,7 @@ struct OverlayEntry {
 const std::vector<OverlayEntry>& overlay_table();
 
 /// The part of the picture's height that these overlays fill together at the lower edge, for leave_room_below().
-float room_below(const std::vector<std::string>& overlays, const Inspection& inspection);
+float room_below(const std::vector<std::string>& overlays, const Inspection& inspection, float text_scale = 1);
 
 // The overlays; each file explains what it draws.
 void draw_grid(const FrameView& view, Painter& painter);
@@ -43,8 +44,8 @@ void draw_intervals(const FrameView& view, Painter& painter);
 void draw_selection(const FrameView& view, Painter& painter);
 
 /// The parts of the picture's height that they fill.
-float lists_room(const Inspection& inspection);
-float intervals_room(const Inspection& inspection);
+float lists_room(const Inspection& inspection, float text_scale);
+float intervals_room(const Inspection& inspection, float text_scale);
 
 /// The number of bodies in every cell: the length of its list.
 std::vector<int> count_per_cell(const GridInspection& grid);

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "render/page_view.h"
+
+#include <algorithm>
+
+#include "render/painter.h"
+
+namespace ballpit {
+
+namespace {
+
+// [1/1080 of the picture's height]
+constexpr float kMargin = 24, kPad = 10;
+constexpr float kTitle = 50, kCaption = 44;  // heights at a text scale of 1: a line, with its margins
+constexpr float kCodeWidth = 0.47f;          // of the picture's width
+
+/// The text in lines of at most `width` pixels, broken at blanks.
+std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, float width, TextSize size) {
+  std::vector<std::string> lines{""};
+  size_t start = 0;
+  while (start < text.size()) {
+    const size_t end = std::min(text.find(' ', start), text.size());
+    const std::string word = text.substr(start, end - start);
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (!lines.back().empty() && sheet.size_of(longer, size).x > width) {
+      lines.push_back(word);
+    } else {
+      lines.back() = longer;
+    }
+    start = end + 1;
+  }
+  return lines;
+}
+
+void draw_code(const PageView& page, float top, Painter& painter) {
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit(), width = kCodeWidth * static_cast<float>(sheet.width());
+  const float line = sheet.size_of("0", TextSize::code).y * 1.25f, left = static_cast<float>(sheet.width()) - width;
+  const Vec2 corner(left, top);
+  const float height = line * static_cast<float>(page.code.size()) + 2 * kPad * u;
+  sheet.box(corner, {left + width - kMargin * u, top + height}, painter.ground(), 6 * u);
+  for (size_t k = 0; k < page.code.size(); ++k) {
+    const float y = top + kPad * u + static_cast<float>(k) * line;
+    const bool is_current = static_cast<int>(k) == page.line;
+    if (is_current) {
+      sheet.box({left, y}, {left + width - kMargin * u, y + line}, to_rgba(painter.theme.selected, 0.35f));
+    }
+    sheet.text({left + kPad * u, y + line / 2}, kLeft, painter.ink(is_current ? 1 : 0.75f), page.code[k],
+               TextSize::code);
+  }
+  float y = top + height + kPad * u;
+  for (const std::string& text : wrap_text(sheet, page.step, width - 2 * kMargin * u, TextSize::small)) {
+    sheet.text({left + kPad * u, y}, kUpperLeft, painter.ink(), text, TextSize::small);
+    y += sheet.size_of("0", TextSize::small).y;
+  }
+}
+
+}  // namespace
+
+Room room_of(const PageView& page, float text_scale) {
+  Room room;
+  room.above = kTitle * (1 + text_scale) / 2 / 1080;
+  room.below = kCaption * text_scale / 1080;
+  if (!page.code.empty()) room.right = kCodeWidth;
+  return room;
+}
+
+void mark_touched(const PageView& page, std::string_view array, int64_t index, Vec2 low, Vec2 high, Painter& painter) {
+  if (page.touched_array != array || page.touched_index != index) return;
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit();
+  const Rgba color = to_rgba(painter.theme.selected);
+  sheet.frame(low, high, color, 5 * u);
+  if (page.old_text.empty()) return;
+  const Vec2 size = sheet.size_of(page.old_text, TextSize::small), at(high.x + 4 * u, low.y - 0.3f * size.y);
+  sheet.box(at - Vec2(2 * u, 0), at + size + Vec2(2 * u, 0), painter.ground());
+  sheet.text(at, kUpperLeft, painter.ink(0.75f), page.old_text, TextSize::small);
+  sheet.line(at + Vec2(-3 * u, 0.55f * size.y), at + Vec2(size.x + 3 * u, 0.55f * size.y), color, 3 * u);
+}
+
+void draw_page(const PageView& page, Painter& painter) {
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit(), width = static_cast<float>(sheet.width());
+  const float title = sheet.size_of("0", TextSize::title).y + kPad * u;
+  sheet.text({kMargin * u, kPad * u / 2}, kUpperLeft, painter.ink(), page.title, TextSize::title);
+  painter.noted = title;
+  const float slides = page.slides.empty() ? 0 : sheet.size_of(page.slides, TextSize::small).x + 2 * kMargin * u;
+  const std::vector<std::string> lines =
+      wrap_text(sheet, page.caption, width - 2 * kMargin * u - slides, TextSize::normal);
+  const float line = sheet.size_of("0").y;
+  float y = painter.take_strip(line * static_cast<float>(lines.size()) + 2 * kPad * u) + kPad * u;
+  for (const std::string& text : lines) {
+    sheet.text({kMargin * u, y}, kUpperLeft, painter.ink(), text);
+    y += line;
+  }
+  const Vec2 corner(width - kMargin * u, static_cast<float>(sheet.height()) - kPad * u);
+  sheet.text(corner, {1, 1}, painter.ink(0.75f), page.slides, TextSize::small);
+  if (!page.code.empty()) draw_code(page, title + kPad * u, painter);
+}
+
+}  // namespace ballpit

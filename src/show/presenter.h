@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Gives a lecture: one page at a time, each in the state that its file describes, whatever was changed on the page before.
+//
+//     next() ──▶ the page's next stop, then the next page          step() ──▶ one operation of the page's kernel
+//
+// The inspection that is drawn is the demonstration's; on a page with a kernel its lists, candidates and contacts are those
+// of the record up to the cursor.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/page_view.h"
+#include "show/caption.h"
+#include "show/demo.h"
+#include "show/lecture.h"
+
+namespace ballpit {
+
+class Presenter {
+ public:
+  /// `lecture` must outlive the presenter. Starts with its first page.
+  Presenter(const Lecture& lecture, Language its_language);
+
+  static constexpr float kTextScale = 1.6f;  ///< of the scene's text
+
+  int number() const { return number_; }  ///< of the page, from 1
+  int count() const { return static_cast<int>(lecture_.pages.size()); }
+  const Page& page() const { return lecture_.pages[static_cast<size_t>(number_ - 1)]; }
+
+  void go_to(int number);  ///< the first or the last page if there is none with this number
+  void next();             ///< stop, then page
+  void previous();         ///< page, at its last stop
+  void step(int operations);
+  void skip_phase(int phases);  ///< to the end of the phase, or to the end of the one before
+
+  /// The places of the cursor at which next() stops; at least one.
+  const std::vector<size_t>& stops() const { return stops_; }
+  void go_to_stop(size_t stop);
+
+  Language language;
+  bool is_blank = false;
+
+  Demo& demo() { return *demo_; }
+  const lecture::RecordedRun* run() const { return run_ ? &*run_ : nullptr; }
+  size_t cursor() const { return cursor_; }
+
+  /// Why the page cannot be shown; empty if it can.
+  const std::string& failure() const { return failure_; }
+
+  std::string title() const { return page().title.in(language); }
+  std::string caption();
+
+  /// The picture of the present state, valid until it changes.
+  FrameView frame_view(float aspect);
+
+ private:
+  void open();
+  void record();
+  const Inspection& inspect();
+  void show_record(Inspection& seen) const;
+  PageView describe_page();
+
+  const Lecture& lecture_;
+  int number_ = 1;
+  std::unique_ptr<Demo> demo_;
+  std::optional<lecture::RecordedRun> run_;
+  std::vector<size_t> stops_;
+  size_t cursor_ = 0;
+  std::string failure_;
+  Inspection inspection_;
+  PageView page_view_;
+};
+
+}  // namespace ballpit

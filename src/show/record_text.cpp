@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "show/record_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/numbers.h"
+
+namespace ballpit {
+
+namespace {
+
+using lecture::Action;
+using lecture::Operation;
+using lecture::RecordedRun;
+
+/// The formula of slide 9 for a sphere: "⌊1.5⌋·5 + ⌊1.5⌋ = 6".
+std::string hash_text(const RecordedRun& run, const Operation& operation, const BodySnapshot& bodies) {
+  const GridInspection& grid = *run.grid;
+  const Vec3 place = (bodies.position_of(operation.thread) - grid.origin) / grid.edge;
+  std::string text =
+      fmt::format("⌊{}⌋·{} + ⌊{}⌋ = {}", three_digits(place.y), grid.cells.x, three_digits(place.x), operation.value);
+  if (bodies.dimensions == 3) {
+    text = fmt::format("(⌊{}⌋·{} + ⌊{}⌋)·{} + ⌊{}⌋ = {}", three_digits(place.z), grid.cells.y, three_digits(place.y),
+                       grid.cells.x, three_digits(place.x), operation.value);
+  }
+  return text;
+}
+
+/// "thread 3"; in the sweep "thread b1", by the entry of the sorted list.
+std::string thread_text(const RecordedRun& run, size_t k) {
+  const Operation& operation = run.record.operations[k];
+  const lecture::Phase& phase = run.phase_at(k);
+  if (phase.name != "sweep") return fmt::format("thread {}", operation.thread);
+  const std::vector<int> list = run.record.values_after(0, phase.first);
+  return "thread " + value_text(run, list[static_cast<size_t>(operation.thread)]);
+}
+
+}  // namespace
+
+std::string value_text(const RecordedRun& run, int value) {
+  if (run.axis < 0) return std::to_string(value);
+  return fmt::format("{}{}", value % 2 == 0 ? 'b' : 'e', value / 2);
+}
+
+std::string text_of(const RecordedRun& run, size_t k, const BodySnapshot& bodies, Language language) {
+  const Operation& operation = run.record.operations[k];
+  const bool is_german = language == Language::german;
+  const std::string thread = (is_german ? "T" : "t") + thread_text(run, k).substr(1);
+  const std::string element =
+      operation.array < 0
+          ? ""
+          : fmt::format("{}[{}]", run.record.arrays[static_cast<size_t>(operation.array)].name, operation.index);
+  const std::string value = value_text(run, operation.value);
+  switch (operation.action) {
+    case Action::compute:
+      return fmt::format("{}: {} {}", thread, is_german ? "Zelle" : "cell", hash_text(run, operation, bodies));
+    case Action::load:
+      return fmt::format("{} {} {}: {}", thread, is_german ? "liest" : "loads", element, value);
+    case Action::store:
+      return fmt::format("{} {} {} = {}", thread, is_german ? "speichert" : "stores", element, value);
+    case Action::exchange:
+      return fmt::format("{}: atomicExch(&{}, {}) {} {}", thread, element, value, is_german ? "liefert" : "returns",
+                         value_text(run, operation.old_value));
+    case Action::test:
+      break;
+  }
+  const char* const outcome =
+      operation.value != 0 ? (is_german ? "Kontakt" : "contact") : (is_german ? "getrennt" : "apart");
+  return fmt::format("{} {} {} {} {}: {}", thread, is_german ? "testet" : "tests", operation.index,
+                     is_german ? "und" : "and", operation.other, outcome);
+}
+
+CodeExcerpt function_at(std::string_view source, int line) {
+  std::vector<std::string> lines;
+  for (size_t start = 0; start < source.size();) {
+    const size_t end = std::min(source.find('\n', start), source.size());
+    lines.emplace_back(source.substr(start, end - start));
+    start = end + 1;
+  }
+  const auto is_member = [&](int k) { return lines[static_cast<size_t>(k)].starts_with("  HOST_DEVICE"); };
+  const auto is_comment = [&](int k) { return lines[static_cast<size_t>(k)].starts_with("  //"); };
+  int first = line - 1, last = line - 1;
+  const int count = static_cast<int>(lines.size());
+  while (first > 0 && !is_member(first)) --first;
+  while (first > 0 && is_comment(first - 1)) --first;
+  while (last + 1 < count && lines[static_cast<size_t>(last)] != "  }") ++last;
+  CodeExcerpt excerpt{first + 1, {}};
+  for (int k = first; k <= last; ++k) {
+    const std::string& text = lines[static_cast<size_t>(k)];
+    excerpt.lines.push_back(text.substr(std::min<size_t>(2, text.size())));
+  }
+  return excerpt;
+}
+
+}  // namespace ballpit
