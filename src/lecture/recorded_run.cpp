@@ -92,7 +92,7 @@ RecordedRun run_sort_and_sweep(const Input<V>& input, const Settings& settings) 
                        ? parameters.axis
                        : widest_axis(exec, input.spheres().position, (input.box.min + input.box.max) / Scalar<V>(2));
   runner.run().axis = axis;
-  std::vector<int> list(2 * input.position.size(), -1);
+  std::vector<int> list(2 * input.position.size(), kUnset);
   const SortAndSweep<V, RecordedMemory> kernels{
       runner.name("list", list), input.spheres(), {}, span_of(list), axis, rules.guard, rules.is_narrow[axis]};
   runner.phase("store", input.count(), [&](int i) { kernels.store_entries(i); });

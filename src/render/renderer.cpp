@@ -5,6 +5,7 @@
 
 #include "render/gl_context.h"
 #include "render/overlays/overlay.h"
+#include "render/page_view.h"
 
 namespace ballpit {
 

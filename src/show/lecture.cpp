@@ -12,7 +12,7 @@
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
 #include "scene/read_scene.h"
-#include "scene/table_reader.h"
+#include "scene/read_sections.h"
 #include "show/caption.h"
 #include "show/options.h"
 
@@ -33,7 +33,7 @@ LocalText read_caption(const TableReader& reader) {
   for (const auto& [key, text] :
        {std::pair<const char*, std::string>{"caption", caption.en}, {"caption_de", caption.de}}) {
     if (const std::string unknown = unknown_placeholder(text); !unknown.empty()) {
-      throw reader.error(key, unknown, join(placeholders()));
+      throw reader.error(key, unknown, join(names_in(placeholder_table())));
     }
   }
   return caption;
@@ -76,7 +76,7 @@ std::vector<std::string> read_overlays(const TableReader& reader) {
   const std::vector<std::string> known = names_in(overlay_table());
   for (const std::string& name : overlays) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw reader.error("overlays", quoted(name), join(known));
+      throw reader.error("overlays", ballpit::quoted(name), join(known));
   }
   return overlays;
 }
@@ -116,7 +116,7 @@ PageStop read_stop(const TableReader& reader, const std::string& text, lecture::
                                         ? std::nullopt
                                         : number_in(Range{0, std::numeric_limits<int>::max()}, text.substr(blank + 1));
   if (!is_phase || (blank != std::string::npos && !thread)) {
-    throw reader.error("stops", quoted(text),
+    throw reader.error("stops", ballpit::quoted(text),
                        "start, or a phase of the kernel, alone or with a thread's number: " + join(phases));
   }
   if (thread) stop.thread = *thread;
@@ -161,7 +161,7 @@ Page read_page(const TableReader& reader, const std::filesystem::path& folder) {
   if (const std::optional<std::string> color = reader.text("color")) {
     const std::vector<std::string> known = names_in(coloring_table());
     if (std::find(known.begin(), known.end(), *color) == known.end())
-      throw reader.error("color", quoted(*color), join(known));
+      throw reader.error("color", ballpit::quoted(*color), join(known));
     page.view.coloring = *color;
   }
   page.view.selected = reader.integer("select", 0, kLargestCount).value_or(-1);
@@ -191,7 +191,7 @@ Lecture parse_lecture(std::string_view text, std::string_view file_name, const s
     lecture.pages.push_back(read_page(reader, folder));
     const auto is_same = [&](const Page& other) { return other.id == lecture.pages.back().id; };
     if (std::count_if(lecture.pages.begin(), lecture.pages.end(), is_same) > 1) {
-      throw reader.error("id", quoted(lecture.pages.back().id) + " a second time", "a name for each page");
+      throw reader.error("id", ballpit::quoted(lecture.pages.back().id) + " a second time", "a name for each page");
     }
   }
   if (lecture.pages.empty()) throw root.missing("page", "tables [[page]]");

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "render/overlays/overlay.h"
 #include "show/record_text.h"
 
 namespace ballpit {

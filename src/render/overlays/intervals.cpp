@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include "render/overlays/overlay.h"
+#include "render/page_view.h"
 
 namespace ballpit {
 

@@ -21,7 +21,9 @@
 // A hashed grid has buckets instead of cells. If there are more entries or bodies than fit in a row, a histogram
 // shows the lengths of the lists or ranges instead.
 
+#include "lecture/record.h"
 #include "render/overlays/overlay.h"
+#include "render/page_view.h"
 
 namespace ballpit {
 
