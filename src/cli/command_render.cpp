@@ -55,6 +55,7 @@ class RenderCommand {
 
     const auto [width, height] = size_;
     Demo demo(arguments_.scene, arguments_.given);
+    warn_of_small_cells(demo.session.settings());
     demo.view = look_.view();
     demo.touch();
     Session& session = demo.session;

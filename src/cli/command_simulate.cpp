@@ -50,6 +50,7 @@ class SimulateCommand {
   void run() {
     check_outputs();
     Session session(arguments_.scene, arguments_.given, need_tally(observables_));
+    warn_of_small_cells(session.settings());
     simulate(session, time_.value_or(session.scene().needs.duration));
     if (!out_.empty()) write_spheres_csv(out_, session.world().bodies());
     print_outcome(session);

@@ -32,6 +32,7 @@ std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, 
   return lines;
 }
 
+/// The legend follows below.
 void draw_code(const PageView& page, float top, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), width = kCodeWidth * static_cast<float>(sheet.width());
@@ -53,6 +54,8 @@ void draw_code(const PageView& page, float top, Painter& painter) {
     sheet.text({left + kPad * u, y}, kUpperLeft, painter.ink(), text, TextSize::small);
     y += sheet.size_of("0", TextSize::small).y;
   }
+  painter.note_left = left - kPad * u;
+  painter.noted = y;
 }
 
 }  // namespace

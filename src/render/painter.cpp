@@ -44,7 +44,7 @@ void Painter::note(const std::vector<NotePart>& parts) {
   for (const NotePart& part : parts) {
     width += sheet.size_of(part.text).x + space + (part.swatch == Swatch::none ? 0 : sample);
   }
-  Vec2 at(kMargin * u, kMargin * u + noted + height / 2);
+  Vec2 at(kMargin * u + note_left, kMargin * u + noted + height / 2);
   sheet.box(at - Vec2(kPad * u, height / 2), at + Vec2(width - space + kPad * u, height / 2), ground());
   for (const NotePart& part : parts) {
     if (part.swatch != Swatch::none) {

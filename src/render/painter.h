@@ -38,6 +38,7 @@ struct Painter {
   const Theme& theme;
   float line_unit;  ///< [pixel] 1/1080 of the picture's height, so that lines look the same at every size
   float noted = 0;  ///< [pixel] height of the notes so far
+  float note_left = 0;  ///< [pixel] where they begin
   float taken = 0;  ///< [pixel] height of the strips so far
 
   /// Adds a line to the legend in the upper left corner.

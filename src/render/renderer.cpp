@@ -174,7 +174,7 @@ void Renderer::set_state() {
 
 void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, const Colored& colored) {
   const int height = canvas().height;
-  Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f, {}, {}};
+  Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f};
   if (view.page) {
     draw_page(*view.page, painter);
     if (view.page->has_no_scene) return;

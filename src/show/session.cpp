@@ -34,7 +34,6 @@ Backend select_backend(BackendName name, Response response) {
 Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally)
     : keeps_tally_(keeps_tally) {
   start(std::string(scene), given);
-  warn_of_small_cells(settings_);
 }
 
 void Session::start(std::string name, std::vector<GivenOption> given) {
