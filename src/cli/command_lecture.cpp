@@ -16,6 +16,7 @@
 #include "render/renderer.h"
 #include "show/handout.h"
 #include "show/presenter.h"
+#include "window/lecture_window.h"
 
 namespace ballpit {
 
@@ -47,7 +48,14 @@ class LectureCommand {
     Presenter presenter(lecture, language_);
     if (!export_.empty()) return write_handout(lecture, presenter);
     if (json_) return print_pages(presenter);
-    throw RunError("lecture", "the window is not ready yet");
+    catch_interrupts();
+    Window window(size_, "Ballpit");
+    try {
+      presenter.go_to(page_);
+      LectureWindow(window, presenter).run();
+    } catch (const Interrupted&) {
+      // within a long step
+    }
   }
 
  private:

@@ -44,6 +44,15 @@ std::string contacts_found(const PageState& state) {
   return count_operations(state, [](const Operation& o) { return o.action == Action::test && o.value != 0; });
 }
 
+double longest_leap(const PageState& state) {
+  const BodySnapshot& bodies = state.inspection.bodies;
+  double longest = 0;
+  for (int64_t i = 0; i < bodies.count && !bodies.velocity.empty(); ++i) {
+    longest = std::max(longest, double(length(bodies.velocity_of(i))) * state.step / (2.0 * bodies.radius_of(i)));
+  }
+  return longest;
+}
+
 std::string times_fewer(const PageState& state) {
   if (state.report.candidates == 0) return "";
   return three_digits(double(pairs_of(state.report.count)) / double(state.report.candidates));
@@ -93,6 +102,8 @@ const std::vector<Placeholder>& placeholder_table() {
        }},
       {"overlap", "largest overlap, in percent of a radius",
        [](const PageState& s) { return three_digits(100 * s.report.max_overlap); }},
+      {"leap", "longest path in a step, in diameters of its sphere",
+       [](const PageState& s) { return three_digits(longest_leap(s)); }},
       {"time", "simulated seconds", [](const PageState& s) { return three_digits(s.report.time); }},
   };
   return table;

@@ -17,6 +17,7 @@ struct PageState {
   const Inspection& inspection;
   const lecture::RecordedRun* run = nullptr;  ///< of its kernel
   size_t cursor = 0;                          ///< operations of the run so far
+  double step = 0;                            ///< [s] until the next search
 };
 
 /// One {name}; its figure is empty where the page lacks the data.

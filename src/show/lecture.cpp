@@ -105,21 +105,24 @@ void read_camera(const TableReader& reader, View& view) {
   view.zoom = static_cast<float>(camera->z);
 }
 
-/// "insert 6": phase and thread.
+/// "insert 6 1": phase, thread, operations.
 PageStop read_stop(const TableReader& reader, const std::string& text, lecture::KernelName kernel) {
-  const size_t blank = text.find(' ');
-  PageStop stop{text.substr(0, blank), -1};
+  const std::vector<std::string> words = split_list(text, ' ');
+  PageStop stop{words[0]};
   const std::vector<std::string_view> phases = lecture::phases_of(kernel);
   if (text == kStart) return stop;
   const bool is_phase = std::find(phases.begin(), phases.end(), stop.phase) != phases.end();
-  const std::optional<int> thread = blank == std::string::npos
-                                        ? std::nullopt
-                                        : number_in(Range{0, std::numeric_limits<int>::max()}, text.substr(blank + 1));
-  if (!is_phase || (blank != std::string::npos && !thread)) {
-    throw reader.error("stops", ballpit::quoted(text),
-                       "start, or a phase of the kernel, alone or with a thread's number: " + join(phases));
+  constexpr Range kNumbers{0, std::numeric_limits<int>::max()};
+  const std::optional<int> thread = words.size() > 1 ? number_in(kNumbers, words[1]) : -1;
+  const std::optional<int> operations = words.size() > 2 ? number_in(kNumbers, words[2]) : -1;
+  if (!is_phase || !thread || !operations || words.size() > 3) {
+    throw reader.error(
+        "stops", ballpit::quoted(text),
+        "start, or a phase of the kernel, alone or with the numbers of a thread and of its operations: " +
+            join(phases));
   }
-  if (thread) stop.thread = *thread;
+  stop.thread = *thread;
+  stop.operations = *operations;
   return stop;
 }
 

@@ -9,7 +9,8 @@
 //     scene = "lecture-grid"
 //     kernel = "linked-cell"              the slide's kernel is run and recorded (lecture/recorded_run.h)
 //     interleaving = [6, 6, 2, 2]
-//     stops = ["clear", "insert 6"]       where its cursor stops: after a phase, or after a thread's part of it
+//     stops = ["clear", "insert 6"]       where its cursor stops: after a phase, after a thread's part of it, or after the
+//                                         first operations of that: "insert 6 1"
 //
 // docs/lecture.md lists all keys. A mistake is a UserError with file, line and key.
 #pragma once
@@ -46,7 +47,8 @@ inline constexpr std::string_view kStart = "start";  ///< the stop before the fi
 /// The cursor's place after a phase of the record, or after the operations of one thread in it.
 struct PageStop {
   std::string phase;
-  int thread = -1;  ///< −1: after the whole phase
+  int thread = -1;      ///< −1: after the whole phase
+  int operations = -1;  ///< of the thread in the phase; −1: all
 };
 
 struct Page {

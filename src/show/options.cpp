@@ -16,10 +16,10 @@ const std::string& parse_choice(std::string_view option, const std::string& text
   throw UserError(option, text, join(choices));
 }
 
-std::vector<std::string> split_list(const std::string& text) {
+std::vector<std::string> split_list(const std::string& text, char separator) {
   std::vector<std::string> items;
   for (size_t start = 0; start <= text.size();) {
-    const size_t end = std::min(text.find(',', start), text.size());
+    const size_t end = std::min(text.find(separator, start), text.size());
     items.push_back(text.substr(start, end - start));
     start = end + 1;
   }

@@ -31,7 +31,7 @@ const std::string& parse_choice(std::string_view option, const std::string& text
                                 const std::vector<std::string>& choices);
 
 /// The items of a list "a,b,c"; empty ones count.
-std::vector<std::string> split_list(const std::string& text);
+std::vector<std::string> split_list(const std::string& text, char separator = ',');
 
 /// The names of such a list, each of them known. `alone` is the word for none or all, which the caller knows.
 std::vector<std::string> parse_names(std::string_view option, const std::string& text,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -24,9 +25,14 @@ using lecture::RecordedRun;
 size_t place_of(const RecordedRun& run, const PageStop& stop, const Page& page) {
   const auto phase = std::ranges::find(run.phases, stop.phase, &Phase::name);
   if (stop.thread < 0) return phase->last;
-  for (size_t k = phase->last; k > phase->first; --k) {
-    if (run.record.operations[k - 1].thread == stop.thread) return k;
+  size_t place = 0;
+  int left = stop.operations < 0 ? std::numeric_limits<int>::max() : stop.operations;
+  for (size_t k = phase->first; k < phase->last && left > 0; ++k) {
+    if (run.record.operations[k].thread != stop.thread) continue;
+    place = k + 1;
+    --left;
   }
+  if (place > 0) return place;
   throw input_error(page.place, "[[page]] stops", fmt::format("\"{} {}\"", stop.phase, stop.thread),
                     "a thread of the phase that does something");
 }
@@ -121,7 +127,9 @@ void Presenter::skip_phase(int phases) {
 std::string Presenter::caption() {
   if (!failure_.empty()) return failure_;
   const Inspection& seen = inspect();
-  return fill_caption(page().caption.in(language), {demo_->report(), seen, run(), cursor_});
+  const Settings& settings = demo_->session.settings();
+  return fill_caption(page().caption.in(language),
+                      {demo_->report(), seen, run(), cursor_, settings.dt / settings.substeps});
 }
 
 const Inspection& Presenter::inspect() {
@@ -169,10 +177,11 @@ void Presenter::show_record(Inspection& seen) const {
 
 PageView Presenter::describe_page() {
   PageView view;
+  view.has_no_scene = is_blank || !failure_.empty();
+  if (is_blank) return view;
   view.title = title();
   view.caption = caption();
   view.slides = slides_text(page(), language);
-  view.has_no_scene = !failure_.empty();
   if (!run_) return view;
   const std::vector<Operation>& operations = run_->record.operations;
   const Operation& shown = operations[cursor_ > 0 ? cursor_ - 1 : 0];  // done last, or the first one, which comes next

@@ -17,6 +17,7 @@ struct Ray {
 };
 
 Ray ray_through(const Camera& camera, Vec2 place) {
+  place -= camera.shift;
   const Vec3 forward = normalize(camera.target - camera.eye);
   const Vec3 right = normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
   if (camera.is_orthographic()) {

@@ -129,4 +129,18 @@ float Window::density() const {
 void Window::show() { glfwSwapBuffers(window_); }
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
+bool Window::is_full_screen() const { return glfwGetWindowMonitor(window_) != nullptr; }
+
+void Window::set_full_screen(bool is_full) {
+  if (is_full == is_full_screen()) return;
+  auto& [x, y, width, height] = before_;
+  if (!is_full) return glfwSetWindowMonitor(window_, nullptr, x, y, width, height, GLFW_DONT_CARE);
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (!mode) return;
+  glfwGetWindowPos(window_, &x, &y);
+  glfwGetWindowSize(window_, &width, &height);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 }  // namespace ballpit

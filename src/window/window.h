@@ -44,6 +44,9 @@ class Window {
   void show();               ///< shows what was drawn
   void set_title(const std::string& title);
 
+  bool is_full_screen() const;
+  void set_full_screen(bool is_full);  ///< on the primary display, or at the size and place of before
+
  private:
   static Window& of(GLFWwindow* window);
   static WindowEvents& changed(GLFWwindow* window);
@@ -51,6 +54,7 @@ class Window {
   Vec2 to_pixels(double x, double y) const;
 
   GLFWwindow* window_ = nullptr;
+  int before_[4] = {0, 0, 0, 0};  // place and size before it filled the screen
   WindowEvents events_;
 };
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "window/lecture_window.h"
+
+#include <algorithm>
+#include <array>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+namespace ballpit {
+
+std::span<const PresenterKey> presenter_keys() {
+  static constexpr std::array kKeys{
+      PresenterKey{GLFW_KEY_PAGE_DOWN, "PageDown", "next stop, then the next page",
+                   [](LectureWindow& s) { s.presenter.next(); }},
+      PresenterKey{GLFW_KEY_SPACE, "Space", "the same", [](LectureWindow& s) { s.presenter.next(); }},
+      PresenterKey{GLFW_KEY_PAGE_UP, "PageUp", "page before", [](LectureWindow& s) { s.presenter.previous(); }},
+      PresenterKey{GLFW_KEY_RIGHT, "→", "next operation, with Shift the next phase",
+                   [](LectureWindow& s) { s.move_cursor(1); }},
+      PresenterKey{GLFW_KEY_LEFT, "←", "operation or phase before", [](LectureWindow& s) { s.move_cursor(-1); }},
+      PresenterKey{GLFW_KEY_HOME, "Home", "first page", [](LectureWindow& s) { s.presenter.go_to(1); }},
+      PresenterKey{GLFW_KEY_END, "End", "last page", [](LectureWindow& s) { s.presenter.go_to(s.presenter.count()); }},
+      PresenterKey{GLFW_KEY_ENTER, "digits, Enter", "page of this number",
+                   [](LectureWindow& s) { s.go_to_typed_page(); }},
+      PresenterKey{GLFW_KEY_B, "B", "blank screen", [](LectureWindow& s) { s.presenter.is_blank ^= true; }},
+      PresenterKey{GLFW_KEY_PERIOD, ".", "the same", [](LectureWindow& s) { s.presenter.is_blank ^= true; }},
+      PresenterKey{GLFW_KEY_F11, "F11", "full screen", [](LectureWindow& s) { s.toggle_full_screen(); }},
+      PresenterKey{GLFW_KEY_F5, "F5", "the same", [](LectureWindow& s) { s.toggle_full_screen(); }},
+      PresenterKey{GLFW_KEY_F, "F", "the same", [](LectureWindow& s) { s.toggle_full_screen(); }},
+      PresenterKey{GLFW_KEY_TAB, "Tab", "panel", [](LectureWindow& s) { s.shows_panel ^= true; }},
+      PresenterKey{GLFW_KEY_D, "D", "German or English",
+                   [](LectureWindow& s) {
+                     s.presenter.language =
+                         s.presenter.language == Language::german ? Language::english : Language::german;
+                   }},
+      PresenterKey{GLFW_KEY_P, "P", "play the scene, or pause",
+                   [](LectureWindow& s) { s.presenter.demo().player.is_running ^= true; }},
+      PresenterKey{GLFW_KEY_R, "R", "the page as it was",
+                   [](LectureWindow& s) { s.presenter.go_to(s.presenter.number()); }},
+      PresenterKey{GLFW_KEY_ESCAPE, "Esc", "leave full screen, then the lecture", [](LectureWindow& s) { s.leave(); }},
+  };
+  return kKeys;
+}
+
+LectureWindow::LectureWindow(Window& its_window, Presenter& its_presenter)
+    : SceneWindow(its_window),
+      presenter(its_presenter),
+      renderer_(window.size().width, window.size().height),
+      panel_(renderer_.sheet()) {}
+
+void LectureWindow::move_cursor(int direction) {
+  is_shift_down_ ? presenter.skip_phase(direction) : presenter.step(direction);
+}
+
+void LectureWindow::go_to_typed_page() {
+  if (typed_ > 0) presenter.go_to(typed_);
+  typed_ = 0;
+}
+
+void LectureWindow::leave() { window.is_full_screen() ? window.set_full_screen(false) : stop(); }
+
+int LectureWindow::left() const {
+  const auto [width, height] = window.size();
+  return shows_panel ? Panel::width_in(width, height, presenter.demo().view.ui_scale) : 0;
+}
+
+void LectureWindow::press(int code) {
+  if (code >= GLFW_KEY_0 && code <= GLFW_KEY_9) return type_digit(code - GLFW_KEY_0);
+  if (code >= GLFW_KEY_KP_0 && code <= GLFW_KEY_KP_9) return type_digit(code - GLFW_KEY_KP_0);
+  if (code == GLFW_KEY_KP_ENTER) code = GLFW_KEY_ENTER;
+  for (const PresenterKey& key : presenter_keys()) {
+    if (key.code == code) key.act(*this);
+  }
+  if (code != GLFW_KEY_ENTER) typed_ = 0;
+  presenter.demo().touch();
+}
+
+void LectureWindow::draw(const WindowEvents& events, float elapsed) {
+  for (const int shift : {GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT}) {
+    if (const auto key = events.keys.find(shift); key != events.keys.end()) is_shift_down_ = key->second;
+  }
+  const auto [width, height] = window.size();
+  if (renderer_.width() != width || renderer_.height() != height) renderer_.resize(width, height);
+  renderer_.set_options(
+      {.theme = theme_named(presenter.demo().view.theme), .left = left(), .text_scale = Presenter::kTextScale});
+  renderer_.draw(presenter.frame_view(static_cast<float>(width - left()) / static_cast<float>(height)));
+  if (shows_panel) {
+    panel_.density = window.density();
+    panel_.draw(presenter.demo(), {events.mouse, events.is_mouse_down || events.was_pressed, events.wheel, events.typed,
+                                   elapsed, events.keys});
+  }
+  renderer_.copy_to_window();
+  window.show();
+}
+
+std::string LectureWindow::title() { return fmt::format("Ballpit: {}", presenter.title()); }
+
+}  // namespace ballpit

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "window/scene_window.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "core/interrupt.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kIdle = 0.25;  // [s] to wait for an event while nothing moves
+constexpr float kClick = 4;     // [pixel] largest movement of the mouse in a click
+
+double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+void sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+}  // namespace
+
+void SceneWindow::run() {
+  auto last = Clock::now();
+  while (!window.is_to_close() && !was_interrupted() && !is_stopped_) {
+    const bool is_idle = drawn_ == demo().version() && !demo().player.is_running && !is_settling_ && !is_busy();
+    const WindowEvents& events = window.poll(is_idle ? kIdle : 0);
+    const auto now = Clock::now();
+    const double elapsed = std::min(seconds_between(last, now), 0.25);
+    last = now;
+    handle(events);
+    advance(elapsed);
+    if (const PictureSize size = window.size(); size.width < 16 || size.height < 16) {  // minimised
+      sleep(kFrame);
+      continue;
+    }
+    if (events.any || drawn_ != demo().version() || is_settling_) {
+      const Demo::Version version = demo().version();
+      draw(events, static_cast<float>(elapsed));
+      is_settling_ = drawn_ != version || events.any;  // a panel shows the outcome of a click a frame later
+      drawn_ = version;
+    }
+    if (seconds_between(titled_, now) >= 1) {
+      titled_ = now;
+      window.set_title(title());
+    }
+    const double left = kFrame - seconds_between(now, Clock::now());
+    if (demo().player.is_running && left > 0) sleep(left);
+  }
+}
+
+void SceneWindow::handle(const WindowEvents& events) {
+  if (!takes_keyboard()) {
+    for (const int code : events.pressed) press(code);
+  }
+  if (events.was_pressed) {
+    pressed_at_ = events.mouse;
+    is_turning_ = !takes_mouse();
+  }
+  if (is_turning_ && events.is_mouse_down && events.mouse != mouse_) {
+    const Vec2 moved = (events.mouse - mouse_) / static_cast<float>(std::max(window.size().height, 1));
+    demo().view.orbit(moved.x, moved.y);
+    demo().touch();
+  }
+  if (events.was_released && is_turning_ && length(events.mouse - pressed_at_) <= kClick) pick(events.mouse);
+  if (events.was_released) is_turning_ = false;
+  if (events.wheel != 0 && !takes_mouse()) {
+    demo().view.zoom_by(events.wheel);
+    demo().touch();
+  }
+  mouse_ = events.mouse;
+}
+
+void SceneWindow::pick(Vec2 at) {
+  const PictureSize size = window.size();
+  const auto margin = static_cast<float>(left()), height = static_cast<float>(size.height);
+  const float width = static_cast<float>(size.width) - margin;
+  const FrameView view = frame_view(width / height);
+  demo().view.selected =
+      body_at(view.camera, view.inspection.bodies, {2 * (at.x - margin) / width - 1, 1 - 2 * at.y / height});
+  demo().touch();
+}
+
+}  // namespace ballpit

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// A window that shows a demonstration. The mouse turns the scene, the wheel zooms, and a click picks a sphere.
+//
+//     run():   events ──▶ keys, mouse, panel's input
+//              clock ──▶ player: the steps that are due, for half a frame at most
+//              anything new? ──▶ draw; else wait for an event
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "show/demo_renderer.h"
+#include "window/window.h"
+
+namespace ballpit {
+
+class SceneWindow {
+ public:
+  explicit SceneWindow(Window& its_window) : window(its_window) {}
+  virtual ~SceneWindow() = default;
+
+  /// Until the window is closed, the program is interrupted, or stop() is called.
+  void run();
+
+ protected:
+  using Clock = std::chrono::steady_clock;
+
+  virtual Demo& demo() = 0;
+  virtual void press(int code) = 0;                                  ///< a key, by GLFW's code
+  virtual FrameView frame_view(float aspect) = 0;                    ///< of the scene, with its bodies
+  virtual void draw(const WindowEvents& events, float elapsed) = 0;  ///< into the window
+  virtual std::string title() = 0;                                   ///< asked once a second
+  virtual void advance(double elapsed) { demo().advance(elapsed, kFrame / 2); }
+  virtual bool is_busy() const { return false; }      ///< whether it draws on without events
+  virtual int left() const { return 0; }              ///< [pixel] of the window's width beside the scene
+  virtual bool takes_mouse() const { return false; }  ///< whether a panel does
+  virtual bool takes_keyboard() const { return false; }
+
+  void stop() { is_stopped_ = true; }
+
+  static constexpr double kFrame = 1.0 / 60;  // [s]
+
+  Window& window;
+
+ private:
+  void handle(const WindowEvents& events);
+  void pick(Vec2 at);
+
+  Vec2 mouse_{0.0f}, pressed_at_{0.0f};
+  bool is_turning_ = false, is_settling_ = true, is_stopped_ = false;
+  Demo::Version drawn_;
+  Clock::time_point titled_{};
+};
+
+}  // namespace ballpit
