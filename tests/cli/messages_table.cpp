@@ -236,6 +236,41 @@ std::vector<Row> rows_of_scenes() {
   };
 }
 
+/// A page with more keys.
+Row page(const std::string& site, const std::string& said, const std::string& keys) {
+  return {site, said, {"lecture", "a.toml", "--json"}, "[[page]]\nid = 'a'\nscene = 'lecture-grid'\n" + keys};
+}
+
+std::vector<Row> rows_of_lectures() {
+  const auto whole = [](const std::string& site, const std::string& said, const std::string& text) {
+    return Row{site, said, {"lecture", "a.toml", "--json"}, text};
+  };
+  return {
+      {"cli/command_lecture.cpp: --page", "--page: found 999, allowed 1 to ", {"lecture", "--page", "999", "--json"}},
+      {"cli/command_lecture.cpp: --lang", "--lang: found fr, allowed en, de", {"lecture", "--lang", "fr", "--json"}},
+      interrupted("cli/command_lecture.cpp: interrupted", "lecture: interrupted after ",
+                  {"lecture", "--export", "handout", "--size", "3840x2160"}),
+      whole("show/lecture.cpp: tables [[page]]", "page: found nothing, allowed tables", "title = 'x'"),
+      whole("show/lecture.cpp: a name for the page", "[[page]] id: found nothing", "[[page]]\nscene = 'rain'"),
+      whole("show/lecture.cpp: the name of a scene", "[[page]] scene: found nothing", "[[page]]\nid = 'a'"),
+      page("show/lecture.cpp: a second time", "[[page]] id: found \"a\" a second time",
+           "[[page]]\nid = 'a'\nscene = 'rain'"),
+      page("show/lecture.cpp: unknown, join", "[[page]] caption: found {x}, allowed spheres", "caption = \"{x}\""),
+      page("show/lecture.cpp: (key, describe(element), allowed", "[[page]] slides: found \"x\", allowed integers",
+           "slides = [\"x\"]"),
+      page("show/lecture.cpp: an array of texts", "[[page]] overlays: found \"grid\", allowed an array of texts",
+           "overlays = \"grid\""),
+      page("show/lecture.cpp: texts in quotes", "[[page]] overlays: found 1, allowed texts", "overlays = [1]"),
+      page("show/lecture.cpp: (\"overlays\"", "[[page]] overlays: found \"x\", allowed grid", "overlays = [\"x\"]"),
+      page("show/lecture.cpp: of elevation", "[[page]] camera: found 99° of elevation", "camera = [0, 99, 1]"),
+      page("show/lecture.cpp: of zoom", "[[page]] camera: found 0 of zoom", "camera = [0, 0, 0]"),
+      page("show/lecture.cpp: \"stops\"", "[[page]] stops: found \"x\", allowed start",
+           "kernel = \"race\"\nstops = [\"x\"]"),
+      page("show/lecture.cpp: no kernel", "[[page]] stops: found no kernel", "stops = [\"clear\"]"),
+      page("show/lecture.cpp: (\"color\"", "[[page]] color: found \"x\", allowed contact", "color = \"x\""),
+  };
+}
+
 }  // namespace
 
 const std::vector<Unreached>& unreached() {
@@ -244,12 +279,16 @@ const std::vector<Unreached>& unreached() {
   const std::string before = "the command line refuses the value before";
   const std::string device = "needs a graphics device";
   const std::string remembered = "show prints it as a note, see below";
+  const std::string on_page = "the page shows it, and the lecture goes on: tests/show";
   static const std::vector<Unreached> table{
       {"cli/command_line.cpp: what cannot be parsed", "a kind of failure of CLI11 that no option of ours has"},
       {"cli/main.cpp: (command, error.what())", "a failure of the standard library that no input is known for"},
       {"window/remembered.cpp: text_of(range)", remembered},
       {"window/remembered.cpp: \"version\"", remembered},
       {"window/remembered.cpp: something else", remembered},
+      {"lecture/record.cpp: interleaving", on_page},
+      {"lecture/recorded_run.cpp: kernel", on_page},
+      {"show/presenter.cpp: stops", on_page},
       {"cuda/backend_cuda.cu: --backend", device},
       {"cuda/cuda_error.h: expression", device},
       {"cuda/gl_interop.cu: another device", device},
@@ -283,6 +322,8 @@ std::vector<Row> all_rows() {
   std::vector<Row> rows = rows_of_commands();
   const std::vector<Row> scenes = rows_of_scenes();
   rows.insert(rows.end(), scenes.begin(), scenes.end());
+  const std::vector<Row> lectures = rows_of_lectures();
+  rows.insert(rows.end(), lectures.begin(), lectures.end());
   return rows;
 }
 

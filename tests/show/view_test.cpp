@@ -72,3 +72,22 @@ TEST_CASE("an overlay is shown once, or not") {
   view.toggle("pairs");
   CHECK(view.overlays == std::vector<std::string>{"pairs"});
 }
+
+TEST_CASE("a sphere is picked where the picture shows its centre, also where overlays or a page move the scene") {
+  for (const int dimensions : {2, 3}) {
+    const DomainBox box{Vec3(0), Vec3(1, 1, dimensions == 2 ? 0 : 1), dimensions, false};
+    BodySnapshot bodies;
+    bodies.count = 3;
+    bodies.position = {0.2f, 0.2f, 0, 0.8f, 0.3f, 0, 0.5f, 0.9f, 0};
+    bodies.radius = {0.05f};
+    const Camera whole = camera_of({}, box, 1.6f);
+    for (const Camera& camera :
+         {whole, leave_room_below(whole, 0.3f), leave_room(camera_of({}, box, 0.9f), {0, 0.45f, 0.35f, 0.06f}, 1.6f)}) {
+      const Mat4 clip = camera.projection() * camera.view();
+      for (int64_t i = 0; i < bodies.count; ++i) {
+        const Vec4 at = clip * Vec4(bodies.position_of(i), 1);
+        CHECK(body_at(camera, bodies, Vec2(at.x, at.y) / at.w) == i);
+      }
+    }
+  }
+}

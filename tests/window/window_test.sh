@@ -16,8 +16,9 @@ cat > hands.sh <<'HANDS'
 set -euo pipefail
 fail() { echo "FAILED: $1"; cat log; exit 1; }
 program=$1
-begin() {
-  "$program" show --threads 2 "$@" > log 2>&1 &
+begin() { open_window show --threads 2 "$@"; }
+open_window() {
+  "$program" "$@" > log 2>&1 &
   show=$!
   for _ in $(seq 100); do
     window=$(xdotool search --onlyvisible --pid $show 2> /dev/null | tail -1) && [[ -n $window ]] && break
@@ -75,6 +76,22 @@ begin lecture-grid; expect_title "linked-cell"; end
 echo "{" > config/ballpit/show.json
 begin lecture-grid --remember --size 640x480; expect_title "linked-cell"; end
 [[ $(wc -l < log) == 1 ]] && grep -q "note: --remember: nothing is remembered: .*show.json" log || fail "no note"
+
+# A lecture by the presenter's keys.
+open_window lecture --size 960x540; expect_title "project the scene on an axis"
+xdotool key Next; expect_title "into one list"
+xdotool key space; expect_title "Sort the list"
+xdotool key Next Next; expect_title "walks the list"
+xdotool key Prior; expect_title "Sort the list"
+xdotool key 2 1 Return; expect_title "two threads insert"
+xdotool key Right Right Left shift+Right shift+Left b period Tab Tab p p r
+xdotool key d; expect_title "gleichzeitig"
+xdotool key d End; expect_title "Swept"
+xdotool key Home; expect_title "project the scene"
+xdotool mousemove --window "$window" 300 250 click 1
+xdotool key Escape
+wait $show || fail "exit status $?"
+[[ ! -s log ]] || fail "the lecture said something"
 status=0; "$program" show --size 16384x16384 2> log || status=$?
 [[ $status == 2 && $(wc -l < log) == 1 ]] && grep -q -- "--size: found 16384x16384, allowed at most 5120x4096 on this display" log || fail "no line of the size"
 HANDS
