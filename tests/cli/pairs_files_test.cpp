@@ -18,7 +18,7 @@ TEST_CASE("files without spheres, with one, in any order of columns and with vel
     pairs({scratch / "a.csv", "--verify", "--broadphase", method, "--out", scratch / "pairs.csv"});
     return read_text(scratch / "pairs.csv");
   };
-  for (const std::string& method : broad_phases()) {
+  for (const std::string& method : search_methods()) {
     INFO(method);
     CHECK(pairs_in("x,y,z,radius\n", method) == "i,j\n");
     CHECK(pairs_in("x,y,z,radius\n1,2,3,4\n", method) == "i,j\n");

@@ -48,7 +48,7 @@ std::string exact_csv(const std::string& text) {
 TEST_CASE("the pairs of a file are written sorted, each once, touching ones too") {
   const Scratch scratch;
   write_text(scratch / "four.csv", kFour);
-  for (const std::string& method : broad_phases()) {
+  for (const std::string& method : search_methods()) {
     INFO(method);
     const nlohmann::json summary =
         pairs({scratch / "four.csv", "--out", scratch / "pairs.csv", "--broadphase", method});
@@ -65,7 +65,7 @@ TEST_CASE("every broad phase finds the pairs of the exact reference, with any nu
   write_text(scratch / "cloud.csv", text);
   const std::string expected = exact_csv(text);
   CHECK(std::count(expected.begin(), expected.end(), '\n') > 1000);
-  for (const std::string& method : broad_phases()) {
+  for (const std::string& method : search_methods()) {
     for (const char* threads : {"1", "3"}) {
       INFO(method << " on " << threads << " threads");
       pairs({scratch / "cloud.csv", "--out", scratch / "pairs.csv", "--broadphase", method, "--threads", threads});
@@ -99,7 +99,7 @@ TEST_CASE("pairs --json prints one object with all that was promised") {
 TEST_CASE("the histogram of work counts every thread once, and a warp is never busier than it can be") {
   const Scratch scratch;
   write_text(scratch / "cloud.csv", cloud(1000, 0.05));
-  for (const std::string& method : broad_phases()) {
+  for (const std::string& method : search_methods()) {
     INFO(method);
     const nlohmann::json work = pairs({scratch / "cloud.csv", "--broadphase", method})["work"];
     int64_t threads = 0, next = 0;
@@ -125,7 +125,7 @@ TEST_CASE("every broad phase and the exact reference find the pairs across the e
   int64_t contacts = 0;
   for (const char* period : {"1,1,1", "1,1,0", "0,1,0", "0,0,1.5", "0,0,0"}) {
     expected.clear();
-    for (const std::string& method : broad_phases()) {
+    for (const std::string& method : search_methods()) {
       INFO(method << " with " << period);
       const nlohmann::json summary = pairs({scratch / "cloud.csv", "--verify", "--period", period, "--broadphase",
                                             method, "--out", scratch / "pairs.csv"});
@@ -231,7 +231,7 @@ TEST_CASE("columns that are not read are named in one warning") {
 }
 
 TEST_CASE("automatic choice says what it chose, and why") {
-  const std::vector<std::string> names = broad_phases();
+  const std::vector<std::string> names = search_methods();
   if (std::find(names.begin(), names.end(), "auto") == names.end()) return;
   const Scratch scratch;
   write_text(scratch / "four.csv", kFour);
@@ -256,7 +256,7 @@ TEST_CASE("repeated searches tell median, least and quartiles") {
 TEST_CASE("verification finds nothing wrong with any broad phase") {
   const Scratch scratch;
   write_text(scratch / "cloud.csv", cloud(2000, 0.05));
-  for (const std::string& method : broad_phases()) {
+  for (const std::string& method : search_methods()) {
     INFO(method);
     const nlohmann::json summary = pairs({scratch / "cloud.csv", "--verify", "--broadphase", method});
     CHECK(summary["missed"] == 0);

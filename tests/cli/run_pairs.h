@@ -29,7 +29,7 @@ inline nlohmann::json pairs(Arguments arguments) {
   return outcome.json();  // throws if there is anything but the object
 }
 
-inline std::vector<std::string> broad_phases() {
+inline std::vector<std::string> search_methods() {
   std::vector<std::string> names;
   for (const std::string_view name : kNames<BroadPhase>) names.emplace_back(name);
   return names;

@@ -46,7 +46,7 @@ TEST_CASE("a gas cools by Haff's law: τ is that of kinetic theory to two percen
 TEST_CASE("a gas without losses does not cool") {
   CHECK(cooling({2, 0.1, 1, 0, 0}, 0.9, {0.5, 3.0}).back() < 0.1);
   const Scene gas = equilibrium_gas(2, 0.1, 1);
-  const auto world = make_cpu_world(gas, exact_motion(10));
+  const auto world = make_world_on_cpu(gas, exact_motion(10));
   const double before = world->report().kinetic_energy;
   world->step();
   CHECK(world->report().kinetic_energy == Approx(before).epsilon(1e-12));

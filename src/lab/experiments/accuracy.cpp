@@ -53,7 +53,7 @@ Trial mean_of_spring_hits(const SpringHit& hit, const Settings& settings, int ph
     Scene scene = wide_box();
     const double gap = (2 + phase) * hit.speed * settings.dt;
     for (const int side : {-1, 1}) {
-      add_sphere(scene, {side * (0.5 + gap / 2), 0, 0}, {-side * hit.speed / 2, 0, 0}, 0.5, 1);
+      put_sphere(scene, {side * (0.5 + gap / 2), 0, 0}, {-side * hit.speed / 2, 0, 0}, 0.5, 1);
     }
     scene.physics.law = hit.law;
     scene.physics.stiffness = hit.stiffness;
@@ -91,8 +91,8 @@ Trial run_strike(const Strike& strike, const Settings& settings) {
     scene.physics.restitution = strike.restitution;
     scene.physics.stiffness = stiffness_for(settings.dt, kStepsOfContact, mu, strike.restitution);
     const double start = -(along + 0.5) * reach - phase * strike.speed * settings.dt;
-    add_sphere(scene, {start, strike.offset, 0}, v, strike.radius[0], strike.mass[0]);
-    add_sphere(scene, {0, 0, 0}, Vec3d(0.0), strike.radius[1], strike.mass[1]);
+    put_sphere(scene, {start, strike.offset, 0}, v, strike.radius[0], strike.mass[0]);
+    put_sphere(scene, {0, 0, 0}, Vec3d(0.0), strike.radius[1], strike.mass[1]);
     return Case{scene, strike.time, [&](const Bodies& end) { return length(end.velocity[0] - after) / strike.speed; }};
   });
 }
@@ -112,7 +112,7 @@ Trial run_ball(const Settings& settings, uint64_t, bool) {
     scene.physics.restitution = scene.physics.wall_restitution = kRestitution;
     scene.physics.stiffness = stiffness_for(settings.dt, kStepsOfContact, kMass, kRestitution);
     const double height = 0.95 + 0.1 * phase;
-    add_sphere(scene, {0, kFloor + kRadius + height, 0}, Vec3d(0.0), kRadius, kMass);
+    put_sphere(scene, {0, kFloor + kRadius + height, 0}, Vec3d(0.0), kRadius, kMass);
     const double truth = bouncing_height(height, kRestitution, 9.81, kTime);
     return Case{scene, kTime,
                 [=](const Bodies& end) { return std::fabs(end.position[0].y - kFloor - kRadius - truth) / height; }};
@@ -128,7 +128,7 @@ Trial run_cradle(const Settings& settings, uint64_t, bool) {
     scene.physics.stiffness = stiffness_for(settings.dt, kStepsOfContact, 0.5, 1);
     for (int k = 0; k < kSpheres; ++k) {
       const double x = k == 0 ? -phase * settings.dt : k * (1 + kGap);
-      add_sphere(scene, {x, 0, 0}, {k == 0 ? 1.0 : 0.0, 0, 0}, 0.5, 1);
+      put_sphere(scene, {x, 0, 0}, {k == 0 ? 1.0 : 0.0, 0, 0}, 0.5, 1);
     }
     return Case{scene, kTime, [](const Bodies& end) {
                   double largest = std::fabs(end.velocity.back().x - 1);

@@ -69,7 +69,7 @@ Task pressure_task(const std::function<Scene(uint64_t)>& gas, double rho, const 
 
 /// The median distance between the positions after a time and those of exact motion.
 Trial run_paths(const Scene& scene, double time, const Settings& settings) {
-  const auto exact = make_cpu_world(scene, exact_motion(time));
+  const auto exact = make_world_on_cpu(scene, exact_motion(time));
   exact->step();
   TimedRun run(with_springs(scene, settings.dt), settings);
   if (!run.reach(time)) return {kFailed, run.seconds()};

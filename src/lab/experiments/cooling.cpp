@@ -107,7 +107,7 @@ std::vector<double> cooling(const GasRun& run, double restitution, const std::ve
   const double tau = cooling_time(run.rho, count_of(run), restitution);
   Settings settings = exact_motion(tau / 100);
   std::vector<double> parts;
-  const auto world = make_cpu_world(scene, settings);
+  const auto world = make_world_on_cpu(scene, settings);
   const double start = world->report().kinetic_energy;
   for (const double time : times) {
     step_until(*world, time * tau, settings.dt);

@@ -137,7 +137,7 @@ double energy_of(const Report& report) {
 
 std::vector<LargestDrift> drift_of(const Scene& scene, const Settings& settings, const std::vector<double>& times) {
   std::vector<LargestDrift> drifts;
-  const auto world = make_cpu_world(scene, settings);
+  const auto world = make_world_on_cpu(scene, settings);
   const Report start = world->report();
   double moving = 0;
   for (size_t i = 0; i < scene.bodies.mass.size(); ++i) {
@@ -167,8 +167,8 @@ std::vector<double> oscillator_drift(const std::string& integrator, double omega
   Scene scene = wide_box(10);
   scene.physics.gravity = {0, -kGravity, 0};
   scene.physics.stiffness = kStiffness;
-  add_sphere(scene, {0, kRest + kAmplitude, 0}, Vec3d(0.0), 0.5, 1.0);
-  const auto world = make_cpu_world(scene, settings_of("penalty", omega_dt / 100, integrator));
+  put_sphere(scene, {0, kRest + kAmplitude, 0}, Vec3d(0.0), 0.5, 1.0);
+  const auto world = make_world_on_cpu(scene, settings_of("penalty", omega_dt / 100, integrator));
   const double start = 0.5 * kStiffness * kAmplitude * kAmplitude;
   std::vector<double> drifts;
   double largest = 0;

@@ -155,7 +155,7 @@ std::vector<double> block_z(const GasRun& run, const Settings& settings, const S
   Scene scene = gas;
   std::vector<double> values;
   for (int k = 0; k < run.blocks; ++k) {
-    const auto world = make_cpu_world(scene, own);
+    const auto world = make_world_on_cpu(scene, own);
     const double before = world->report().kinetic_energy;
     step_until(*world, block, own.dt);
     const Report now = world->report();

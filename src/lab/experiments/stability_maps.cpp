@@ -26,7 +26,7 @@ Scene crystal(double stiffness) {
   scene.physics.restitution = scene.physics.wall_restitution = 1;
   scene.physics.stiffness = stiffness;
   for (const Vec3d& site : fcc_lattice(kCells, edge)) {
-    add_sphere(scene, site + kDisturbed * random.uniform(Vec3d(-1.0), Vec3d(1.0)), Vec3d(0.0), 0.5, 1.0);
+    put_sphere(scene, site + kDisturbed * random.uniform(Vec3d(-1.0), Vec3d(1.0)), Vec3d(0.0), 0.5, 1.0);
   }
   return scene;
 }
@@ -43,7 +43,7 @@ double spring_growth(double dt, double stiffness) {
   constexpr int kSteps = 300;
   Settings settings = settings_of("penalty", dt, "velocity-verlet");
   settings.max_energy = 1e15;  // the failure is to be seen
-  const auto world = make_cpu_world(crystal(stiffness), settings);
+  const auto world = make_world_on_cpu(crystal(stiffness), settings);
   double largest = 1;
   int steps = 0;
   while (steps < kSteps && largest < kGrown) {
@@ -61,12 +61,12 @@ double part_of_hits_seen(double step, double impact, int phases, bool is_swept) 
   Scene scene = wide_box(half);
   for (int k = 0; k < phases; ++k) {
     const double y = lane * (k - (phases - 1) / 2.0), start = -1 - (1.5 + (k + 0.5) / phases) * step;
-    add_sphere(scene, {start, y + impact, 0}, {1, 0, 0}, 0.5, 1);
-    add_sphere(scene, {0, y, 0}, Vec3d(0.0), 0.5, 1);
+    put_sphere(scene, {start, y + impact, 0}, {1, 0, 0}, 0.5, 1);
+    put_sphere(scene, {0, y, 0}, Vec3d(0.0), 0.5, 1);
   }
   Settings settings = settings_of("impulse", step);
   settings.is_swept = is_swept;
-  const auto world = make_cpu_world(scene, settings);
+  const auto world = make_world_on_cpu(scene, settings);
   std::set<int> seen;  // the second sphere of each pair; a pair may touch while it parts, without an impulse
   for (int k = 0; k < steps; ++k) {
     for (const Pair& pair : world->inspect().contacts) seen.insert(pair.j);
@@ -109,7 +109,7 @@ double speed_left(const std::vector<double>& masses, int sweeps) {
   settings.solver = Solver::gauss_seidel;
   settings.correction = Correction::none;
   settings.iterations = sweeps;
-  const auto world = make_cpu_world(scene, settings);
+  const auto world = make_world_on_cpu(scene, settings);
   world->step();
   return largest_speed(*world) / (-scene.physics.gravity.y * kStep);
 }
@@ -118,10 +118,10 @@ double part_of_way(double x, double step) {
   constexpr int kSteps = 16;
   Scene scene;
   scene.domain = {Vec3d(-2 * x), Vec3d(2 * x), Boundary::walls, 3};
-  add_sphere(scene, {x, 0, 0}, {step, 0, 0}, x / 1024, 1);
+  put_sphere(scene, {x, 0, 0}, {step, 0, 0}, x / 1024, 1);
   Settings settings = settings_of("impulse", 1);
   settings.precision = Precision::float32;
-  const auto world = make_cpu_world(scene, settings);
+  const auto world = make_world_on_cpu(scene, settings);
   const double start = world->bodies().position[0].x;  // x, rounded
   for (int k = 0; k < kSteps; ++k) world->step();
   return (world->bodies().position[0].x - start) / (kSteps * step);
@@ -129,11 +129,11 @@ double part_of_way(double x, double step) {
 
 bool passes_through(double step, bool is_swept) {
   Scene scene = wide_box(10);
-  add_sphere(scene, {-2.5 * step, 0, 0}, {1, 0, 0}, 0.05, 1);  // symmetric about the wall, two steps later
-  for (int k = -2; k <= 2; ++k) add_sphere(scene, {0, 0.22 * k, 0}, Vec3d(0.0), 0.1, 1);
+  put_sphere(scene, {-2.5 * step, 0, 0}, {1, 0, 0}, 0.05, 1);  // symmetric about the wall, two steps later
+  for (int k = -2; k <= 2; ++k) put_sphere(scene, {0, 0.22 * k, 0}, Vec3d(0.0), 0.1, 1);
   Settings settings = settings_of("impulse", step);
   settings.is_swept = is_swept;
-  const auto world = make_cpu_world(scene, settings);
+  const auto world = make_world_on_cpu(scene, settings);
   for (int k = 0; k < 5; ++k) world->step();
   return world->bodies().position[0].x > 0.2;
 }

@@ -28,7 +28,7 @@ Scene lattice_gas(int cells, double rho, uint64_t seed) {
   Scene scene;
   scene.domain = {Vec3d(0.0), Vec3d(cells * edge), Boundary::periodic, 3};
   scene.physics.restitution = scene.physics.wall_restitution = 1;
-  for (const Vec3d& site : fcc_lattice(cells, edge)) add_sphere(scene, site, Vec3d(0.0), 0.5, 1);
+  for (const Vec3d& site : fcc_lattice(cells, edge)) put_sphere(scene, site, Vec3d(0.0), 0.5, 1);
   Random random(seed);
   set_velocities(scene.bodies, random);
   return scene;
@@ -36,14 +36,14 @@ Scene lattice_gas(int cells, double rho, uint64_t seed) {
 
 /// Moves the bodies exactly for a time.
 void relax(Scene& scene, double time) {
-  const auto world = make_cpu_world(scene, exact_motion(time));
+  const auto world = make_world_on_cpu(scene, exact_motion(time));
   world->step();
   scene.bodies = world->bodies();
 }
 
 }  // namespace
 
-void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity, double radius, double mass) {
+void put_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity, double radius, double mass) {
   scene.bodies.position.push_back(position);
   scene.bodies.velocity.push_back(velocity);
   scene.bodies.radius.push_back(radius);
@@ -66,7 +66,7 @@ Scene make_stack(const std::vector<double>& masses, double radius) {
   scene.physics.restitution = scene.physics.wall_restitution = 0;
   double height = radius;
   for (const double mass : masses) {
-    add_sphere(scene, {0, height, 0}, Vec3d(0.0), radius, mass);
+    put_sphere(scene, {0, height, 0}, Vec3d(0.0), radius, mass);
     height += 2 * radius;
   }
   return scene;
@@ -121,7 +121,7 @@ Scene equilibrium_column(uint64_t seed) {
   for (int k = 0; k < kSide * kSide * kLayers; ++k) {
     const double height = kRadius + 0.5 * (k / (kSide * kSide) + 0.5);  // on average 1 above the lowest
     const Vec3d place((k % kSide + 0.5) * kWidth / kSide, height, (k / kSide % kSide + 0.5) * kWidth / kSide);
-    add_sphere(scene, place, Vec3d(0.0), kRadius, 1);
+    put_sphere(scene, place, Vec3d(0.0), kRadius, 1);
   }
   Random random(seed);
   set_velocities(scene.bodies, random);
@@ -146,7 +146,7 @@ Settings exact_motion(double dt) {
   return settings;
 }
 
-std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settings) {
+std::unique_ptr<World> make_world_on_cpu(const Scene& scene, const Settings& settings) {
   return cpu_backend().make_world(scene, settings);
 }
 

@@ -10,7 +10,7 @@
 
 namespace ballpit {
 
-void add_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity, double radius, double mass);
+void put_sphere(Scene& scene, const Vec3d& position, const Vec3d& velocity, double radius, double mass);
 
 /// A cube around the origin with this half edge, without gravity and losses.
 Scene wide_box(double half = 50.0);
@@ -44,7 +44,7 @@ Settings settings_of(const std::string& response, double dt, const std::string& 
 /// Exact motion, reported in steps of dt.
 Settings exact_motion(double dt);
 
-std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settings);
+std::unique_ptr<World> make_world_on_cpu(const Scene& scene, const Settings& settings);
 
 /// Steps until the time [s] is reached to within half a step. Throws Interrupted.
 void step_until(World& world, double time, double dt);
@@ -52,7 +52,8 @@ void step_until(World& world, double time, double dt);
 /// A world on the CPU whose steps are timed. Its failure is a result, not an error.
 class TimedRun {
  public:
-  TimedRun(const Scene& scene, const Settings& settings) : world_(make_cpu_world(scene, settings)), dt_(settings.dt) {}
+  TimedRun(const Scene& scene, const Settings& settings)
+      : world_(make_world_on_cpu(scene, settings)), dt_(settings.dt) {}
 
   /// Steps until `time` [s]; false if the run stops before.
   bool reach(double time);
