@@ -11,9 +11,9 @@
 // (sweep_candidates.h), and no thread walks the list as on slide 4; lecture/kernels/sort_and_sweep.h does.
 //
 // Cost: one stable sort of 2n endpoints, O(n log n) or, by radix, O(n); then one test for each overlap on the axis,
-// which is O(n^(5/3)) for a cube of spheres. Memory: 24 bytes a body, and a copy of position and radius. Source: Baraff, "Dynamic simulation of
-// non-penetrating rigid bodies" (1992); Witkin, Baraff, Kass, "Physically Based Modeling" (SIGGRAPH course, 1997).
-// Siblings: brute_force.h, linked_cell.h, sorted_grid.h.
+// which is O(n^(5/3)) for a cube of spheres. Memory: 24 bytes a body, and a copy of position and radius. Source:
+// Baraff, "Dynamic simulation of non-penetrating rigid bodies" (1992); Witkin, Baraff, Kass, "Physically Based
+// Modeling" (SIGGRAPH course, 1997). Siblings: brute_force.h, linked_cell.h, sorted_grid.h.
 #pragma once
 
 #include <cstring>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Broad phases that run the slides' own kernels. They test spheres themselves and yield pairs in contact. A comparison with
-// the tuned methods shows what tuning gains. The interface is that of broad_phase/parameters.h, with
+// Broad phases that run the slides' own kernels. They test spheres themselves and yield pairs in contact. A comparison
+// with the tuned methods shows what tuning gains. The interface is that of broad_phase/parameters.h, with
 //
 //     find(exec, bodies)       tests all candidates, after prepare(): the contacts, in any order
 //     list_candidates(exec, bodies)
@@ -58,8 +58,8 @@ struct StoreKeys {
   HOST_DEVICE void operator()(int k) const { keys[k] = sortable(kernels.coordinate(kernels.list[k])); }
 };
 
-/// What the methods share: the memory of the pairs and of the threads' work. `Derived` has kernels<Memory>(bodies, sink),
-/// whose collide(t) is the work of thread t of threads(bodies).
+/// What the methods share: the memory of the pairs and of the threads' work. `Derived` has kernels<Memory>(bodies,
+/// sink), whose collide(t) is the work of thread t of threads(bodies).
 template <class Derived, class V, class Exec>
 class Method {
   template <class T>

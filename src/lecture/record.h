@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Records what the slides' kernels do, operation by operation. The threads of a kernel are logical threads: they run in this
-// one thread and pass a baton at each operation on shared memory, in any interleaving.
+// Records what the slides' kernels do, operation by operation. The threads of a kernel are logical threads: they run in
+// this one thread and pass a baton at each operation on shared memory, in any interleaving.
 //
 //     interleaving 0 1 1 0          thread 0   load head[4] → −1               store head[4] ← 3
 //                                   thread 1                    load → −1, store ← 5            (sphere 5 is lost)
 //
-// A thread that must wait is left by an exception. When its turn comes again, its kernel runs from the start; the operations
-// that it has done already return their results of then. So a kernel needs no means to pause, and its local variables are
-// as they were. Cost: a thread that waits k times repeats its operations k times.
+// A thread that must wait is left by an exception. When its turn comes again, its kernel runs from the start; the
+// operations that it has done already return their results of then. So a kernel needs no means to pause, and its local
+// variables are as they were. Cost: a thread that waits k times repeats its operations k times.
 #pragma once
 
 #include <cstdint>

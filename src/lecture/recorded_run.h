@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a slide's kernels on a few spheres and records all that they do, phase by phase. Pages of a lecture move a cursor over
-// this record.
+// Runs a slide's kernels on a few spheres and records all that they do, phase by phase. Pages of a lecture move a
+// cursor over this record.
 #pragma once
 
 #include <optional>
@@ -52,8 +52,8 @@ struct RecordedRun {
   const Phase& phase_at(size_t cursor) const;
 };
 
-/// Runs a kernel. `interleaving` is that of the phase which inserts particles. Throws UserError for more than kMaxRecorded
-/// spheres.
+/// Runs a kernel. `interleaving` is that of the phase which inserts particles. Throws UserError for more than
+/// kMaxRecorded spheres.
 RecordedRun record_kernel(KernelName kernel, const BodySnapshot& bodies, const Domain& domain, const Settings& settings,
                           const Interleaving& interleaving = {}, const Mistakes& mistakes = {});
 

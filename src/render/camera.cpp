@@ -25,9 +25,9 @@ std::pair<float, float> range_of(const Corners& points, const Value& value) {
   return {low, high};
 }
 
-/// The depth E of the closest eye that has all points in view along one picture axis. A point at (a, f), across and forward,
-/// is in view of an eye at (e, E) if |a − e| ≤ k (f − E). Each point gives two half-planes for (e, E); the extreme ones
-/// intersect at the closest eye.
+/// The depth E of the closest eye that has all points in view along one picture axis. A point at (a, f), across and
+/// forward, is in view of an eye at (e, E) if |a − e| ≤ k (f − E). Each point gives two half-planes for (e, E); the
+/// extreme ones intersect at the closest eye.
 float closest_eye(const Corners& points, Vec3 across, Vec3 forward, float k) {
   const float high = range_of(points, [&](const Vec3& p) { return dot(p, across) - k * dot(p, forward); }).second;
   const float low = range_of(points, [&](const Vec3& p) { return dot(p, across) + k * dot(p, forward); }).first;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The camera: a value from which the view and projection matrices are computed. Spatial scenes are shown in perspective,
-// planar ones from the front without perspective.
+// The camera: a value from which the view and projection matrices are computed. Spatial scenes are shown in
+// perspective, planar ones from the front without perspective.
 #pragma once
 
 #include "core/math.h"
@@ -35,8 +35,8 @@ inline Vec3 corner_of(const Vec3& min, const Vec3& max, int k) {
   return {k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z};
 }
 
-/// A camera that shows the whole box with a margin: the three-quarter view in perspective for 3 dimensions, along −z without
-/// perspective for 2. The eye is as close as possible with all eight corners in view.
+/// A camera that shows the whole box with a margin: the three-quarter view in perspective for 3 dimensions, along −z
+/// without perspective for 2. The eye is as close as possible with all eight corners in view.
 Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect);
 
 /// The same along another direction, for the panel's orbit. Angles in radians; azimuth 0 looks along −z.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a page of a lecture adds to a picture: title, caption and slide number, and the lines of the kernel that it steps
-// through. They have parts of the picture to themselves; the scene fills the rest.
+// What a page of a lecture adds to a picture: title, caption and slide number, and the lines of the kernel that it
+// steps through. They have parts of the picture to themselves; the scene fills the rest.
 //
 //     ┌───────────────────────────────┐
 //     │ title                         │

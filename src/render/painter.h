@@ -77,8 +77,8 @@ class Projection {
     return length / camera_.pixel_size(depth(point), static_cast<int>(size_.y));
   }
 
-  /// A point at the same pixel, but nearer by `distance`: a point inside a sphere moves in front of that sphere, but stays
-  /// behind other spheres that hide it.
+  /// A point at the same pixel, but nearer by `distance`: a point inside a sphere moves in front of that sphere, but
+  /// stays behind other spheres that hide it.
   Vec3 lift(const Vec3& point, float distance) const {
     const Vec3 towards_eye = camera_.is_orthographic() ? camera_.eye - camera_.target : camera_.eye - point;
     return point + distance * normalize(towards_eye);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A transparent layer in front of the picture: text, lines, boxes and arrows in pixels, sharp at any size of picture. Drawn
-// by Dear ImGui's draw lists; a panel over the picture shares the sheet's ImGui context and its fonts.
+// A transparent layer in front of the picture: text, lines, boxes and arrows in pixels, sharp at any size of picture.
+// Drawn by Dear ImGui's draw lists; a panel over the picture shares the sheet's ImGui context and its fonts.
 //
 //     begin(width, height, …)   clears the sheet, loads fonts for this height of picture
 //     text, line, arrow, …      are collected; (0, 0) is the upper left corner, y goes down
@@ -20,8 +20,8 @@ struct ImFont;
 
 namespace ballpit {
 
-/// At 1080 lines: 22, 26 and 38 pixels, 22 for the panel, and 22 for code, whose letters have equal widths; in proportion
-/// at other heights, at least 9. Panel and scene have scales of their own.
+/// At 1080 lines: 22, 26 and 38 pixels, 22 for the panel, and 22 for code, whose letters have equal widths; in
+/// proportion at other heights, at least 9. Panel and scene have scales of their own.
 enum class TextSize { small, normal, title, panel, code };
 
 /// The point of a text that a position refers to: fractions of its width and height, from the upper left.
@@ -39,8 +39,8 @@ class Sheet {
   Sheet(const Sheet&) = delete;
   Sheet& operator=(const Sheet&) = delete;
 
-  /// For a picture of this size, whose first `left` pixels of width belong to a panel: x starts there. `scale` is that of
-  /// the scene's text; titles grow by half as much.
+  /// For a picture of this size, whose first `left` pixels of width belong to a panel: x starts there. `scale` is that
+  /// of the scene's text; titles grow by half as much.
   void begin(int width, int height, int left = 0, float scale = 1);
   void draw();
 
@@ -62,8 +62,8 @@ class Sheet {
   void disc(Vec2 centre, float radius, Rgba fill);
   void ring(Vec2 centre, float radius, Rgba color, float width);
 
-  /// Scales the panel's text, ImGui's default. `density`: pixels per unit of length on this display, relative to an ordinary
-  /// one; it raises the smallest size. Do not call within a frame of ImGui.
+  /// Scales the panel's text, ImGui's default. `density`: pixels per unit of length on this display, relative to an
+  /// ordinary one; it raises the smallest size. Do not call within a frame of ImGui.
   void scale_panel(float scale, float density = 1);
 
   /// For the panel: the context that must be current while it is drawn.

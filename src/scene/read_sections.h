@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sections of a scene file, one function each: from the reader of the whole file to a checked value. A missing section
-// gives the default value. Cost: proportional to the size of the section.
+// The sections of a scene file, one function each: from the reader of the whole file to a checked value. A missing
+// section gives the default value. Cost: proportional to the size of the section.
 #pragma once
 
 #include "scene/fill.h"

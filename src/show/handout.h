@@ -17,8 +17,8 @@ struct HandoutPicture {
   std::string png;  ///< the file's bytes
 };
 
-/// The whole page: pictures with alternative texts, and notes that open on request. Arrow keys and touch step through it, and
-/// it prints a picture per sheet.
+/// The whole page: pictures with alternative texts, and notes that open on request. Arrow keys and touch step through
+/// it, and it prints a picture per sheet.
 std::string handout_page(std::string_view title, Language language, const std::vector<HandoutPicture>& pictures);
 
 /// In the alphabet of RFC 4648, with padding.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Gives a lecture: one page at a time, each in the state that its file describes, whatever was changed on the page before.
+// Gives a lecture: one page at a time, each in the state that its file describes, whatever was changed on the page
+// before.
 //
 //     next() ──▶ the page's next stop, then the next page          step() ──▶ one operation of the page's kernel
 //
-// The inspection that is drawn is the demonstration's; on a page with a kernel its lists, candidates and contacts are those
-// of the record up to the cursor.
+// The inspection that is drawn is the demonstration's; on a page with a kernel its lists, candidates and contacts are
+// those of the record up to the cursor.
 #pragma once
 
 #include <memory>

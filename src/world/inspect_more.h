@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What an inspection holds only where it is wanted. It is found by colliders made for the moment, without candidate lists, so
-// that the world's own stays as it is, with its counts and the times of its stages.
-// Cost: a search for candidates, endpoints and work; one by brute force for what was missed.
+// What an inspection holds only where it is wanted. It is found by colliders made for the moment, without candidate
+// lists, so that the world's own stays as it is, with its counts and the times of its stages. Cost: a search for
+// candidates, endpoints and work; one by brute force for what was missed.
 #pragma once
 
 #include <algorithm>
@@ -68,7 +68,8 @@ std::vector<Pair> missed_pairs(const BodyStore<V, Exec>& bodies, const BroadPhas
   return missed;
 }
 
-/// Adds what is wanted to an inspection that holds the contacts found by `collider`. Bodies are named by their slots, as there.
+/// Adds what is wanted to an inspection that holds the contacts found by `collider`. Bodies are named by their slots,
+/// as there.
 template <class V, class Exec>
 void inspect_more(const BodyStore<V, Exec>& bodies, const Collider<V, Exec>& collider, const Wanted& wanted,
                   Inspection& seen) {

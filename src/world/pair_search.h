@@ -31,8 +31,8 @@ class PairSearch {
  public:
   virtual ~PairSearch() = default;
 
-  /// Finds all pairs. With a skin, a search of the same number of spheres tests its candidate list again, as long as no sphere
-  /// has left its skin. Throws UserError if the settings need more memory than an index can address.
+  /// Finds all pairs. With a skin, a search of the same number of spheres tests its candidate list again, as long as no
+  /// sphere has left its skin. Throws UserError if the settings need more memory than an index can address.
   virtual void find(const SphereArrays& spheres) = 0;
 
   /// The pairs of the last search, i < j, sorted by i, then j.
@@ -40,7 +40,8 @@ class PairSearch {
 
   virtual SearchReport report() = 0;
 
-  /// The work of each thread of the last search, as a GPU would run it: candidates, or list entries for the slides' kernels.
+  /// The work of each thread of the last search, as a GPU would run it: candidates, or list entries for the slides'
+  /// kernels.
   virtual std::vector<int> work_per_thread() = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sort and sweep as on slides 2 to 4: one list of begins and ends, sorted by coordinate; one thread per entry, which walks
-// the list. The tuned method, whose threads do not walk: broad_phase/sort_and_sweep.h.
+// Sort and sweep as on slides 2 to 4: one list of begins and ends, sorted by coordinate; one thread per entry, which
+// walks the list. The tuned method, whose threads do not walk: broad_phase/sort_and_sweep.h.
 #pragma once
 
 #include "lecture/kernels/memory.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shows sort and sweep (slides 2 to 4): the axis beside the scene, the begin and end of each sphere on it, the sorted list
-// and the walk of one thread along that list.
+// Shows sort and sweep (slides 2 to 4): the axis beside the scene, the begin and end of each sphere on it, the sorted
+// list and the walk of one thread along that list.
 //
 //          ( 0 )  ( 1 )
 //          ⋮   ⋮  ⋮   ⋮                dotted: from a sphere's ends to the axis
@@ -43,8 +43,8 @@ float outwardness(const Vec2& middle, bool is_upright) { return is_upright ? -mi
 
 /// The drawn axis, beside an edge of the domain.
 struct SweepAxis {
-  /// Below the domain for x and z, left of it for y; in spatial scenes along the lower edge nearest to the viewer. It stays
-  /// above `bottom` [pixel].
+  /// Below the domain for x and z, left of it for y; in spatial scenes along the lower edge nearest to the viewer. It
+  /// stays above `bottom` [pixel].
   SweepAxis(const FrameView& view, const Projection& space, float bottom, float unit);
 
   Vec2 at(float value) const;  ///< [pixel] of a coordinate on the axis

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shows the arrays in which a method stores its cells. Linked lists (slides 12 to 15): per cell the first body, per body the
-// next one.
+// Shows the arrays in which a method stores its cells. Linked lists (slides 12 to 15): per cell the first body, per
+// body the next one.
 //
 //             0    1    2    3    4
 //     head  │ −1 │  2 │ −1 │ −1 │ −1 │      cell 1 holds bodies 2 and 0

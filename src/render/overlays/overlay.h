@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Overlays show over the spheres what the simulation does. Each is a function that reads only the inspection, in a file of
-// its own, and one entry of the table that command line, panel and tests use.
+// Overlays show over the spheres what the simulation does. Each is a function that reads only the inspection, in a file
+// of its own, and one entry of the table that command line, panel and tests use.
 #pragma once
 
 #include <optional>
@@ -92,8 +92,8 @@ std::optional<Block> block_around(const GridInspection& grid, const BodySnapshot
 /// [s] How long a sphere needs for the length of its velocity arrow; 0 if all are at rest.
 float arrow_time(const FrameView& view);
 
-/// The longest path until the next search for contacts, in diameters of its sphere: above 1, spheres may pass through each
-/// other. 0 without velocities.
+/// The longest path until the next search for contacts, in diameters of its sphere: above 1, spheres may pass through
+/// each other. 0 without velocities.
 float longest_way(const FrameView& view);
 
 /// A thread's walk along the sorted list: from a begin to the end of the same body.
