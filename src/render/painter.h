@@ -36,10 +36,10 @@ struct Painter {
   FaceRenderer& faces;
   Sheet& sheet;  ///< in pixels, in front of everything that is drawn in space
   const Theme& theme;
-  float line_unit;  ///< [pixel] 1/1080 of the picture's height, so that lines look the same at every size
-  float noted = 0;  ///< [pixel] height of the notes so far
+  float line_unit;      ///< [pixel] 1/1080 of the picture's height, so that lines look the same at every size
+  float noted = 0;      ///< [pixel] height of the notes so far
   float note_left = 0;  ///< [pixel] where they begin
-  float taken = 0;  ///< [pixel] height of the strips so far
+  float taken = 0;      ///< [pixel] height of the strips so far
 
   /// Adds a line to the legend in the upper left corner.
   void note(const std::vector<NotePart>& parts);

@@ -40,7 +40,8 @@ TEST_CASE("a choice is a method that there is, with a reason that names the numb
     CHECK_THAT(choice.reason, Catch::Contains(std::to_string(count) + " spheres"));
     CHECK_FALSE(is_of_lecture(choice.method));
     for (const std::string_view name : names) {
-      if (name != "auto" && !is_of_lecture(named<BroadPhase>(name))) CHECK_THAT(choice.reason, Catch::Contains(std::string(name)));
+      if (name != "auto" && !is_of_lecture(named<BroadPhase>(name)))
+        CHECK_THAT(choice.reason, Catch::Contains(std::string(name)));
     }
     // The chosen one comes first.
     CHECK(choice.reason.find(name_of(choice.method)) <

@@ -13,10 +13,10 @@
 namespace ballpit {
 
 struct OverlayEntry {
-  std::string_view name;                             ///< "grid", as typed
-  std::string_view label;                            ///< "Grid cells", as the panel shows it
-  void (*draw)(const FrameView&, Painter&);          ///< only a note if the inspection lacks the data
-  Wanted wanted = {};                                ///< of the inspection, for drawing
+  std::string_view name;                     ///< "grid", as typed
+  std::string_view label;                    ///< "Grid cells", as the panel shows it
+  void (*draw)(const FrameView&, Painter&);  ///< only a note if the inspection lacks the data
+  Wanted wanted = {};                        ///< of the inspection, for drawing
   /// Part of the picture's height that it fills at the lower edge, with text of this scale.
   float (*room_below)(const Inspection&, float text_scale) = nullptr;
   std::string (*lacking)(const Inspection&) = nullptr;  ///< why the method gives it nothing to draw; "" if it does
