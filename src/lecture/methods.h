@@ -31,11 +31,22 @@ struct ListingMemory : AtomicMemory {
   HOST_DEVICE bool test(int, int, bool) const { return true; }
 };
 
-/// Kernel: a member function of a slide's kernels, for thread t.
-template <class Kernels, auto kFunction>
-struct Run {
+/// Kernels: a function of a slide's kernels, for each of its threads. (nvcc takes no pointers to member functions as
+/// template arguments of kernels.)
+template <class Kernels>
+struct StoreEntries {
   Kernels kernels;
-  HOST_DEVICE void operator()(int t) const { (kernels.*kFunction)(t); }
+  HOST_DEVICE void operator()(int i) const { kernels.store_entries(i); }
+};
+template <class Kernels>
+struct ClearCell {
+  Kernels kernels;
+  HOST_DEVICE void operator()(int cell) const { kernels.clear(cell); }
+};
+template <class Kernels>
+struct InsertParticle {
+  Kernels kernels;
+  HOST_DEVICE void operator()(int i) const { kernels.insert(i); }
 };
 
 /// Kernel: tests the candidates of thread t and notes its work.
@@ -154,7 +165,7 @@ class SortAndSweepMethod : public Method<SortAndSweepMethod<V, Exec>, V, Exec> {
     keys_.resize(2 * n);
     const auto kernels = this->kernels<AtomicMemory>(bodies, {});
     using Kernels = SortAndSweep<V, AtomicMemory>;
-    exec.parallel_for("slide 2: store entries", n, Run<Kernels, &Kernels::store_entries>{kernels});
+    exec.parallel_for("slide 2: store entries", n, StoreEntries<Kernels>{kernels});
     exec.parallel_for("slide 2: project", 2 * n, StoreKeys<Kernels>{kernels, keys_.span()});
     exec.sort_pairs("slide 3: sort", keys_.span(), list_.span());
   }
@@ -220,8 +231,8 @@ class LinkedCellMethod : public Method<LinkedCellMethod<V, Exec>, V, Exec> {
     next_.resize(bodies.size());
     const auto kernels = this->kernels<AtomicMemory>(bodies, {});
     using Kernels = LinkedCell<V, AtomicMemory>;
-    exec.parallel_for("slide 13: clear cells", head_.size(), Run<Kernels, &Kernels::clear>{kernels});
-    exec.parallel_for("slide 14: insert", bodies.size(), Run<Kernels, &Kernels::insert>{kernels});
+    exec.parallel_for("slide 13: clear cells", head_.size(), ClearCell<Kernels>{kernels});
+    exec.parallel_for("slide 14: insert", bodies.size(), InsertParticle<Kernels>{kernels});
   }
 
   int64_t threads(const BodiesView<V>& bodies) const { return bodies.size(); }
