@@ -29,12 +29,16 @@ struct Unreached {
 
 const Arguments kRender{"render", "two-spheres", "--size", "64x36", "--frames", "1", "--out", "film"};
 
+/// A command that is interrupted while it runs.
+Row interrupted(const std::string& site, const std::string& said, const Arguments& arguments);
+
 /// kRender with more options.
 Arguments render(const Arguments& more);
 
 const std::string kBox = "[domain]\nmin = [0, 0, 0]\nmax = [10, 10, 10]\n";
 const std::string kSphere = "[[spheres]]\nposition = [5, 5, 5]\nradius = 1\n";
 
+std::vector<Row> rows_of_lectures();
 std::vector<Row> all_rows();
 const std::vector<Unreached>& unreached();
 
