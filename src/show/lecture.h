@@ -5,12 +5,12 @@
 //     id = "exchange"
 //     slides = [14, 15]
 //     title = "Insert by exchanging"
-//     caption = "Sphere 2 is in front of sphere 6: {loads} loads, …"      {names} are figures, counted when it is shown
+//     caption = "After {operations} operations 2 is before 6"    {names} are figures, counted when the page is shown
 //     scene = "lecture-grid"
 //     kernel = "linked-cell"              the slide's kernel is run and recorded (lecture/recorded_run.h)
 //     interleaving = [6, 6, 2, 2]
-//     stops = ["clear", "insert 6"]       where its cursor stops: after a phase, after a thread's part of it, or after the
-//                                         first operations of that: "insert 6 1"
+//     stops = ["clear", "insert 6"]       where its cursor stops: after a phase, after a thread's part of it, or after
+//                                         the first operations of that: "insert 6 1"
 //
 // docs/lecture.md lists all keys. A mistake is a UserError with file, line and key.
 #pragma once
