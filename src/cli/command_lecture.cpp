@@ -48,6 +48,7 @@ class LectureCommand {
     Presenter presenter(lecture, language_);
     if (!export_.empty()) return write_handout(lecture, presenter);
     if (json_) return print_pages(presenter);
+    presenter.measures = true;
     catch_interrupts();
     Window window(size_, "Ballpit");
     try {

@@ -22,7 +22,8 @@ RecordedRun record(KernelName kernel, const Scene& scene, const Interleaving& in
                    const Mistakes& mistakes = {}, double cell_size = 1) {
   Settings settings;
   settings.cell_size = cell_size;
-  return record_kernel(kernel, snapshot_of(scene), scene.domain, settings, interleaving, mistakes);
+  return record_kernel(kernel, snapshot_of(scene), scene.domain, settings,
+                       {.interleaving = interleaving, .mistakes = mistakes});
 }
 
 std::vector<std::string> lines_of(KernelName kernel) {

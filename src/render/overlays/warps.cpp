@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Shows the threads of a search as a GPU runs them: warps of 32 lanes in lockstep. Each lane is a column, each step a
+// row; a lane whose thread is done waits for the longest one of its warp.
+//
+//          █ · · · │ · · █ ·
+//          █ · █ · │ · · █ ·       █ a thread that walks     · a lane that waits
+//          █ · █ █ │ █ · █ ·       a stub: a thread that ends at once
+//          █ _ █ █ │ █ _ █ _
+//          warp 0    warp 1
+//
+// The first warps are shown, all to one scale.
+#include <fmt/format.h>
+
+#include "measure/statistics.h"
+#include "render/overlays/overlay.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr size_t kMaxWarps = 4;
+constexpr float kRoom = 0.3f;  // of the picture's height, for the lanes
+// [1/1080 of the picture's height]
+constexpr float kMargin = 24, kGap = 30, kPad = 8;
+constexpr float kSmallest = 8;  // steps that are lower than this are drawn as one bar
+
+/// The lanes of one warp, from `corner`, its lower left.
+struct WarpBox {
+  Vec2 corner;
+  float lane, step;  // [pixel]
+  int longest;
+};
+
+void draw_lane(const WarpBox& warp, size_t lane, int work, Painter& painter) {
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit(), gap = std::min(1.5f * u, 0.1f * warp.lane);
+  const float left = warp.corner.x + static_cast<float>(lane) * warp.lane;
+  const auto fill = [&](int from, int to, Rgba color) {
+    if (from >= to) return;
+    sheet.box({left + gap, warp.corner.y - static_cast<float>(to) * warp.step + gap / 2},
+              {left + warp.lane - gap, warp.corner.y - static_cast<float>(from) * warp.step - gap / 2}, color);
+  };
+  const bool has_squares = warp.step >= kSmallest * u;
+  const auto fill_steps = [&](int from, int to, Rgba color) {
+    if (!has_squares) return fill(from, to, color);
+    for (int k = from; k < to; ++k) fill(k, k + 1, color);
+  };
+  fill_steps(0, work, to_rgba(painter.theme.begin));
+  fill_steps(work, warp.longest, to_rgba(painter.theme.idle, 0.3f));
+  if (work == 0) {
+    sheet.box({left + gap, warp.corner.y}, {left + warp.lane - gap, warp.corner.y + 5 * u},
+              to_rgba(painter.theme.idle));
+  }
+}
+
+}  // namespace
+
+float warps_room(const Inspection& inspection, float text_scale) {
+  return inspection.work.empty() ? 0 : kRoom + 0.035f * text_scale;
+}
+
+void draw_warps(const FrameView& view, Painter& painter) {
+  const std::vector<int>& work = view.inspection.work;
+  if (work.empty()) return;
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y;
+  const size_t all = (work.size() + kWarpSize - 1) / kWarpSize, shown = std::min(all, kMaxWarps);
+  const float height = kRoom * static_cast<float>(sheet.height()) - 2 * kPad * u;
+  const float bottom = painter.take_strip(height + line + 3 * kPad * u) + kPad * u + height;
+  const float lane = ((static_cast<float>(sheet.width()) - 2 * kMargin * u + kGap * u) / kMaxWarps - kGap * u) /
+                     static_cast<float>(kWarpSize);
+  std::vector<int> first = work;
+  first.resize(std::min(work.size(), kMaxWarps * kWarpSize));
+  const int most = std::max(1, *std::max_element(first.begin(), first.end()));
+  const float step = std::min(height / static_cast<float>(most), 2 * lane);
+  for (size_t w = 0; w < shown; ++w) {
+    const size_t end = std::min(first.size(), (w + 1) * kWarpSize);
+    const std::vector<int> lanes(first.begin() + static_cast<ptrdiff_t>(w * kWarpSize),
+                                 first.begin() + static_cast<ptrdiff_t>(end));
+    const float left = kMargin * u + static_cast<float>(w) * (kWarpSize * lane + kGap * u);
+    const WarpBox warp{{left, bottom}, lane, step, *std::max_element(lanes.begin(), lanes.end())};
+    for (size_t k = 0; k < lanes.size(); ++k) draw_lane(warp, k, lanes[k], painter);
+    sheet.text({left + kWarpSize * lane / 2, bottom + kPad * u}, kTop, painter.ink(),
+               fmt::format("warp {}: {} steps, {:.0f} % busy", w, warp.longest, 100 * profile_work(lanes).simd_efficiency.value_or(0)),
+               TextSize::small);
+  }
+  painter.note({{Swatch::square, painter.theme.begin, "walks"}, {Swatch::square, painter.theme.idle, "waits"}});
+  painter.note(fmt::format("the first {} of {}", shown, counted(static_cast<int64_t>(all), "warp")));
+}
+
+}  // namespace ballpit
