@@ -6,8 +6,10 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "core/numbers.h"
+#include "measure/machine.h"
 #include "measure/statistics.h"
 
 namespace ballpit {
@@ -76,10 +78,7 @@ std::string invented_contacts(const PageState& state) {
 }
 
 std::string this_machine(const PageState& state) {
-  if (!state.race) return "";
-  return fmt::format(fmt::runtime(state.language == Language::german ? "{} Threads dieses Rechners"
-                                                                     : "{} threads of this computer"),
-                     state.race->threads);
+  return state.race ? describe_machine()["cpu"].get<std::string>() : "";
 }
 
 }  // namespace
@@ -120,7 +119,9 @@ const std::vector<Placeholder>& placeholder_table() {
       {"lost", "spheres that are in no list after the kernel", lost_particles},
       {"lost_by_threads", "spheres that are lost when real threads race",
        [](const PageState& s) { return s.race ? grouped(s.race->lost) : ""; }},
-      {"machine", "the threads that raced", this_machine},
+      {"racing", "spheres that they insert", [](const PageState&) { return grouped(kRacing); }},
+      {"threads", "their number", [](const PageState& s) { return s.race ? grouped(s.race->threads) : ""; }},
+      {"machine", "their processor", this_machine},
       {"busy", "share of lanes that are busy, in percent",
        [](const PageState& s) -> std::string {
          const std::optional<double> share = profile_work(s.inspection.work).simd_efficiency;
