@@ -17,13 +17,16 @@ using lecture::Action;
 using lecture::Operation;
 using lecture::RecordedRun;
 
+/// With the sign for minus.
+std::string typeset(const std::string& number) { return number.starts_with('-') ? "−" + number.substr(1) : number; }
+
 /// The formula of slide 9 for a sphere: "⌊1.5⌋·5 + ⌊1.5⌋ = 6".
 std::string hash_text(const RecordedRun& run, const Operation& operation, Language language) {
   const GridInspection& grid = *run.grid;
   const Vec3 place = run.places[static_cast<size_t>(operation.thread)];
   const auto whole = [&](int axis) {
     const float low = std::trunc(grid.origin[axis] / grid.edge[axis]);
-    const std::string number = in_language(three_digits(place[axis] + (run.truncates ? low : 0)), language);
+    const std::string number = typeset(in_language(three_digits(place[axis] + (run.truncates ? low : 0)), language));
     return run.truncates ? fmt::format("(int({}) + {})", number, -low) : fmt::format("⌊{}⌋", number);
   };
   if (grid.cells.z > 1)
@@ -44,7 +47,7 @@ std::string thread_text(const RecordedRun& run, size_t k) {
 }  // namespace
 
 std::string value_text(const RecordedRun& run, int value) {
-  if (run.axis < 0) return std::to_string(value);
+  if (run.axis < 0) return typeset(std::to_string(value));
   return fmt::format("{}{}", value % 2 == 0 ? 'b' : 'e', value / 2);
 }
 

@@ -22,7 +22,7 @@ constexpr size_t kMaxWarps = 4;
 constexpr float kRoom = 0.3f;  // of the picture's height, for the lanes
 // [1/1080 of the picture's height]
 constexpr float kMargin = 24, kGap = 30, kPad = 8;
-constexpr float kSmallest = 8;  // steps that are lower than this are drawn as one bar
+constexpr float kSmallest = 10;  // steps that are lower than this are drawn as one bar
 
 /// The lanes of one warp, from `corner`, its lower left.
 struct WarpBox {
@@ -35,18 +35,20 @@ void draw_lane(const WarpBox& warp, size_t lane, int work, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), gap = std::min(1.5f * u, 0.1f * warp.lane);
   const float left = warp.corner.x + static_cast<float>(lane) * warp.lane;
-  const auto fill = [&](int from, int to, Rgba color) {
+  const auto fill = [&](int from, int to, bool is_busy) {
     if (from >= to) return;
-    sheet.box({left + gap, warp.corner.y - static_cast<float>(to) * warp.step + gap / 2},
-              {left + warp.lane - gap, warp.corner.y - static_cast<float>(from) * warp.step - gap / 2}, color);
+    const Vec2 low(left + gap, warp.corner.y - static_cast<float>(to) * warp.step + gap / 2);
+    const Vec2 high(left + warp.lane - gap, warp.corner.y - static_cast<float>(from) * warp.step - gap / 2);
+    sheet.box(low, high, to_rgba(is_busy ? painter.theme.begin : painter.theme.idle, is_busy ? 1 : 0.25f));
+    if (!is_busy) sheet.frame(low, high, to_rgba(painter.theme.idle), 1.5f * u);
   };
   const bool has_squares = warp.step >= kSmallest * u;
-  const auto fill_steps = [&](int from, int to, Rgba color) {
-    if (!has_squares) return fill(from, to, color);
-    for (int k = from; k < to; ++k) fill(k, k + 1, color);
+  const auto fill_steps = [&](int from, int to, bool is_busy) {
+    if (!has_squares) return fill(from, to, is_busy);
+    for (int k = from; k < to; ++k) fill(k, k + 1, is_busy);
   };
-  fill_steps(0, work, to_rgba(painter.theme.begin));
-  fill_steps(work, warp.longest, to_rgba(painter.theme.idle, 0.3f));
+  fill_steps(0, work, true);
+  fill_steps(work, warp.longest, false);
   if (work == 0) {
     sheet.box({left + gap, warp.corner.y}, {left + warp.lane - gap, warp.corner.y + 5 * u},
               to_rgba(painter.theme.idle));
@@ -85,7 +87,7 @@ void draw_warps(const FrameView& view, Painter& painter) {
                TextSize::small);
   }
   painter.note({{Swatch::square, painter.theme.begin, "walks"}, {Swatch::square, painter.theme.idle, "waits"}});
-  painter.note(fmt::format("the first {} of {}", shown, counted(static_cast<int64_t>(all), "warp")));
+  if (shown < all) painter.note(fmt::format("the first {} of {}", shown, counted(static_cast<int64_t>(all), "warp")));
 }
 
 }  // namespace ballpit
