@@ -297,7 +297,7 @@ TEST_CASE("thirty thousand candidates are only counted, but contacts are drawn")
 }
 
 TEST_CASE("a page's title is legible in front of spheres") {
-  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 2.5f}}, kPlane);
+  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 4}}, kPlane);
   FrameView view = view_of(inspection, kPlane, 1);
   PageView page;
   page.title = ".";

@@ -22,7 +22,7 @@ std::string default_of(const Scene& scene, std::string_view key) {
 }  // namespace
 
 TEST_CASE("the catalog starts with the default scene and describes each in two languages") {
-  REQUIRE(built_in_scenes().size() == 20);
+  REQUIRE(built_in_scenes().size() == 22);
   CHECK(built_in_scenes()[0].name == kDefaultScene);
   for (const SceneInfo& info : built_in_scenes()) {
     CAPTURE(info.name);
