@@ -47,7 +47,7 @@ struct RecordedRun {
   std::vector<Vec3> places;  ///< linked cells: of the spheres when they were inserted, in cells from the origin
   bool truncates = false;    ///< Mistakes::truncates
   int axis = -1;             ///< of sort and sweep
-  std::vector<Pair> found;             ///< in canonical order; a pair that was found twice comes twice
+  std::vector<Pair> found;   ///< in canonical order; a pair that was found twice comes twice
   int64_t tests = 0;
 
   /// The phase of the operation that follows the first `cursor` ones; the last phase at the end.
@@ -56,9 +56,9 @@ struct RecordedRun {
 
 /// How a kernel is run.
 struct RunOptions {
-  Interleaving interleaving{};            ///< of the phase that inserts particles
-  Mistakes mistakes{};                    ///< of linked cells
-  double distance = 0;                    ///< [m] of the spheres from the origin, along each axis, in single precision
+  Interleaving interleaving{};             ///< of the phase that inserts particles
+  Mistakes mistakes{};                     ///< of linked cells
+  double distance = 0;                     ///< [m] of the spheres from the origin, along each axis, in single precision
   const BodySnapshot* inserted = nullptr;  ///< linked cells: the spheres as they are inserted, if they move afterwards
 };
 

@@ -94,8 +94,7 @@ const std::vector<Placeholder>& placeholder_table() {
       {"contacts", "contacts found, with a kernel those up to the cursor", contacts_found},
       {"missed", "contacts that the method misses",
        [](const PageState& s) { return grouped(static_cast<int64_t>(s.inspection.missed.size())); }},
-      {"all", "contacts that there are",
-       [](const PageState& s) { return grouped(s.contacts); }},
+      {"all", "contacts that there are", [](const PageState& s) { return grouped(s.contacts); }},
       {"invented", "pairs that the kernel finds although they do not touch", invented_contacts},
       {"cells", "cells of the grid",
        [](const PageState& s) -> std::string {

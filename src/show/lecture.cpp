@@ -216,11 +216,10 @@ Lecture parse_lecture(std::string_view text, std::string_view file_name, const s
   Lecture lecture;
   lecture.title = read_text(root, "title");
   for (const toml::table* page : root.tables("page")) {
-    const TableReader reader =
-        root.nested(*page, "[[page]]",
-                    {"id", "slides", "title", "title_de", "caption", "caption_de", "notes", "notes_de", "scene", "time",
-                     "options", "overlays", "color", "select", "camera", "kernel", "interleaving", "mistake", "stops",
-                     "stored"});
+    const TableReader reader = root.nested(
+        *page, "[[page]]", {"id",       "slides", "title",        "title_de", "caption",  "caption_de", "notes",
+                            "notes_de", "scene",  "time",         "options",  "overlays", "color",      "select",
+                            "camera",   "kernel", "interleaving", "mistake",  "stops",    "stored"});
     lecture.pages.push_back(read_page(reader, folder));
     const auto is_same = [&](const Page& other) { return other.id == lecture.pages.back().id; };
     if (std::count_if(lecture.pages.begin(), lecture.pages.end(), is_same) > 1) {

@@ -40,8 +40,8 @@ struct LocalText {
 /// A mistake that a page makes on purpose: of its kernel (lecture::Mistakes), or of what the kernel is given.
 enum class PageMistake { none, int_for_floor, no_wrap, both_halves, far_from_origin, stale_lists };
 template <>
-inline constexpr auto kNames<PageMistake> =
-    in_order("none", "int-for-floor", "no-wrap", "both-halves", "far-from-origin", "stale-lists");
+inline constexpr auto kNames<PageMistake> = in_order("none", "int-for-floor", "no-wrap", "both-halves",
+                                                     "far-from-origin", "stale-lists");
 
 /// `start`: the spheres at the start of the scene, which stale lists hold.
 lecture::RunOptions run_options(PageMistake mistake, const lecture::Interleaving& interleaving,
@@ -69,7 +69,7 @@ struct Page {
   PageMistake mistake = PageMistake::none;
   std::vector<PageStop> stops;
   Figures stored;  ///< by their names, where nothing is measured: in a handout
-  Place place;  ///< in the file, for errors
+  Place place;     ///< in the file, for errors
 };
 
 struct Lecture {

@@ -135,10 +135,9 @@ std::string Presenter::caption() {
   if (measures && shows_race && !race_) race_ = lecture::race_on_threads(kRacing);
   const Report& report = demo_->report();
   const double energy = 1 + double(demo_->history().back().energy_drift);
-  return fill_caption(text,
-                      {report, seen, all_contacts_, run(), cursor_, settings.dt / settings.substeps, energy,
-                       race_, language},
-                      page().stored);
+  return fill_caption(
+      text, {report, seen, all_contacts_, run(), cursor_, settings.dt / settings.substeps, energy, race_, language},
+      page().stored);
 }
 
 const Inspection& Presenter::inspect() {

@@ -100,7 +100,8 @@ TEST_CASE("a mistake in a lecture is reported with file, line, key, what was fou
        "mine.toml:5: [[page]] mistake: found \"none at all\", allowed none, int-for-floor"},
       {page + "stored = 3\n", "mine.toml:4: [[page]] stored: found 3, allowed figures by their names"},
       {page + "stored = { many = 3 }\n", "mine.toml:4: [[page]] stored: found \"many\", allowed spheres, pairs"},
-      {page + "stored = { lost = [] }\n", "mine.toml:4: [[page]] stored: found an array of 0 values, allowed whole numbers or texts"},
+      {page + "stored = { lost = [] }\n",
+       "mine.toml:4: [[page]] stored: found an array of 0 values, allowed whole numbers or texts"},
       {page + "title = \n", "mine.toml:4: found a syntax error"},
   }));
   INFO(row.text);

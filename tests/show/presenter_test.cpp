@@ -182,7 +182,8 @@ TEST_CASE("too long a step adds energy to springs that should lose it; half the 
 
 TEST_CASE("German figures have decimal commas, and thin spaces between thousands") {
   CHECK_THAT(at_page("warps-sweep", Language::german).caption(), Catch::Contains(" 47,8 % "));
-  CHECK_THAT(at_page("poster", Language::german).caption(), Catch::Contains("11\u2009072 Tests statt 1\u2009999\u2009000"));
+  CHECK_THAT(at_page("poster", Language::german).caption(),
+             Catch::Contains("11\u2009072 Tests statt 1\u2009999\u2009000"));
   CHECK_THAT(at_page("swept", Language::german).caption(), Catch::Contains("0,021 s"));
   Presenter hash = at_page("hash", Language::german);
   hash.go_to_stop(1);

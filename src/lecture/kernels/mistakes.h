@@ -16,7 +16,7 @@ HOST_DEVICE Real truncated(Real p, Real low, Real inverse_edge) {
 }
 
 struct Mistakes {
-  bool truncates = false;  ///< int() for floor
+  bool truncates = false;     ///< int() for floor
   bool forgets_wrap = false;  ///< no cells beyond a periodic border
   bool tests_twice = false;   ///< both halves of a pair: (i, j), (j, i)
 

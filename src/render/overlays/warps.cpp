@@ -9,17 +9,18 @@
 //          warp 0    warp 1
 //
 // The first warps are shown, all to one scale.
+#include <numeric>
+
 #include <fmt/format.h>
 
-#include "measure/statistics.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr size_t kMaxWarps = 4;
-constexpr float kRoom = 0.3f;  // of the picture's height, for the lanes
+constexpr size_t kMaxWarps = 4, kLanes = 32;  // of a warp, on NVIDIA GPUs
+constexpr float kRoom = 0.3f;                 // of the picture's height, for the lanes
 // [1/1080 of the picture's height]
 constexpr float kMargin = 24, kGap = 30, kPad = 8;
 constexpr float kSmallest = 10;  // steps that are lower than this are drawn as one bar
@@ -55,6 +56,12 @@ void draw_lane(const WarpBox& warp, size_t lane, int work, Painter& painter) {
   }
 }
 
+/// The share of the lanes' steps in which their threads walk.
+float busy_share(const std::vector<int>& lanes, int longest) {
+  const int sum = std::accumulate(lanes.begin(), lanes.end(), 0);
+  return longest > 0 ? static_cast<float>(sum) / (kLanes * static_cast<float>(longest)) : 0;
+}
+
 }  // namespace
 
 float warps_room(const Inspection& inspection, float text_scale) {
@@ -66,24 +73,24 @@ void draw_warps(const FrameView& view, Painter& painter) {
   if (work.empty()) return;
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y;
-  const size_t all = (work.size() + kWarpSize - 1) / kWarpSize, shown = std::min(all, kMaxWarps);
+  const size_t all = (work.size() + kLanes - 1) / kLanes, shown = std::min(all, kMaxWarps);
   const float height = kRoom * static_cast<float>(sheet.height()) - 2 * kPad * u;
   const float bottom = painter.take_strip(height + line + 3 * kPad * u) + kPad * u + height;
   const float lane = ((static_cast<float>(sheet.width()) - 2 * kMargin * u + kGap * u) / kMaxWarps - kGap * u) /
-                     static_cast<float>(kWarpSize);
+                     static_cast<float>(kLanes);
   std::vector<int> first = work;
-  first.resize(std::min(work.size(), kMaxWarps * kWarpSize));
+  first.resize(std::min(work.size(), kMaxWarps * kLanes));
   const int most = std::max(1, *std::max_element(first.begin(), first.end()));
   const float step = std::min(height / static_cast<float>(most), 2 * lane);
   for (size_t w = 0; w < shown; ++w) {
-    const size_t end = std::min(first.size(), (w + 1) * kWarpSize);
-    const std::vector<int> lanes(first.begin() + static_cast<ptrdiff_t>(w * kWarpSize),
+    const size_t end = std::min(first.size(), (w + 1) * kLanes);
+    const std::vector<int> lanes(first.begin() + static_cast<ptrdiff_t>(w * kLanes),
                                  first.begin() + static_cast<ptrdiff_t>(end));
-    const float left = kMargin * u + static_cast<float>(w) * (kWarpSize * lane + kGap * u);
+    const float left = kMargin * u + static_cast<float>(w) * (kLanes * lane + kGap * u);
     const WarpBox warp{{left, bottom}, lane, step, *std::max_element(lanes.begin(), lanes.end())};
     for (size_t k = 0; k < lanes.size(); ++k) draw_lane(warp, k, lanes[k], painter);
-    sheet.text({left + kWarpSize * lane / 2, bottom + kPad * u}, kTop, painter.ink(),
-               fmt::format("warp {}: {} steps, {:.0f} % busy", w, warp.longest, 100 * profile_work(lanes).simd_efficiency.value_or(0)),
+    sheet.text({left + kLanes * lane / 2, bottom + kPad * u}, kTop, painter.ink(),
+               fmt::format("warp {}: {} steps, {:.0f} % busy", w, warp.longest, 100 * busy_share(lanes, warp.longest)),
                TextSize::small);
   }
   painter.note({{Swatch::square, painter.theme.begin, "walks"}, {Swatch::square, painter.theme.idle, "waits"}});
