@@ -9,10 +9,12 @@
 //          warp 0    warp 1
 //
 // The first warps are shown, all to one scale.
+#include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
 
+#include "core/language.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
@@ -90,11 +92,13 @@ void draw_warps(const FrameView& view, Painter& painter) {
     const WarpBox warp{{left, bottom}, lane, step, *std::max_element(lanes.begin(), lanes.end())};
     for (size_t k = 0; k < lanes.size(); ++k) draw_lane(warp, k, lanes[k], painter);
     sheet.text({left + kLanes * lane / 2, bottom + kPad * u}, kTop, painter.ink(),
-               fmt::format("warp {}: {} steps, {:.0f} % busy", w, warp.longest, 100 * busy_share(lanes, warp.longest)),
+               fmt::format(fmt::runtime(translated("warp {}: {} steps, {} % busy")), w, warp.longest,
+                           std::lround(100 * busy_share(lanes, warp.longest))),
                TextSize::small);
   }
-  painter.note({{Swatch::square, painter.theme.begin, "walks"}, {Swatch::square, painter.theme.idle, "waits"}});
-  if (shown < all) painter.note(fmt::format("the first {} of {}", shown, counted(static_cast<int64_t>(all), "warp")));
+  painter.note({{Swatch::square, painter.theme.begin, translated("walks")},
+                {Swatch::square, painter.theme.idle, translated("waits")}});
+  if (shown < all) painter.note(fmt::format(fmt::runtime(translated("the first {} of {} warps")), shown, all));
 }
 
 }  // namespace ballpit
