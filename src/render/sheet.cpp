@@ -18,7 +18,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::array<float, 5> kSizes{22, 26, 38, 22, 22};  // [pixel] at 1080 lines, in the order of TextSize
+constexpr std::array<float, 5> kSizes{28, 36, 46, 22, 22};  // [pixel] at 1080 lines, in the order of TextSize
 constexpr float kSmallest = 9;                              // [pixel] smaller letters are not legible
 constexpr float kLargest = 128;                             // [pixel] larger letters are magnified, to save memory
 constexpr float kFine = 64;    // [pixel] up to this size, letters are sampled twice horizontally
@@ -67,6 +67,12 @@ ImGuiContext* make_context() {
 
 }  // namespace
 
+float line_height(TextSize size, float text_scale) {
+  const float height = kSizes[static_cast<size_t>(size)];
+  if (size == TextSize::code) return height;
+  return height * (size == TextSize::title ? (1 + text_scale) / 2 : text_scale);
+}
+
 Sheet::Sheet() : context_(make_context()) {
   ImGui::SetCurrentContext(context_);
   ImGui::GetIO().IniFilename = nullptr;  // ImGui must not write a file for the state of its windows
@@ -95,11 +101,8 @@ void Sheet::load_fonts() {
     const auto kind = static_cast<TextSize>(k);
     const bool is_panel = kind == TextSize::panel, is_code = kind == TextSize::code;
     const float min = kSmallest * (is_panel ? panel_density_ : 1);
-    const float scale = is_panel                  ? panel_scale_
-                        : is_code                 ? 1
-                        : kind == TextSize::title ? (1 + text_scale_) / 2
-                                                  : text_scale_;
-    const float size = std::max(min, std::round(kSizes[k] * unit() * scale)), drawn = std::min(size, kLargest);
+    const float height = is_panel ? kSizes[k] * panel_scale_ : line_height(kind, text_scale_);
+    const float size = std::max(min, std::round(height * unit())), drawn = std::min(size, kLargest);
     config.OversampleH = drawn <= kFine ? 2 : 1;
     const auto add = [&](const unsigned char* font, size_t bytes, const ImWchar* ranges) {
       return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(font), static_cast<int>(bytes), drawn, &config,
@@ -184,6 +187,15 @@ void Sheet::text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, Text
   const ImFont* font = this->font(size);
   list_->AddText(font, font->FontSize * font->Scale, {std::round(corner.x), std::round(corner.y)}, color, text.data(),
                  text.data() + text.size());
+}
+
+void Sheet::bordered_text(Vec2 at, Anchor anchor, Rgba color, Rgba border, std::string_view text, TextSize size) {
+  const float width = std::max(1.0f, std::round(2.5f * unit()));
+  for (const Vec2& way :
+       {Vec2(-1, -1), Vec2(0, -1), Vec2(1, -1), Vec2(-1, 0), Vec2(1, 0), Vec2(-1, 1), Vec2(0, 1), Vec2(1, 1)}) {
+    this->text(at + width * way, anchor, border, text, size);
+  }
+  this->text(at, anchor, color, text, size);
 }
 
 void Sheet::line(Vec2 a, Vec2 b, Rgba color, float width) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with few
-// cells also the number of each cell: in its lower left corner (slide 8), or in another one if a sphere lies there.
-#include <iterator>
-
+// cells also the number of each cell: always in its lower left corner (slide 8), in front of spheres.
 #include "render/body_buffer.h"
+#include "render/coloring.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
@@ -61,9 +60,10 @@ bool meets(const Area& a, const Area& b) {
 }
 
 /// From near to far: a sphere gets no number where a nearer sphere or number covers it. Where lines meet in the centre, a
-/// number has a disc of its sphere's colour behind it. Returns how many numbers were drawn.
-size_t draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
-  const std::vector<Mark> marks = contact_marks(view.inspection.bodies.count, view.inspection.contacts);
+/// number has a disc of its sphere's colour behind it. Returns the places of the numbers.
+std::vector<Area> draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
+  const std::vector<Mark> marks =
+      painter.marks ? *painter.marks : contact_marks(view.inspection.bodies.count, view.inspection.contacts);
   const bool has_discs = view.shows("pairs") || view.shows("velocity") || view.shows("intervals");
   std::vector<Area> taken;
   for (size_t k = 0; k < spheres.size(); ++k) {
@@ -77,47 +77,37 @@ size_t draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Pai
     if (std::any_of(spheres.begin(), end, [&](const Seen& nearer) { return meets(area, nearer); })) continue;
     if (std::any_of(taken.begin(), taken.end(), [&](const Area& other) { return meets(area, other); })) continue;
     taken.push_back(area);
+    const Vec3 fill = color_of(painter.theme, static_cast<int>(marks[static_cast<size_t>(sphere.body)]));
     if (has_discs) {
-      const bool touches = marks[static_cast<size_t>(sphere.body)] == Mark::contact;
-      const Rgba color = to_rgba(touches ? painter.theme.contact : painter.theme.body, 0.85f);
-      painter.sheet.disc(sphere.at, std::min(1.2f * length(half), 0.9f * sphere.radius), color);
+      painter.sheet.disc(sphere.at, std::min(1.2f * length(half), 0.9f * sphere.radius), to_rgba(fill, 0.85f));
     }
-    painter.sheet.text(sphere.at, kCentre, to_rgba(painter.theme.on_body), text, *size);
+    painter.sheet.text(sphere.at, kCentre, to_rgba(text_on(fill)), text, *size);
   }
-  return taken.size();
+  return taken;
 }
 
-/// In the cell's lower left corner, as on the slide; if a sphere lies there, in the first free corner, if any.
-void draw_cell_number(size_t cell, const Area& square, const std::vector<Seen>& spheres, Painter& painter) {
-  constexpr Anchor kCorners[] = {kLowerLeft, {1, 1}, kUpperLeft, kUpperRight};
+/// Each in the lower left corner of its cell, as on the slide. A number that would lie on that of a sphere is left out.
+/// Returns how many were drawn.
+size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Area>& taken, const Projection& projection,
+                         Painter& painter) {
   Sheet& sheet = painter.sheet;
-  const std::string text = std::to_string(cell);
-  const Vec2 inset = Vec2(6, 3) * sheet.unit(), size = sheet.size_of(text, TextSize::small);
-  const auto place = [&](const Anchor& anchor) {
-    const Vec2 part(anchor.x, anchor.y), low = square.low + inset, room = square.high - inset - low - size;
-    return Area{low + part * room, low + part * room + size};
-  };
-  const auto is_free = [&](const Anchor& anchor) {
-    return std::none_of(spheres.begin(), spheres.end(),
-                        [&](const Seen& sphere) { return meets(place(anchor), sphere); });
-  };
-  const Anchor* corner = std::find_if(std::begin(kCorners), std::end(kCorners), is_free);
-  if (corner == std::end(kCorners)) return;
-  const Area area = place(*corner);
-  sheet.text(area.low, kUpperLeft, to_rgba(painter.theme.grid), text, TextSize::small);
-}
-
-void draw_cell_numbers(const GridInspection& grid, const DomainBox& domain, const std::vector<Seen>& spheres,
-                       const Projection& projection, Painter& painter) {
-  const Vec2 widest = painter.sheet.size_of(std::to_string(grid.head.size() - 1), TextSize::small);
-  if (projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y)) < widest.x + widest.y) return;
+  const float edge = projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y));
+  const TextSize size = edge > 4.5f * sheet.size_of("0").y ? TextSize::normal : TextSize::small;
+  const Vec2 widest = sheet.size_of(std::to_string(grid.head.size() - 1), size), inset = Vec2(6, 3) * sheet.unit();
+  if (edge < widest.x + 0.5f * widest.y) return 0;
   const auto columns = static_cast<size_t>(grid.cells.x);
+  size_t drawn = 0;
   for (size_t cell = 0; cell < grid.head.size(); ++cell) {
-    const Vec3 low = grid.origin + grid.edge * Vec3(cell % columns, cell / columns, 0);
-    const Vec3 high = glm::min(low + Vec3(grid.edge.x, grid.edge.y, 0), glm::max(domain.max, low));
-    const Vec2 a = projection.at(low), b = projection.at(high);
-    draw_cell_number(cell, {{a.x, b.y}, {b.x, a.y}}, spheres, painter);
+    const Vec2 corner = projection.at(grid.origin + grid.edge * Vec3(cell % columns, cell / columns, 0));
+    const std::string text = std::to_string(cell);
+    const Vec2 at = corner + Vec2(inset.x, -inset.y), extent = sheet.size_of(text, size);
+    const Area area{at - Vec2(0, 0.85f * extent.y), at + Vec2(extent.x, -0.15f * extent.y)};
+    if (std::any_of(taken.begin(), taken.end(), [&](const Area& number) { return meets(area, number); })) continue;
+    sheet.bordered_text(at, kLowerLeft, to_rgba(painter.theme.cell_text), to_rgba(painter.theme.background), text,
+                        size);
+    ++drawn;
   }
+  return drawn;
 }
 
 }  // namespace
@@ -125,12 +115,18 @@ void draw_cell_numbers(const GridInspection& grid, const DomainBox& domain, cons
 void draw_labels(const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
   const std::vector<Seen> spheres = large_spheres(view, projection, painter.sheet);
-  const std::vector<GridInspection>& grids = view.inspection.grids;
-  if (view.domain.is_planar() && grids.size() == 1 && grids[0].head.size() <= kMaxCells && !grids[0].head.empty()) {
-    draw_cell_numbers(grids[0], view.domain, spheres, projection, painter);
+  const std::vector<Area> numbers = draw_numbers(view, spheres, painter);
+  const int64_t count = view.inspection.bodies.count;
+  if (numbers.empty() && count > 0) {
+    painter.note("Numbers: the spheres are too small in the picture; come closer or show fewer");
+  } else if (static_cast<int64_t>(numbers.size()) < count) {
+    painter.note("Numbers: of " + grouped(static_cast<int64_t>(numbers.size())) + " of " + grouped(count) +
+                 " spheres; the others are hidden or too small");
   }
-  if (draw_numbers(view, spheres, painter) == 0 && view.inspection.bodies.count > 0) {
-    painter.note("no numbers: the spheres are too small in the picture");
+  const std::vector<GridInspection>& grids = view.inspection.grids;
+  if (!view.domain.is_planar() || grids.size() != 1 || grids[0].head.empty()) return;
+  if (grids[0].head.size() > kMaxCells || draw_cell_numbers(grids[0], numbers, projection, painter) == 0) {
+    painter.note("Numbers: the cells are too small for theirs");
   }
 }
 

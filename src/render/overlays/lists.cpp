@@ -18,8 +18,14 @@
 //     bodies  │  4 │  0 │  7 │
 //              └───────┘
 //
-// A hashed grid has buckets instead of cells. If there are more entries or bodies than fit in a row, a histogram
-// shows the lengths of the lists or ranges instead.
+// A hashed grid has the slots of a table instead of cells, and cells share slots. So each body has its key below it, the
+// index of its cell, by which the search tells the cells of a slot apart:
+//
+//               0    1    2
+//     next    │ −1 │ −1 │  0 │              bodies 2 and 0 share a slot, but not a cell
+//     cell    │  7 │  3 │ 19 │
+//
+// If there are more entries or bodies than fit in a row, a histogram shows the lengths of the lists or ranges instead.
 
 #include "lecture/record.h"
 #include "render/overlays/overlay.h"
@@ -32,7 +38,7 @@ namespace {
 constexpr size_t kMaxBoxes = 32;
 constexpr size_t kMaxLength = 10;
 // [1/1080 of the picture's height]
-constexpr float kMargin = 16, kBoxHeight = 40, kGap = 84, kArcs = 58, kWidest = 72;
+constexpr float kMargin = 12, kPadding = 3, kGap = 58, kArcs = 44, kWidest = 140;
 
 /// One array: numbered boxes beside its name.
 struct Boxes {
@@ -47,9 +53,11 @@ struct Boxes {
 struct Arrays {
   bool is_sorted, is_hashed;
   const std::vector<int32_t>&cells, &bodies;
+  std::vector<int32_t> keys{};  ///< of a hashed table: the cell of each entry of `bodies`
 
   size_t entries() const { return cells.size() - (is_sorted && !cells.empty()); }
   const char* name_of_cells() const { return is_sorted ? "offsets" : "head"; }
+  int rows_of_bodies() const { return is_hashed ? 2 : 1; }
   const char* name_of_bodies() const { return is_sorted ? "bodies" : "next"; }
 
   /// Visits the bodies of one cell or bucket, in the order of memory.
@@ -68,19 +76,33 @@ Arrays arrays_of(const GridInspection& grid) {
   return {grid.arrays->is_sorted, grid.arrays->is_hashed, grid.arrays->cells, grid.arrays->bodies};
 }
 
+/// The cells of the bodies, in the order of the array of bodies.
+std::vector<int32_t> keys_of(const Arrays& arrays, const GridInspection& grid, const BodySnapshot& bodies) {
+  std::vector<int32_t> keys;
+  for (size_t k = 0; k < arrays.bodies.size(); ++k) {
+    const int64_t body = arrays.is_sorted ? arrays.bodies[k] : static_cast<int64_t>(k);
+    const Vec3 place = glm::floor((bodies.position_of(body) - grid.origin) / grid.edge);
+    const IVec3 cell(glm::clamp(place, Vec3(0), Vec3(grid.cells - 1)));
+    keys.push_back(static_cast<int32_t>(index_of(grid, cell)));
+  }
+  return keys;
+}
+
 void draw_array(const char* name, const std::vector<int32_t>& values, const Boxes& boxes, const Vec3& color,
                 const PageView* page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit();
-  sheet.text({kMargin * u, boxes.top + boxes.height / 2}, kLeft, painter.ink(), name);
+  sheet.text({kMargin * u, boxes.top + boxes.height / 2}, kLeft, painter.ink(), name, TextSize::small);
   for (size_t k = 0; k < values.size(); ++k) {
     const Vec2 low(boxes.left + static_cast<float>(k) * boxes.width, boxes.top);
     const Vec2 high = low + Vec2(boxes.width, boxes.height);
     const bool is_empty = values[k] < 0;
     if (!is_empty) sheet.box(low, high, to_rgba(color, 0.3f));
     sheet.frame(low, high, to_rgba(color), 2 * u);
-    sheet.text(boxes.over_number(k) + Vec2(0, boxes.number / 2), kCentre, painter.ink(0.65f), std::to_string(k),
-               TextSize::small);
+    if (boxes.number > 0) {
+      sheet.text(boxes.over_number(k) + Vec2(0, boxes.number / 2), kCentre, painter.ink(0.65f), std::to_string(k),
+                 TextSize::small);
+    }
     const bool is_unset = values[k] == lecture::kUnset;
     sheet.text((low + high) / 2.0f, kCentre, painter.ink(is_empty ? 0.55f : 1),
                is_unset   ? "?"
@@ -100,31 +122,42 @@ void draw_link(const Boxes& next, size_t from, size_t to, Rgba color, Painter& p
   painter.sheet.curved_arrow(a, {(a.x + b.x) / 2, a.y + depth}, b + Vec2(0, 2 * u), color, 3 * u);
 }
 
+/// The arrays in the picture; `lowest` is the last row of those of the bodies.
+struct Rows {
+  const Boxes &cells, &bodies, &lowest;
+};
+
 /// Along the list of one cell: head → body → next body → …
-void draw_list(const Arrays& arrays, size_t cell, const Boxes& head, const Boxes& next, Rgba color, Painter& painter) {
+void draw_list(const Arrays& arrays, size_t cell, const Rows& rows, Rgba color, Painter& painter) {
   if (arrays.cells[cell] < 0) return;
   auto body = static_cast<size_t>(arrays.cells[cell]);
-  painter.sheet.arrow(head.under(cell), next.over_number(body), color, 3 * painter.sheet.unit());
+  painter.sheet.arrow(rows.cells.under(cell), rows.bodies.over_number(body), color, 3 * painter.sheet.unit());
   while (arrays.bodies[body] >= 0) {
     const auto following = static_cast<size_t>(arrays.bodies[body]);
-    draw_link(next, body, following, color, painter);
+    draw_link(rows.lowest, body, following, color, painter);
     body = following;
   }
 }
 
 /// The range of one cell: an arrow from its offset to the first slot, and a brace below all of its slots.
-void draw_range(const Arrays& arrays, size_t cell, const Boxes& offsets, const Boxes& bodies, Rgba color,
-                Painter& painter) {
+void draw_range(const Arrays& arrays, size_t cell, const Rows& rows, Rgba color, Painter& painter) {
   const auto first = static_cast<size_t>(arrays.cells[cell]), end = static_cast<size_t>(arrays.cells[cell + 1]);
   if (first == end) return;
   Sheet& sheet = painter.sheet;
-  const float u = sheet.unit(), inset = 0.15f * bodies.width;
-  sheet.arrow(offsets.under(cell), bodies.over_number(first), color, 3 * u);
-  const Vec2 left = bodies.under(first) + Vec2(inset - bodies.width / 2, 6 * u),
-             right = bodies.under(end - 1) + Vec2(bodies.width / 2 - inset, 6 * u), down(0, 12 * u);
+  const Boxes& lowest = rows.lowest;
+  const float u = sheet.unit(), inset = 0.15f * lowest.width;
+  sheet.arrow(rows.cells.under(cell), rows.bodies.over_number(first), color, 3 * u);
+  const Vec2 left = lowest.under(first) + Vec2(inset - lowest.width / 2, 6 * u),
+             right = lowest.under(end - 1) + Vec2(lowest.width / 2 - inset, 6 * u), down(0, 12 * u);
   sheet.line(left, left + down, color, 3 * u);
   sheet.line(left + down, right + down, color, 3 * u);
   sheet.line(right + down, right, color, 3 * u);
+}
+
+/// [1/1080 of the picture's height]
+float strip_height(const Arrays& arrays, float text_scale) {
+  const float line = line_height(TextSize::small, text_scale), box = line + 2 * kPadding;
+  return 2 * line + static_cast<float>(1 + arrays.rows_of_bodies()) * box + kGap + kArcs + kMargin;
 }
 
 bool fits(const Arrays& arrays) { return arrays.entries() <= kMaxBoxes && arrays.bodies.size() <= kMaxBoxes; }
@@ -132,41 +165,55 @@ bool fits(const Arrays& arrays) { return arrays.entries() <= kMaxBoxes && arrays
 /// Returns false if the boxes would be too narrow for their numbers.
 bool draw_arrays(const Arrays& arrays, int64_t selected, const PageView* page, Painter& painter) {
   Sheet& sheet = painter.sheet;
-  const std::string widest = std::string(arrays.name_of_cells()) + " ";
-  const float u = sheet.unit(), left = kMargin * u + sheet.size_of(widest).x + 8 * u;
+  const float u = sheet.unit();
+  const float names = std::max(sheet.size_of(arrays.name_of_cells(), TextSize::small).x,
+                               sheet.size_of(arrays.name_of_bodies(), TextSize::small).x);
+  const float left = (kMargin + 12) * u + names;
   const auto count = static_cast<float>(std::max(arrays.cells.size(), arrays.bodies.size()));
   const float width = std::min(kWidest * u, (static_cast<float>(sheet.width()) - left - kMargin * u) / count);
   const Vec2 text = sheet.size_of("–1", TextSize::small);
   if (!fits(arrays) || width < text.x + 4 * u) return false;
 
-  const float number = text.y + 2 * u, height = std::max(kBoxHeight * u, text.y + 6 * u);
-  const float top = painter.take_strip(2 * (number + height) + (kGap + kArcs + kMargin) * u);
+  const float number = text.y, height = text.y + 2 * kPadding * u;
+  const float top = painter.take_strip(strip_height(arrays, sheet.text_scale()) * u);
   const Boxes cells{left, width, top + kMargin * u / 2 + number, height, number};
   const Boxes bodies{left, width, cells.top + height + kGap * u + number, height, number};
   draw_array(arrays.name_of_cells(), arrays.cells, cells, painter.theme.grid, page, painter);
   draw_array(arrays.name_of_bodies(), arrays.bodies, bodies, painter.theme.body, page, painter);
+  Boxes lowest = bodies;
+  if (arrays.is_hashed) {
+    lowest.top += height;
+    lowest.number = 0;
+    draw_array("cell", arrays.keys, lowest, painter.theme.grid, nullptr, painter);
+  }
   for (size_t entry = 0; entry < arrays.entries(); ++entry) {
     bool is_selected = false;
     arrays.for_each_body(entry, [&](int32_t body) { is_selected |= body == selected; });
     const Rgba color = is_selected ? to_rgba(painter.theme.selected) : painter.ink(selected < 0 ? 0.75f : 0.4f);
-    (arrays.is_sorted ? draw_range : draw_list)(arrays, entry, cells, bodies, color, painter);
+    (arrays.is_sorted ? draw_range : draw_list)(arrays, entry, {cells, bodies, lowest}, color, painter);
   }
   return true;
 }
 
 /// Bars in the lower right corner: the length under each, the number of cells above.
-void draw_histogram(const GridInspection& grid, Painter& painter) {
+void draw_histogram(const std::vector<GridInspection>& grids, Painter& painter) {
   constexpr float kBar = 62, kHigh = 190;
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y;
-  std::vector<int> counts = count_lengths(grid, kMaxLength);
+  std::vector<int> counts(kMaxLength + 1, 0);
+  for (const GridInspection& grid : grids) {
+    const std::vector<int> own = count_lengths(grid, kMaxLength);
+    for (size_t k = 0; k < counts.size(); ++k) counts[k] += own[k];
+  }
   const bool is_cut = counts.back() > 0;
   while (counts.size() > 1 && counts.back() == 0) counts.pop_back();
   const auto most = static_cast<float>(*std::max_element(counts.begin(), counts.end()));
 
-  const Arrays arrays = arrays_of(grid);
-  const std::string title = std::string(arrays.is_hashed ? "buckets of the table" : "cells") +
-                            " by the length of their " + (arrays.is_sorted ? "range" : "list");
+  const Arrays arrays = arrays_of(grids[0]);
+  const std::string title =
+      (grids.size() > 1 ? std::to_string(grids.size()) + " grids, one for each size: " : std::string()) +
+      (arrays.is_hashed ? "slots of the table" : "cells") + " by the length of their " +
+      (arrays.is_sorted ? "range" : "list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
   const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(title, TextSize::small).x);
@@ -202,15 +249,21 @@ std::vector<int> count_lengths(const GridInspection& grid, size_t max) {
 }
 
 float lists_room(const Inspection& inspection, float text_scale) {
-  return !inspection.grids.empty() && fits(arrays_of(inspection.grids[0])) ? 0.21f + 0.08f * text_scale : 0.0f;
+  if (inspection.grids.size() != 1) return 0;
+  const Arrays arrays = arrays_of(inspection.grids[0]);
+  return fits(arrays) ? (strip_height(arrays, text_scale) + kMargin) / 1080 : 0.0f;
 }
 
 void draw_lists(const FrameView& view, Painter& painter) {
-  if (view.inspection.grids.empty()) return;
-  const GridInspection& grid = view.inspection.grids[0];
-  const Arrays arrays = arrays_of(grid);
-  if (arrays.entries() == 0) return;
-  if (!draw_arrays(arrays, view.selected, view.page, painter)) draw_histogram(grid, painter);
+  const std::vector<GridInspection>& grids = view.inspection.grids;
+  if (grids.empty()) return;
+  Arrays arrays = arrays_of(grids[0]);
+  if (arrays.entries() == 0) {
+    painter.note("Lists: this broad phase has too many cells to show");
+    return;
+  }
+  if (arrays.is_hashed) arrays.keys = keys_of(arrays, grids[0], view.inspection.bodies);
+  if (grids.size() > 1 || !draw_arrays(arrays, view.selected, view.page, painter)) draw_histogram(grids, painter);
 }
 
 }  // namespace ballpit

@@ -10,7 +10,7 @@ namespace ballpit {
 namespace {
 
 constexpr float kTint = 0.2f;
-constexpr float kWidth = 5;  // [1/1080 of the picture's height]
+constexpr float kWidth = 5, kRim = 1.5f;  // [1/1080 of the picture's height]
 
 /// The sides of the block behind the spheres in it, as the viewer sees them.
 std::vector<Face> far_sides(const Vec3& low, const Vec3& size, const Camera& camera, Rgba color) {
@@ -38,8 +38,8 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
     painter.faces.draw(far_sides(low, size, view.camera, tint));
   }
   const Rgba color = to_rgba(painter.theme.selected);
-  std::vector<Line> lines;  // in the plane each twice, so that their smooth borders are stronger
-  for (int corner = 0; corner < 8; ++corner) {
+  std::vector<Line> lines;
+  for (int corner = 0; corner < (domain.is_planar() ? 4 : 8); ++corner) {
     const Vec3 from = corner_of(low, low + size, corner);
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 to = from;
@@ -47,7 +47,7 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
       if (!(corner >> axis & 1) && size[axis] > 0) lines.push_back({from, color, to, color});
     }
   }
-  painter.lines.draw(lines, kWidth * painter.line_unit);
+  painter.draw_rimmed(lines, rim_of(painter.theme.selected), kWidth, kRim);
 }
 
 /// The cell that lists the body; none if the grid does not list it.
@@ -109,7 +109,8 @@ void draw_selection(const FrameView& view, Painter& painter) {
   const Vec3 centre = bodies.position_of(view.selected);
   if (!projection.sees(centre)) return;
   const float u = painter.sheet.unit(), radius = projection.length_at(centre, bodies.radius_of(view.selected));
-  painter.sheet.ring(projection.at(centre), radius + 4 * u, to_rgba(painter.theme.selected), 8 * u);
+  painter.sheet.ring(projection.at(centre), radius + 4 * u, to_rgba(rim_of(painter.theme.selected)), 10 * u);
+  painter.sheet.ring(projection.at(centre), radius + 4 * u, to_rgba(painter.theme.selected), 7 * u);
 }
 
 }  // namespace ballpit
