@@ -38,7 +38,7 @@ void main() {
   power = distance * distance - r * r;
   covered = inner * inner;
   color = frame.mark_color[mark].rgb;
-  rim = vec2(min(frame.mark_color[mark].w * frame.line_unit / outline, 0.25), 1 / outline);
+  rim = vec2(min(frame.mark_color[mark].w * frame.line_unit / outline, 0.16), 1 / outline);
   disc = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2 - 1;
   ray = plane * axis + size * (disc.x * right + disc.y * up);
   gl_Position = frame.projection * vec4(ray, 1);

@@ -12,7 +12,7 @@ namespace {
 
 // [1/1080 of the picture's height]
 constexpr float kMargin = 24, kPad = 10;
-constexpr float kSlides = 170;         // of "Slides 2–4", with its margins, at a text scale of 1
+constexpr float kSlides = 260;         // of "Slides 2–4" with its margins, in a lecture
 constexpr float kCodeWidth = 0.47f;    // of the picture's width
 constexpr float kCodeSpacing = 1.12f;  // from one line of code to the next [its height]
 constexpr float kMeanLetter = 0.43f;   // of a sentence [height of a line]
@@ -69,7 +69,7 @@ Room room_of(const PageView& page, float text_scale, float aspect) {
   Room room;
   room.above = (line_height(TextSize::title, text_scale) + kPad) / 1080;
   const float line = line_height(TextSize::normal, text_scale);
-  const float width = 1080 * aspect - 2 * kMargin - (page.slides.empty() ? 0 : kSlides * text_scale);
+  const float width = 1080 * aspect - 2 * kMargin - (page.slides.empty() ? 0 : kSlides);
   const float wanted = kMeanLetter * line * static_cast<float>(page.caption.size());
   room.below = (line * std::ceil(std::max(wanted / width, 1.0f)) + 2 * kPad) / 1080;
   if (!page.code.empty()) room.right = kCodeWidth;

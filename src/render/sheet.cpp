@@ -18,12 +18,13 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::array<float, 5> kSizes{28, 36, 46, 22, 22};  // [pixel] at 1080 lines, in the order of TextSize
-constexpr float kSmallest = 9;                              // [pixel] smaller letters are not legible
-constexpr float kLargest = 128;                             // [pixel] larger letters are magnified, to save memory
-constexpr float kFine = 64;    // [pixel] up to this size, letters are sampled twice horizontally
-constexpr float kHead = 4.5f;  // of an arrow [width of its line]
-constexpr float kDots = 2.5f;  // from one dot to the next [width]
+// In the order of TextSize: [pixel] at 1080 lines, and by which part of the text scale it grows.
+constexpr std::array<float, 5> kSizes{36, 40, 48, 22, 22}, kGrowth{0.42f, 0.75f, 0.42f, 0, 0};
+constexpr float kSmallest = 9;   // [pixel] smaller letters are not legible
+constexpr float kLargest = 128;  // [pixel] larger letters are magnified, to save memory
+constexpr float kFine = 64;      // [pixel] up to this size, letters are sampled twice horizontally
+constexpr float kHead = 4.5f;    // of an arrow [width of its line]
+constexpr float kDots = 2.5f;    // from one dot to the next [width]
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
@@ -68,9 +69,8 @@ ImGuiContext* make_context() {
 }  // namespace
 
 float line_height(TextSize size, float text_scale) {
-  const float height = kSizes[static_cast<size_t>(size)];
-  if (size == TextSize::code) return height;
-  return height * (size == TextSize::title ? (1 + text_scale) / 2 : text_scale);
+  const auto k = static_cast<size_t>(size);
+  return kSizes[k] * (1 + kGrowth[k] * (text_scale - 1));
 }
 
 Sheet::Sheet() : context_(make_context()) {

@@ -20,13 +20,13 @@ struct ImFont;
 
 namespace ballpit {
 
-/// At 1080 lines: 28, 36 and 46 pixels, 22 for the panel, and 22 for code, whose letters have equal widths; in
+/// At 1080 lines: 36, 40 and 48 pixels, 22 for the panel, and 22 for code, whose letters have equal widths; in
 /// proportion at other heights, at least 9. Digits and capitals are 0.6 times as high. Panel and scene have scales of
-/// their own.
+/// their own: with 1.6, that of a lecture, the sizes are 45, 58 and 60. Captions grow most: numbers must still fit into
+/// boxes and cells.
 enum class TextSize { small, normal, title, panel, code };
 
-/// [1/1080 of the picture's height] of a line of the scene's text at this scale; titles grow by half as much, and code
-/// does not grow.
+/// [1/1080 of the picture's height] of a line of the scene's text at this scale.
 float line_height(TextSize size, float text_scale);
 
 /// The point of a text that a position refers to: fractions of its width and height, from the upper left.

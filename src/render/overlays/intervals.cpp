@@ -88,7 +88,7 @@ void SweepAxis::draw(Painter& painter) const {
   const char* name = axis == 0 ? "x" : axis == 1 ? "y" : "z";
   const Vec2 end = at(high) + kBeyond * u * along;
   sheet.arrow(at(low) - kBeyond * u * along, end, painter.ink(0.8f), 3 * u);
-  sheet.text(end + 16 * u * (is_upright ? -outward : along), kCentre, painter.ink(), name);
+  sheet.text(end + 16 * u * (is_upright ? -outward : along), kCentre, painter.ink(), name, TextSize::small);
 }
 
 /// A bracket at the endpoint: [ filled, ] hollow.

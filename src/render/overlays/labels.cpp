@@ -12,6 +12,7 @@ namespace {
 constexpr float kMinRadius = 7;       // [pixel] of a sphere
 constexpr size_t kMaxSpheres = 3000;  // of more spheres, the nearest get numbers
 constexpr size_t kMaxCells = 400;
+constexpr float kTop = 0.18f, kFoot = 0.79f;  // of digits, in their line of text
 
 struct Seen {
   int64_t body;
@@ -60,26 +61,27 @@ bool meets(const Area& a, const Area& b) {
 }
 
 /// From near to far: a sphere gets no number where a nearer sphere or number covers it. Where lines meet in the centre, a
-/// number has a disc of its sphere's colour behind it. Returns the places of the numbers.
+/// number has a plate of its sphere's colour behind it. Returns the places of the numbers.
 std::vector<Area> draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
   const std::vector<Mark> marks =
       painter.marks ? *painter.marks : contact_marks(view.inspection.bodies.count, view.inspection.contacts);
-  const bool has_discs = view.shows("pairs") || view.shows("velocity") || view.shows("intervals");
+  const bool has_plates = view.shows("pairs") || view.shows("velocity") || view.shows("intervals");
   std::vector<Area> taken;
   for (size_t k = 0; k < spheres.size(); ++k) {
     const Seen& sphere = spheres[k];
     const std::string text = std::to_string(sphere.body);
     const std::optional<TextSize> size = size_within(text, sphere.radius, painter.sheet);
     if (!size) continue;
-    const Vec2 half = 0.4f * painter.sheet.size_of(text, *size);
+    const Vec2 half = Vec2(0.5f, (kFoot - kTop) / 2) * painter.sheet.size_of(text, *size);
     const Area area{sphere.at - half, sphere.at + half};
     const auto end = spheres.begin() + static_cast<std::ptrdiff_t>(view.domain.is_planar() ? 0 : k);
     if (std::any_of(spheres.begin(), end, [&](const Seen& nearer) { return meets(area, nearer); })) continue;
     if (std::any_of(taken.begin(), taken.end(), [&](const Area& other) { return meets(area, other); })) continue;
     taken.push_back(area);
     const Vec3 fill = color_of(painter.theme, static_cast<int>(marks[static_cast<size_t>(sphere.body)]));
-    if (has_discs) {
-      painter.sheet.disc(sphere.at, std::min(1.2f * length(half), 0.9f * sphere.radius), to_rgba(fill, 0.85f));
+    if (has_plates) {
+      const Vec2 edge = half + Vec2(3) * painter.sheet.unit();
+      painter.sheet.box(sphere.at - edge, sphere.at + edge, to_rgba(fill, 0.85f), edge.y / 2);
     }
     painter.sheet.text(sphere.at, kCentre, to_rgba(text_on(fill)), text, *size);
   }
@@ -93,17 +95,18 @@ size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Area>& ta
   Sheet& sheet = painter.sheet;
   const float edge = projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y));
   const TextSize size = edge > 4.5f * sheet.size_of("0").y ? TextSize::normal : TextSize::small;
-  const Vec2 widest = sheet.size_of(std::to_string(grid.head.size() - 1), size), inset = Vec2(6, 3) * sheet.unit();
+  const Vec2 widest = sheet.size_of(std::to_string(grid.head.size() - 1), size), inset = Vec2(7, -7) * sheet.unit();
   if (edge < widest.x + 0.5f * widest.y) return 0;
   const auto columns = static_cast<size_t>(grid.cells.x);
   size_t drawn = 0;
   for (size_t cell = 0; cell < grid.head.size(); ++cell) {
     const Vec2 corner = projection.at(grid.origin + grid.edge * Vec3(cell % columns, cell / columns, 0));
     const std::string text = std::to_string(cell);
-    const Vec2 at = corner + Vec2(inset.x, -inset.y), extent = sheet.size_of(text, size);
-    const Area area{at - Vec2(0, 0.85f * extent.y), at + Vec2(extent.x, -0.15f * extent.y)};
+    const Vec2 extent = sheet.size_of(text, size);
+    const Vec2 at = corner + inset - Vec2(0, kFoot * extent.y), foot = at + Vec2(extent.x, kFoot * extent.y);
+    const Area area{at + Vec2(0, kTop * extent.y), foot};
     if (std::any_of(taken.begin(), taken.end(), [&](const Area& number) { return meets(area, number); })) continue;
-    sheet.bordered_text(at, kLowerLeft, to_rgba(painter.theme.cell_text), to_rgba(painter.theme.background), text,
+    sheet.bordered_text(at, kUpperLeft, to_rgba(painter.theme.cell_text), to_rgba(painter.theme.background), text,
                         size);
     ++drawn;
   }

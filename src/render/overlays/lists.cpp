@@ -170,9 +170,12 @@ bool draw_arrays(const Arrays& arrays, int64_t selected, const PageView* page, P
                                sheet.size_of(arrays.name_of_bodies(), TextSize::small).x);
   const float left = (kMargin + 12) * u + names;
   const auto count = static_cast<float>(std::max(arrays.cells.size(), arrays.bodies.size()));
-  const float width = std::min(kWidest * u, (static_cast<float>(sheet.width()) - left - kMargin * u) / count);
   const Vec2 text = sheet.size_of("–1", TextSize::small);
-  if (!fits(arrays) || width < text.x + 4 * u) return false;
+  const float narrowest = text.x + 4 * u;
+  const auto width_up_to = [&](float right) { return std::min(kWidest * u, (right - left - kMargin * u) / count); };
+  float width = width_up_to(painter.note_left);  // beside code, if there is room
+  if (width < narrowest) width = width_up_to(static_cast<float>(sheet.width()));
+  if (!fits(arrays) || width < narrowest) return false;
 
   const float number = text.y, height = text.y + 2 * kPadding * u;
   const float top = painter.take_strip(strip_height(arrays, sheet.text_scale()) * u);

@@ -130,9 +130,10 @@ void draw_missed(const FrameView& view, Painter& painter, const Projection& proj
     for (const Vec2& offset : {beside, -beside}) sheet.line(a + offset, b + offset, color, kDouble * u);
     for (const int32_t body : {pair.i, pair.j}) {
       const Vec3 at = bodies.position_of(body);
-      const float radius = projection.length_at(at, bodies.radius_of(body));
-      sheet.ring(projection.at(at), radius + (kGap + kRing / 2) * u, ground, (kRing + 2 * kCasing) * u);
-      sheet.ring(projection.at(at), radius + (kGap + kRing / 2) * u, color, kRing * u);
+      const float beyond = (kGap + kRing / 2) * u + (body == view.selected ? 8 * sheet.unit() : 0);
+      const float radius = projection.length_at(at, bodies.radius_of(body)) + beyond;
+      sheet.ring(projection.at(at), radius, ground, (kRing + 2 * kCasing) * u);
+      sheet.ring(projection.at(at), radius, color, kRing * u);
     }
   }
 }
