@@ -103,7 +103,8 @@ void Panel::draw_picked(Demo& demo) {
   if (inspection.bodies.dimensions == 3) place += ", " + metres(p.z);
   row("sphere", std::to_string(i));
   row("place", place + " m");
-  row("touches", counted_numbers(partners_of(inspection.contacts, i)));
+  row("touches", counted_numbers(touching(inspection, i)));
+  if (const auto missed = partners_of(inspection.missed, i); !missed.empty()) row("missed", counted_numbers(missed));
   draw_places(inspection, i);
   const std::vector<Endpoint>& ends = inspection.endpoints;
   if (const Walk walk = shown_walk(ends, i); walk.body >= 0) {

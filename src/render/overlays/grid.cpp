@@ -140,10 +140,7 @@ void draw_counts(const GridInspection& grid, const std::vector<int>& counts, con
   const Vec2 widest = painter.sheet.size_of(text_of(*std::max_element(counts.begin(), counts.end())), TextSize::small);
   const Vec2 inset = Vec2(8, 3) * painter.sheet.unit(), wanted = widest + 2.0f * inset;
   const Vec2 cell(projection.length_at(grid.origin, grid.edge.x), projection.length_at(grid.origin, grid.edge.y));
-  if (cell.x < wanted.x || cell.y < 1.5f * wanted.y) {
-    painter.note("Grid cells: they are too small for their numbers of spheres");
-    return;
-  }
+  if (cell.x < wanted.x || cell.y < 1.5f * wanted.y) return;
   for (int y = 0; y < grid.cells.y; ++y) {
     for (int x = 0; x < grid.cells.x; ++x) {
       const int count = counts[index_of(grid, {x, y, 0})];

@@ -12,6 +12,7 @@ namespace {
 constexpr float kMinRadius = 7;       // [pixel] of a sphere
 constexpr size_t kMaxSpheres = 3000;  // of more spheres, the nearest get numbers
 constexpr size_t kMaxCells = 400;
+constexpr float kMostHidden = 0.3f;           // of a cell's number, by the number of a sphere
 constexpr float kTop = 0.18f, kFoot = 0.79f;  // of digits, in their line of text
 
 struct Seen {
@@ -56,41 +57,63 @@ bool meets(const Area& area, const Seen& sphere) {
   return length(glm::clamp(sphere.at, area.low, area.high) - sphere.at) < sphere.radius;
 }
 
+/// The part of b that lies under a.
+float covered(const Area& b, const Area& a) {
+  const Vec2 both = glm::max(glm::min(a.high, b.high) - glm::max(a.low, b.low), Vec2(0)), size = b.high - b.low;
+  return both.x * both.y / std::max(size.x * size.y, 1e-6f);
+}
+
 bool meets(const Area& a, const Area& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/// From near to far: a sphere gets no number where a nearer sphere or number covers it. Where lines meet in the centre, a
-/// number has a plate of its sphere's colour behind it. Returns the places of the numbers.
-std::vector<Area> draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
-  const std::vector<Mark> marks =
-      painter.marks ? *painter.marks : contact_marks(view.inspection.bodies.count, view.inspection.contacts);
-  const bool has_plates = view.shows("pairs") || view.shows("velocity") || view.shows("intervals");
-  std::vector<Area> taken;
+/// The number of a sphere.
+struct Number {
+  Seen sphere;
+  Area area;
+  std::string text;
+  TextSize size;
+};
+
+/// From near to far: a sphere gets no number where a nearer sphere or number covers it.
+std::vector<Number> place_numbers(const FrameView& view, const std::vector<Seen>& spheres, const Sheet& sheet) {
+  std::vector<Number> numbers;
   for (size_t k = 0; k < spheres.size(); ++k) {
     const Seen& sphere = spheres[k];
     const std::string text = std::to_string(sphere.body);
-    const std::optional<TextSize> size = size_within(text, sphere.radius, painter.sheet);
+    const std::optional<TextSize> size = size_within(text, sphere.radius, sheet);
     if (!size) continue;
-    const Vec2 half = Vec2(0.5f, (kFoot - kTop) / 2) * painter.sheet.size_of(text, *size);
+    const Vec2 half = Vec2(0.5f, (kFoot - kTop) / 2) * sheet.size_of(text, *size);
     const Area area{sphere.at - half, sphere.at + half};
     const auto end = spheres.begin() + static_cast<std::ptrdiff_t>(view.domain.is_planar() ? 0 : k);
     if (std::any_of(spheres.begin(), end, [&](const Seen& nearer) { return meets(area, nearer); })) continue;
-    if (std::any_of(taken.begin(), taken.end(), [&](const Area& other) { return meets(area, other); })) continue;
-    taken.push_back(area);
-    const Vec3 fill = color_of(painter.theme, static_cast<int>(marks[static_cast<size_t>(sphere.body)]));
-    if (has_plates) {
-      const Vec2 edge = half + Vec2(3) * painter.sheet.unit();
-      painter.sheet.box(sphere.at - edge, sphere.at + edge, to_rgba(fill, 0.85f), edge.y / 2);
+    if (std::any_of(numbers.begin(), numbers.end(), [&](const Number& other) { return meets(area, other.area); })) {
+      continue;
     }
-    painter.sheet.text(sphere.at, kCentre, to_rgba(text_on(fill)), text, *size);
+    numbers.push_back({sphere, area, text, *size});
   }
-  return taken;
+  return numbers;
 }
 
-/// Each in the lower left corner of its cell, as on the slide. A number that would lie on that of a sphere is left out.
+/// In their spheres' colours. Where lines meet in the centre, with a plate behind.
+void draw_numbers(const FrameView& view, const std::vector<Number>& numbers, Painter& painter) {
+  const std::vector<Mark> marks =
+      painter.marks ? *painter.marks : contact_marks(view.inspection.bodies.count, view.inspection.contacts);
+  const bool has_plates = view.shows("pairs") || view.shows("velocity") || view.shows("intervals");
+  for (const Number& number : numbers) {
+    const Vec3 fill = color_of(painter.theme, static_cast<int>(marks[static_cast<size_t>(number.sphere.body)]));
+    if (has_plates) {
+      const Vec2 edge(3 * painter.sheet.unit());
+      painter.sheet.box(number.area.low - edge, number.area.high + edge, to_rgba(fill, 0.85f), 2 * edge.x);
+    }
+    painter.sheet.bordered_text(number.sphere.at, kCentre, to_rgba(text_on(fill)), to_rgba(fill, 0.5f), number.text,
+                                number.size);
+  }
+}
+
+/// Each in the lower left corner of its cell, as on the slide; none where the number of a sphere hides it.
 /// Returns how many were drawn.
-size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Area>& taken, const Projection& projection,
+size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Number>& numbers, const Projection& projection,
                          Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float edge = projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y));
@@ -105,7 +128,8 @@ size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Area>& ta
     const Vec2 extent = sheet.size_of(text, size);
     const Vec2 at = corner + inset - Vec2(0, kFoot * extent.y), foot = at + Vec2(extent.x, kFoot * extent.y);
     const Area area{at + Vec2(0, kTop * extent.y), foot};
-    if (std::any_of(taken.begin(), taken.end(), [&](const Area& number) { return meets(area, number); })) continue;
+    const auto hides = [&](const Number& number) { return covered(area, number.area) > kMostHidden; };
+    if (std::any_of(numbers.begin(), numbers.end(), hides)) continue;
     sheet.bordered_text(at, kUpperLeft, to_rgba(painter.theme.cell_text), to_rgba(painter.theme.background), text,
                         size);
     ++drawn;
@@ -118,18 +142,20 @@ size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Area>& ta
 void draw_labels(const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
   const std::vector<Seen> spheres = large_spheres(view, projection, painter.sheet);
-  const std::vector<Area> numbers = draw_numbers(view, spheres, painter);
+  const std::vector<Number> numbers = place_numbers(view, spheres, painter.sheet);
+  const std::vector<GridInspection>& grids = view.inspection.grids;
+  if (view.domain.is_planar() && grids.size() == 1 && !grids[0].head.empty()) {
+    if (grids[0].head.size() > kMaxCells || draw_cell_numbers(grids[0], numbers, projection, painter) == 0) {
+      painter.note("Numbers: the cells are too small for theirs");
+    }
+  }
+  draw_numbers(view, numbers, painter);
   const int64_t count = view.inspection.bodies.count;
   if (numbers.empty() && count > 0) {
     painter.note("Numbers: the spheres are too small in the picture; come closer or show fewer");
   } else if (static_cast<int64_t>(numbers.size()) < count) {
     painter.note("Numbers: of " + grouped(static_cast<int64_t>(numbers.size())) + " of " + grouped(count) +
                  " spheres; the others are hidden or too small");
-  }
-  const std::vector<GridInspection>& grids = view.inspection.grids;
-  if (!view.domain.is_planar() || grids.size() != 1 || grids[0].head.empty()) return;
-  if (grids[0].head.size() > kMaxCells || draw_cell_numbers(grids[0], numbers, projection, painter) == 0) {
-    painter.note("Numbers: the cells are too small for theirs");
   }
 }
 

@@ -25,7 +25,11 @@
 //     next    │ −1 │ −1 │  0 │              bodies 2 and 0 share a slot, but not a cell
 //     cell    │  7 │  3 │ 19 │
 //
-// If there are more entries or bodies than fit in a row, a histogram shows the lengths of the lists or ranges instead.
+// Of many cells or slots, only the occupied ones are shown. If they or the bodies do not fit in a row, a histogram shows
+// the lengths of the lists or ranges instead.
+#include <numeric>
+
+#include <fmt/format.h>
 
 #include "lecture/record.h"
 #include "render/overlays/overlay.h"
@@ -53,10 +57,11 @@ struct Boxes {
 struct Arrays {
   bool is_sorted, is_hashed;
   const std::vector<int32_t>&cells, &bodies;
-  std::vector<int32_t> keys{};  ///< of a hashed table: the cell of each entry of `bodies`
+  std::vector<size_t> shown{};  ///< entries of `cells`, ascending
 
   size_t entries() const { return cells.size() - (is_sorted && !cells.empty()); }
   const char* name_of_cells() const { return is_sorted ? "offsets" : "head"; }
+  const char* entry_name() const { return is_hashed ? "slots of the table" : "cells"; }
   int rows_of_bodies() const { return is_hashed ? 2 : 1; }
   const char* name_of_bodies() const { return is_sorted ? "bodies" : "next"; }
 
@@ -71,9 +76,23 @@ struct Arrays {
   }
 };
 
+/// All entries of the array of cells, or of a long one those that hold bodies.
+std::vector<size_t> shown_entries(const Arrays& arrays) {
+  std::vector<size_t> shown;
+  const bool is_long = arrays.entries() > kMaxBoxes;
+  for (size_t k = 0; k < (is_long ? arrays.entries() : arrays.cells.size()); ++k) {
+    const bool is_empty = arrays.is_sorted ? is_long && arrays.cells[k] == arrays.cells[k + 1] : arrays.cells[k] < 0;
+    if (!is_long || !is_empty) shown.push_back(k);
+  }
+  return shown;
+}
+
 Arrays arrays_of(const GridInspection& grid) {
-  if (!grid.arrays) return {false, false, grid.head, grid.next};
-  return {grid.arrays->is_sorted, grid.arrays->is_hashed, grid.arrays->cells, grid.arrays->bodies};
+  Arrays arrays = grid.arrays
+                      ? Arrays{grid.arrays->is_sorted, grid.arrays->is_hashed, grid.arrays->cells, grid.arrays->bodies}
+                      : Arrays{false, false, grid.head, grid.next};
+  arrays.shown = shown_entries(arrays);
+  return arrays;
 }
 
 /// The cells of the bodies, in the order of the array of bodies.
@@ -88,28 +107,26 @@ std::vector<int32_t> keys_of(const Arrays& arrays, const GridInspection& grid, c
   return keys;
 }
 
-void draw_array(const char* name, const std::vector<int32_t>& values, const Boxes& boxes, const Vec3& color,
-                const PageView* page, Painter& painter) {
+/// Draws an array, or of a longer one the entries `shown`.
+void draw_array(const char* name, const std::vector<int32_t>& values, const std::vector<size_t>& shown,
+                const Boxes& boxes, const Vec3& color, const PageView* page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit();
   sheet.text({kMargin * u, boxes.top + boxes.height / 2}, kLeft, painter.ink(), name, TextSize::small);
-  for (size_t k = 0; k < values.size(); ++k) {
+  for (size_t k = 0; k < shown.size(); ++k) {
+    const int32_t value = values[shown[k]];
     const Vec2 low(boxes.left + static_cast<float>(k) * boxes.width, boxes.top);
     const Vec2 high = low + Vec2(boxes.width, boxes.height);
-    const bool is_empty = values[k] < 0;
+    const bool is_empty = value < 0;
     if (!is_empty) sheet.box(low, high, to_rgba(color, 0.3f));
     sheet.frame(low, high, to_rgba(color), 2 * u);
     if (boxes.number > 0) {
-      sheet.text(boxes.over_number(k) + Vec2(0, boxes.number / 2), kCentre, painter.ink(0.65f), std::to_string(k),
-                 TextSize::small);
+      sheet.text(boxes.over_number(k) + Vec2(0, boxes.number / 2), kCentre, painter.ink(0.65f),
+                 std::to_string(shown[k]), TextSize::small);
     }
-    const bool is_unset = values[k] == lecture::kUnset;
-    sheet.text((low + high) / 2.0f, kCentre, painter.ink(is_empty ? 0.55f : 1),
-               is_unset   ? "?"
-               : is_empty ? "–1"
-                          : std::to_string(values[k]),
-               TextSize::small);
-    if (page) mark_touched(*page, name, static_cast<int64_t>(k), low, high, painter);
+    const std::string text = value == lecture::kUnset ? "?" : is_empty ? "–1" : std::to_string(value);
+    sheet.text((low + high) / 2.0f, kCentre, painter.ink(is_empty ? 0.6f : 1), text, TextSize::small);
+    if (page) mark_touched(*page, name, static_cast<int64_t>(shown[k]), low, high, painter);
   }
 }
 
@@ -127,11 +144,12 @@ struct Rows {
   const Boxes &cells, &bodies, &lowest;
 };
 
-/// Along the list of one cell: head → body → next body → …
-void draw_list(const Arrays& arrays, size_t cell, const Rows& rows, Rgba color, Painter& painter) {
-  if (arrays.cells[cell] < 0) return;
-  auto body = static_cast<size_t>(arrays.cells[cell]);
-  painter.sheet.arrow(rows.cells.under(cell), rows.bodies.over_number(body), color, 3 * painter.sheet.unit());
+/// Along the list of one cell, in box `box`: head → body → next body → …
+void draw_list(const Arrays& arrays, size_t box, const Rows& rows, Rgba color, Painter& painter) {
+  const int32_t first = arrays.cells[arrays.shown[box]];
+  if (first < 0) return;
+  auto body = static_cast<size_t>(first);
+  painter.sheet.arrow(rows.cells.under(box), rows.bodies.over_number(body), color, 3 * painter.sheet.unit());
   while (arrays.bodies[body] >= 0) {
     const auto following = static_cast<size_t>(arrays.bodies[body]);
     draw_link(rows.lowest, body, following, color, painter);
@@ -140,13 +158,14 @@ void draw_list(const Arrays& arrays, size_t cell, const Rows& rows, Rgba color, 
 }
 
 /// The range of one cell: an arrow from its offset to the first slot, and a brace below all of its slots.
-void draw_range(const Arrays& arrays, size_t cell, const Rows& rows, Rgba color, Painter& painter) {
+void draw_range(const Arrays& arrays, size_t box, const Rows& rows, Rgba color, Painter& painter) {
+  const size_t cell = arrays.shown[box];
   const auto first = static_cast<size_t>(arrays.cells[cell]), end = static_cast<size_t>(arrays.cells[cell + 1]);
   if (first == end) return;
   Sheet& sheet = painter.sheet;
   const Boxes& lowest = rows.lowest;
   const float u = sheet.unit(), inset = 0.15f * lowest.width;
-  sheet.arrow(rows.cells.under(cell), rows.bodies.over_number(first), color, 3 * u);
+  sheet.arrow(rows.cells.under(box), rows.bodies.over_number(first), color, 3 * u);
   const Vec2 left = lowest.under(first) + Vec2(inset - lowest.width / 2, 6 * u),
              right = lowest.under(end - 1) + Vec2(lowest.width / 2 - inset, 6 * u), down(0, 12 * u);
   sheet.line(left, left + down, color, 3 * u);
@@ -160,40 +179,48 @@ float strip_height(const Arrays& arrays, float text_scale) {
   return 2 * line + static_cast<float>(1 + arrays.rows_of_bodies()) * box + kGap + kArcs + kMargin;
 }
 
-bool fits(const Arrays& arrays) { return arrays.entries() <= kMaxBoxes && arrays.bodies.size() <= kMaxBoxes; }
+bool fits(const Arrays& arrays) { return arrays.shown.size() <= kMaxBoxes + 1 && arrays.bodies.size() <= kMaxBoxes; }
 
 /// Returns false if the boxes would be too narrow for their numbers.
-bool draw_arrays(const Arrays& arrays, int64_t selected, const PageView* page, Painter& painter) {
+bool draw_arrays(const Arrays& arrays, const std::vector<int32_t>& keys, int64_t selected, const PageView* page,
+                 Painter& painter) {
+  if (!fits(arrays)) return false;
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit();
-  const float names = std::max(sheet.size_of(arrays.name_of_cells(), TextSize::small).x,
-                               sheet.size_of(arrays.name_of_bodies(), TextSize::small).x);
-  const float left = (kMargin + 12) * u + names;
-  const auto count = static_cast<float>(std::max(arrays.cells.size(), arrays.bodies.size()));
-  const Vec2 text = sheet.size_of("–1", TextSize::small);
-  const float narrowest = text.x + 4 * u;
+  const auto extent_of = [&](const std::string& text) { return sheet.size_of(text, TextSize::small); };
+  const float left =
+      (kMargin + 12) * u + std::max(extent_of(arrays.name_of_cells()).x, extent_of(arrays.name_of_bodies()).x);
+  const auto count = static_cast<float>(std::max(arrays.shown.size(), arrays.bodies.size()));
+  const float line = extent_of("0").y;
+  float narrowest = extent_of("–1").x + 4 * u;
+  if (!arrays.shown.empty()) narrowest = std::max(narrowest, extent_of(std::to_string(arrays.shown.back())).x + 4 * u);
   const auto width_up_to = [&](float right) { return std::min(kWidest * u, (right - left - kMargin * u) / count); };
   float width = width_up_to(painter.note_left);  // beside code, if there is room
   if (width < narrowest) width = width_up_to(static_cast<float>(sheet.width()));
-  if (!fits(arrays) || width < narrowest) return false;
+  if (width < narrowest) return false;
 
-  const float number = text.y, height = text.y + 2 * kPadding * u;
-  const float top = painter.take_strip(strip_height(arrays, sheet.text_scale()) * u);
-  const Boxes cells{left, width, top + kMargin * u / 2 + number, height, number};
-  const Boxes bodies{left, width, cells.top + height + kGap * u + number, height, number};
-  draw_array(arrays.name_of_cells(), arrays.cells, cells, painter.theme.grid, page, painter);
-  draw_array(arrays.name_of_bodies(), arrays.bodies, bodies, painter.theme.body, page, painter);
+  const float top = painter.take_strip(strip_height(arrays, sheet.text_scale()) * u), height = line + 2 * kPadding * u;
+  const Boxes cells{left, width, top + kMargin * u / 2 + line, height, line};
+  const Boxes bodies{left, width, cells.top + height + kGap * u + line, height, line};
+  std::vector<size_t> all(arrays.bodies.size());
+  std::iota(all.begin(), all.end(), size_t{0});
+  draw_array(arrays.name_of_cells(), arrays.cells, arrays.shown, cells, painter.theme.grid, page, painter);
+  draw_array(arrays.name_of_bodies(), arrays.bodies, all, bodies, painter.theme.body, page, painter);
   Boxes lowest = bodies;
   if (arrays.is_hashed) {
     lowest.top += height;
     lowest.number = 0;
-    draw_array("cell", arrays.keys, lowest, painter.theme.grid, nullptr, painter);
+    draw_array("cell", keys, all, lowest, painter.theme.grid, nullptr, painter);
   }
-  for (size_t entry = 0; entry < arrays.entries(); ++entry) {
+  const size_t boxes = std::min(arrays.shown.size(), arrays.entries());
+  for (size_t box = 0; box < boxes; ++box) {
     bool is_selected = false;
-    arrays.for_each_body(entry, [&](int32_t body) { is_selected |= body == selected; });
-    const Rgba color = is_selected ? to_rgba(painter.theme.selected) : painter.ink(selected < 0 ? 0.75f : 0.4f);
-    (arrays.is_sorted ? draw_range : draw_list)(arrays, entry, {cells, bodies, lowest}, color, painter);
+    arrays.for_each_body(arrays.shown[box], [&](int32_t body) { is_selected |= body == selected; });
+    const Rgba color = is_selected ? to_rgba(painter.theme.selected) : painter.ink(selected < 0 ? 0.75f : 0.55f);
+    (arrays.is_sorted ? draw_range : draw_list)(arrays, box, {cells, bodies, lowest}, color, painter);
+  }
+  if (boxes < arrays.entries()) {
+    painter.note(fmt::format("Lists: {} of {} {}, those with spheres", boxes, arrays.entries(), arrays.entry_name()));
   }
   return true;
 }
@@ -214,18 +241,18 @@ void draw_histogram(const std::vector<GridInspection>& grids, Painter& painter) 
 
   const Arrays arrays = arrays_of(grids[0]);
   const std::string title =
-      (grids.size() > 1 ? std::to_string(grids.size()) + " grids, one for each size: " : std::string()) +
-      (arrays.is_hashed ? "slots of the table" : "cells") + " by the length of their " +
-      (arrays.is_sorted ? "range" : "list");
+      (grids.size() > 1 ? fmt::format("{} grids: ", grids.size()) : std::string()) + arrays.entry_name();
+  const std::string subtitle = std::string("by the length of their ") + (arrays.is_sorted ? "range" : "list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
-  const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(title, TextSize::small).x);
+  const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(subtitle, TextSize::small).x);
   const Vec2 high(static_cast<float>(sheet.width()) - kMargin * u,
                   static_cast<float>(sheet.height()) - painter.taken - kMargin * u);
-  const Vec2 low = high - Vec2(width, kHigh * u + 4 * line);
+  const Vec2 low = high - Vec2(width, kHigh * u + 5 * line);
   const float ground = high.y - line;
   sheet.box(low - Vec2(kMargin * u), high + Vec2(kMargin * u), painter.ground());
   sheet.text({high.x, low.y}, kUpperRight, painter.ink(), title, TextSize::small);
+  sheet.text({high.x, low.y + line}, kUpperRight, painter.ink(), subtitle, TextSize::small);
   for (size_t k = 0; k < counts.size(); ++k) {
     const float middle = high.x - (static_cast<float>(counts.size() - k) - 0.5f) * bar;
     const float top = ground - kHigh * u * static_cast<float>(counts[k]) / most;
@@ -260,13 +287,15 @@ float lists_room(const Inspection& inspection, float text_scale) {
 void draw_lists(const FrameView& view, Painter& painter) {
   const std::vector<GridInspection>& grids = view.inspection.grids;
   if (grids.empty()) return;
-  Arrays arrays = arrays_of(grids[0]);
+  const Arrays arrays = arrays_of(grids[0]);
   if (arrays.entries() == 0) {
-    painter.note("Lists: this broad phase has too many cells to show");
+    painter.note("Lists: this broad phase has too many cells to show; enlarge them");
     return;
   }
-  if (arrays.is_hashed) arrays.keys = keys_of(arrays, grids[0], view.inspection.bodies);
-  if (grids.size() > 1 || !draw_arrays(arrays, view.selected, view.page, painter)) draw_histogram(grids, painter);
+  std::vector<int32_t> keys;
+  if (arrays.is_hashed) keys = keys_of(arrays, grids[0], view.inspection.bodies);
+  const bool is_drawn = grids.size() == 1 && draw_arrays(arrays, keys, view.selected, view.page, painter);
+  if (!is_drawn) draw_histogram(grids, painter);
 }
 
 }  // namespace ballpit

@@ -109,4 +109,7 @@ Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected);
 /// The other spheres of the pairs that contain the body, ascending.
 std::vector<int32_t> partners_of(const std::vector<Pair>& pairs, int32_t body);
 
+/// The spheres that touch the body, ascending; also those whose contact the method misses.
+std::vector<int32_t> touching(const Inspection& inspection, int32_t body);
+
 }  // namespace ballpit

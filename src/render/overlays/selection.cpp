@@ -10,7 +10,7 @@ namespace ballpit {
 namespace {
 
 constexpr float kTint = 0.2f;
-constexpr float kWidth = 5, kRim = 1.5f;  // [1/1080 of the picture's height]
+constexpr float kWidth = 5, kRim = 1.5f, kInset = 6;  // [1/1080 of the picture's height]
 
 /// The sides of the block behind the spheres in it, as the viewer sees them.
 std::vector<Face> far_sides(const Vec3& low, const Vec3& size, const Camera& camera, Rgba color) {
@@ -28,8 +28,14 @@ std::vector<Face> far_sides(const Vec3& low, const Vec3& size, const Camera& cam
 
 void draw_block(const GridInspection& grid, const Block& block, const FrameView& view, Painter& painter) {
   const DomainBox& domain = view.domain;
-  const Vec3 low = lattice_point(grid, domain, block.low);
+  Vec3 low = lattice_point(grid, domain, block.low);
   Vec3 size = lattice_point(grid, domain, block.high) - low;
+  if (domain.is_planar()) {  // beside the border of the domain, not under it
+    const float inset = kInset / 1080 * view.camera.orthographic_height;
+    const Vec3 high = glm::min(low + size, domain.max - inset);
+    low = glm::max(low, domain.min + inset);
+    size = high - low;
+  }
   const Rgba tint = to_rgba(painter.theme.selected, kTint);
   if (domain.is_planar()) {
     size.z = 0;
@@ -96,6 +102,12 @@ std::vector<int32_t> partners_of(const std::vector<Pair>& pairs, int32_t body) {
   std::sort(partners.begin(), partners.end());
   partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
   return partners;
+}
+
+std::vector<int32_t> touching(const Inspection& inspection, int32_t body) {
+  std::vector<Pair> all = inspection.contacts;
+  all.insert(all.end(), inspection.missed.begin(), inspection.missed.end());
+  return partners_of(all, body);
 }
 
 void draw_selection(const FrameView& view, Painter& painter) {
