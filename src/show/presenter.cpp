@@ -211,8 +211,8 @@ FrameView Presenter::frame_view(float aspect) {
     const Operation& shown = run_->record.operations[cursor_ - 1];
     selected = run_->record.values_after(0, cursor_)[static_cast<size_t>(shown.thread)] / 2;
   }
-  return {inspection_,    whole.domain, camera,         whole.overlays, selected,
-          whole.coloring, whole.step,   whole.left_out, false,          &page_view_};
+  return {inspection_, whole.domain,   camera, whole.overlays, selected,           whole.coloring,
+          whole.step,  whole.left_out, false,  &page_view_,    whole.typical_speed};
 }
 
 }  // namespace ballpit

@@ -12,7 +12,7 @@ namespace {
 constexpr float kMinRadius = 7;       // [pixel] of a sphere
 constexpr size_t kMaxSpheres = 3000;  // of more spheres, the nearest get numbers
 constexpr size_t kMaxCells = 400;
-constexpr float kMostHidden = 0.3f;           // of a cell's number, by the number of a sphere
+constexpr float kMostHidden = 0.15f;          // of a cell's number, by the number of a sphere
 constexpr float kTop = 0.18f, kFoot = 0.79f;  // of digits, in their line of text
 
 struct Seen {
@@ -106,7 +106,7 @@ void draw_numbers(const FrameView& view, const std::vector<Number>& numbers, Pai
       const Vec2 edge(3 * painter.sheet.unit());
       painter.sheet.box(number.area.low - edge, number.area.high + edge, to_rgba(fill, 0.85f), 2 * edge.x);
     }
-    painter.sheet.bordered_text(number.sphere.at, kCentre, to_rgba(text_on(fill)), to_rgba(fill, 0.5f), number.text,
+    painter.sheet.bordered_text(number.sphere.at, kCentre, to_rgba(text_on(fill)), to_rgba(fill), number.text,
                                 number.size);
   }
 }
@@ -118,7 +118,7 @@ size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Number>& 
   Sheet& sheet = painter.sheet;
   const float edge = projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y));
   const TextSize size = edge > 4.5f * sheet.size_of("0").y ? TextSize::normal : TextSize::small;
-  const Vec2 widest = sheet.size_of(std::to_string(grid.head.size() - 1), size), inset = Vec2(7, -7) * sheet.unit();
+  const Vec2 widest = sheet.size_of(std::to_string(grid.head.size() - 1), size), inset = Vec2(6, -6) * sheet.unit();
   if (edge < widest.x + 0.5f * widest.y) return 0;
   const auto columns = static_cast<size_t>(grid.cells.x);
   size_t drawn = 0;

@@ -100,9 +100,7 @@ std::vector<int32_t> keys_of(const Arrays& arrays, const GridInspection& grid, c
   std::vector<int32_t> keys;
   for (size_t k = 0; k < arrays.bodies.size(); ++k) {
     const int64_t body = arrays.is_sorted ? arrays.bodies[k] : static_cast<int64_t>(k);
-    const Vec3 place = glm::floor((bodies.position_of(body) - grid.origin) / grid.edge);
-    const IVec3 cell(glm::clamp(place, Vec3(0), Vec3(grid.cells - 1)));
-    keys.push_back(static_cast<int32_t>(index_of(grid, cell)));
+    keys.push_back(static_cast<int32_t>(index_of(grid, cell_of(grid, bodies, body))));
   }
   return keys;
 }

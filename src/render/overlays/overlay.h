@@ -66,6 +66,9 @@ inline size_t index_of(const GridInspection& grid, const IVec3& cell) {
          static_cast<size_t>(cell.x);
 }
 
+/// The cell that holds the body's centre.
+IVec3 cell_of(const GridInspection& grid, const BodySnapshot& bodies, int64_t body);
+
 /// A corner of cells. The last cells along an axis may extend beyond the domain; they are drawn up to its wall.
 Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IVec3& corner);
 

@@ -58,12 +58,7 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
 
 /// The cell that lists the body; none if the grid does not list it.
 std::optional<IVec3> cell_listing(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
-  const Vec3 place = (bodies.position_of(body) - grid.origin) / grid.edge;
-  IVec3 cell(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(place[axis])) continue;
-    cell[axis] = static_cast<int>(std::clamp(place[axis], 0.0f, static_cast<float>(grid.cells[axis] - 1)));
-  }
+  const IVec3 cell = cell_of(grid, bodies, body);
   const size_t index = index_of(grid, cell);
   if (index >= grid.head.size()) return std::nullopt;
   int32_t listed = grid.head[index];
@@ -72,6 +67,16 @@ std::optional<IVec3> cell_listing(const GridInspection& grid, const BodySnapshot
 }
 
 }  // namespace
+
+IVec3 cell_of(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
+  const Vec3 place = (bodies.position_of(body) - grid.origin) / grid.edge;
+  IVec3 cell(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(place[axis])) continue;
+    cell[axis] = static_cast<int>(std::clamp(place[axis], 0.0f, static_cast<float>(grid.cells[axis] - 1)));
+  }
+  return cell;
+}
 
 std::optional<Block> block_around(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
   const std::optional<IVec3> cell = cell_listing(grid, bodies, body);

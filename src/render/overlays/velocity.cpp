@@ -3,7 +3,6 @@
 // picture's height, and a note gives its speed. If all spheres are slow, arrows are shorter; spheres that hardly move,
 // such as those of a heap at rest, have none.
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -15,19 +14,13 @@ namespace {
 
 constexpr float kLongest = 1.0f / 12;              // of the picture's height, at the middle of the domain
 constexpr float kWidth = 4, kRim = 2, kBarb = 18;  // [1/1080 of the picture's height]
-constexpr float kSlow = 1, kRest = 0.02f;          // [radii per second] below them arrows are short, or absent
+constexpr float kSlow = 0.05f, kRest = 1e-3f;  // of the scene's typical speed: below them arrows are short, or absent
 
 float fastest(const BodySnapshot& bodies) {
   float most = 0;
   if (bodies.velocity.empty()) return most;
   for (int64_t i = 0; i < bodies.count; ++i) most = std::max(most, length(bodies.velocity_of(i)));
   return most;
-}
-
-float mean_radius(const BodySnapshot& bodies) {
-  if (bodies.radius.empty()) return 0;
-  const float sum = std::accumulate(bodies.radius.begin(), bodies.radius.end(), 0.0f);
-  return sum / static_cast<float>(bodies.radius.size());
 }
 
 /// Adds a shaft and two barbs, in the plane that faces the viewer.
@@ -46,10 +39,10 @@ void add_arrow(const Vec3& from, const Vec3& way, float barb, const Camera& came
 }  // namespace
 
 float arrow_time(const FrameView& view) {
-  const float radius = mean_radius(view.inspection.bodies), speed = fastest(view.inspection.bodies);
-  if (!(speed > kRest * radius) || !std::isfinite(speed)) return 0;
+  const float speed = fastest(view.inspection.bodies);
+  if (!(speed > kRest * view.typical_speed) || !std::isfinite(speed)) return 0;
   const float distance = length((view.domain.min + view.domain.max) / 2.0f - view.camera.eye);
-  return kLongest * view.camera.pixel_size(distance, 1) / std::max(speed, kSlow * radius);
+  return kLongest * view.camera.pixel_size(distance, 1) / std::max(speed, kSlow * view.typical_speed);
 }
 
 void draw_velocities(const FrameView& view, Painter& painter) {
@@ -61,7 +54,7 @@ void draw_velocities(const FrameView& view, Painter& painter) {
   const BodySnapshot& bodies = view.inspection.bodies;
   const Projection projection(view.camera, painter.sheet);
   const float scale = line_scale(view, projection, painter.sheet.unit());
-  const float rest = time * kRest * mean_radius(bodies);
+  const float rest = time * kRest * view.typical_speed;
   std::vector<Line> lines;
   for (int64_t i = 0; i < bodies.count; ++i) {
     const Vec3 centre = bodies.position_of(i), way = time * bodies.velocity_of(i);
