@@ -19,7 +19,7 @@ namespace ballpit {
 namespace {
 
 // [1/1080 of the picture's height]
-constexpr float kThin = 3, kBold = 7, kEdge = 4, kRim = 1.5f, kGap = 5, kDouble = 4, kRing = 5, kCasing = 2.5f;
+constexpr float kThin = 3, kBold = 7, kEdge = 4, kRim = 2, kGap = 5, kDouble = 4, kRing = 5, kCasing = 2.5f;
 constexpr float kShortest = 14;  // of a candidate's line, so that it is visible between spheres that almost touch
 constexpr size_t kMaxRings = 2000;
 constexpr float kCrowd = 300;  // of more candidates, each is fainter
