@@ -154,8 +154,8 @@ void draw_labels(const FrameView& view, Painter& painter) {
   if (numbers.empty() && count > 0) {
     painter.note("Numbers: the spheres are too small in the picture; come closer or show fewer");
   } else if (static_cast<int64_t>(numbers.size()) < count) {
-    painter.note("Numbers: of " + grouped(static_cast<int64_t>(numbers.size())) + " of " + grouped(count) +
-                 " spheres; the others are hidden or too small");
+    painter.note("Numbers: " + grouped(static_cast<int64_t>(numbers.size())) + " of " + grouped(count) +
+                 "; the other spheres are hidden or too small");
   }
 }
 
