@@ -133,6 +133,23 @@ TEST_CASE("the line of a candidate can be seen where it crosses another sphere")
   }
 }
 
+TEST_CASE("numbers are legible on the darkest and on the lightest colour of a scale") {
+  constexpr int kSize = 600;
+  for (const Theme& theme : themes()) {
+    const Inspection inspection = inspect({{{1.5f, 2.5f, 0}, 0.7f}, {{3.5f, 2.5f, 0}, 0.9f}}, kPlane);
+    FrameView view = view_of(inspection, kPlane, 1, {"labels"});
+    view.coloring = "size";
+    const Image image = draw(view, kSize, kSize, {theme});
+    const int marks[] = {static_cast<int>(scale_mark(0)), static_cast<int>(scale_mark(kScaleColors - 1))};
+    for (const int64_t body : {0, 1}) {
+      const Vec2 at = place(view, inspection.bodies.position_of(body), kSize);
+      const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
+      const Vec3 fill = color_of(theme, marks[body]);
+      CHECK(most_contrast(image, y, x - 8, x + 8, fill) >= 0.75f * contrast(text_on(fill), fill));
+    }
+  }
+}
+
 TEST_CASE("the domain can be told from the ground") {
   constexpr int kSize = 900;
   const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.3f}}, kPlane);

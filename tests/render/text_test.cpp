@@ -74,7 +74,7 @@ TEST_CASE("a page leaves room for every line of its caption") {
 
 TEST_CASE("the number of a cell stays in its corner when a sphere comes there") {
   const auto picture = [](Vec3 centre, bool has_number) {
-    Inspection inspection = inspect({{centre, 0.3f}}, kPlane, 5.0f / 3);
+    Inspection inspection = inspect({{centre, 0.3f}}, kPlane, 5);  // one cell
     if (!has_number) inspection.grids.clear();
     FrameView view = view_of(inspection, kPlane, 1, {"labels"});
     return draw(view, 600, 600);
