@@ -27,8 +27,8 @@ class LectureCommand {
   void add_options(CommandOptions& command) {
     command.add({"FILE", "FILE", "the lecture's file; without one, the built-in lecture"},
                 [this](const std::string& text) { file_ = text; });
-    command.add({"--lang", "NAME", "language: " + join(kNames<Language>), std::string(name_of(language_))},
-                [this](const std::string& text) { language_ = language_of(text); });
+    add_language(command);
+    add_text_scale(command, text_scale_, Presenter::kTextScale);
     command.add_number({"--page", "N", "the page to begin with"}, page_, Range{1, 9999});
     command.add({"--size", "WIDTHxHEIGHT", "size of window or pictures in pixels", text_of(size_)},
                 [this](const std::string& text) { size_ = parse_size(text); });
@@ -45,7 +45,8 @@ class LectureCommand {
     if (page_ > static_cast<int>(lecture.pages.size())) {
       throw UserError("--page", std::to_string(page_), fmt::format("1 to {}", lecture.pages.size()));
     }
-    Presenter presenter(lecture, language_);
+    Presenter presenter(lecture, language());
+    presenter.text_scale = text_scale_.value_or(presenter.text_scale);
     if (!export_.empty()) return write_handout(lecture, presenter);
     if (json_) return print_pages(presenter);
     catch_interrupts();
@@ -59,12 +60,6 @@ class LectureCommand {
   }
 
  private:
-  static Language language_of(const std::string& text) {
-    const std::optional<Language> language = find_named<Language>(text);
-    if (!language) throw UserError("--lang", text, join(kNames<Language>));
-    return *language;
-  }
-
   static std::string picture_name(int page) { return fmt::format("page_{:02}.png", page); }
 
   void write_handout(const Lecture& lecture, Presenter& presenter) {
@@ -73,7 +68,7 @@ class LectureCommand {
     make_folder(folder);
     catch_interrupts();
     GlContext context(-1);
-    Renderer renderer(size_.width, size_.height, {.theme = themes().front(), .text_scale = Presenter::kTextScale});
+    Renderer renderer(size_.width, size_.height, {.theme = themes().front(), .text_scale = presenter.text_scale});
     const float aspect = static_cast<float>(size_.width) / static_cast<float>(size_.height);
     Progress progress("pages", presenter.count());
     std::vector<HandoutPicture> pictures;
@@ -85,13 +80,13 @@ class LectureCommand {
         renderer.draw(presenter.frame_view(aspect));
         const std::string id =
             presenter.stops().size() == 1 ? presenter.page().id : fmt::format("{}-{}", presenter.page().id, stop + 1);
-        pictures.push_back({id, presenter.title(), presenter.caption(), presenter.page().notes.in(language_),
+        pictures.push_back({id, presenter.title(), presenter.caption(), presenter.page().notes.in(language()),
                             encode_png(renderer.read_pixels())});
       }
       write_file(folder / picture_name(number), pictures.back().png);
       progress.show(number);
     }
-    write_file(folder / "index.html", handout_page(lecture.title.in(language_), language_, pictures));
+    write_file(folder / "index.html", handout_page(lecture.title.in(language()), language(), pictures));
   }
 
   void print_pages(Presenter& presenter) {
@@ -111,7 +106,7 @@ class LectureCommand {
   }
 
   std::string file_, export_;
-  Language language_ = Language::english;
+  std::optional<float> text_scale_;
   int page_ = 1;
   PictureSize size_{1920, 1080};
   bool json_ = false;

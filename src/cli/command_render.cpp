@@ -125,25 +125,19 @@ class RenderCommand {
   }
 
   /// Clicks as a user does: over the item, down, up; a frame for each.
-  template <class Draw>
-  void click(Panel& panel, const Draw& draw) const {
-    draw(PanelInput{});
-    draw(PanelInput{});
+  void click(Panel& panel, const std::function<void(const PanelInput&)>& draw) const {
+    const auto rest = [&] { draw(PanelInput{}); };
+    rest();
+    rest();
     for (const std::string& name : split_list(*clicks_)) {
-      const auto item = panel.items().find(name);
-      if (item == panel.items().end()) {
-        std::vector<std::string> names;
-        for (const auto& known : panel.items()) names.push_back(known.first);
-        throw UserError("--click", name, "what the panel shows then: " + join(names));
+      if (!bring_into_view(panel, name, rest)) {
+        throw UserError("--click", name, "what the panel shows then: " + join(items_of_all_tabs(panel, rest)));
       }
-      panel.reveal(name);
-      draw(PanelInput{});
-      draw(PanelInput{});
       const Vec2 at = panel.items().at(name).middle();
       for (const bool is_down : {false, true, false, false}) draw(PanelInput{.mouse = at, .is_down = is_down});
     }
     panel.reveal("scene");
-    draw(PanelInput{});
+    rest();
   }
 
   void print_summary(Session& session, const GlContext& context, const std::string& path) {

@@ -10,83 +10,12 @@
 #include "cli/options.h"
 #include "core/interrupt.h"
 #include "show/notes.h"
-#include "window/panel.h"
 #include "window/remembered.h"
-#include "window/saver.h"
-#include "window/scene_window.h"
+#include "window/show_window.h"
 
 namespace ballpit {
 
 namespace {
-
-class Show final : public SceneWindow {
- public:
-  Show(Window& its_window, Demo& demo)
-      : SceneWindow(its_window),
-        demo_(demo),
-        drawing_(window.size().width, window.size().height, options()),
-        panel_(drawing_.renderer().sheet()),
-        saver_(demo) {}
-
- private:
-  Demo& demo() override { return demo_; }
-  FrameView frame_view(float aspect) override { return demo_.frame_view(aspect); }
-  bool is_busy() const override { return saver_.is_filming(); }
-  bool takes_mouse() const override { return panel_.has_mouse(); }
-  bool takes_keyboard() const override { return panel_.has_keyboard(); }
-  void advance(double elapsed) override { saver_.is_filming() ? saver_.advance() : SceneWindow::advance(elapsed); }
-
-  int left() const override {
-    const auto [width, height] = window.size();
-    return Panel::width_in(width, height, demo_.view.ui_scale);
-  }
-  RenderOptions options() const { return {.left = left()}; }
-
-  void press(int code) override {
-    for (const Key& key : key_table()) {
-      if (key.code != code) continue;
-      demo_.perform(key);
-      if (!key.act) saver_.save_picture(window.size());
-    }
-  }
-
-  void draw(const WindowEvents& events, float elapsed) override {
-    Renderer& renderer = drawing_.renderer();
-    const auto [width, height] = window.size();
-    if (renderer.width() != width || renderer.height() != height) renderer.resize(width, height);
-    drawing_.draw(demo_, options());
-    panel_.density = window.density();
-    panel_.is_filming = saver_.is_filming();
-    const bool is_down = events.is_mouse_down || events.was_pressed;  // a short click may be over already
-    panel_.draw(demo_, {events.mouse, is_down, events.wheel, events.typed, elapsed, events.keys});
-    renderer.copy_to_window();
-    window.show();
-    handle(panel_.requests);
-  }
-
-  void handle(PanelRequests& requests) {
-    if (requests.picture) saver_.save_picture(window.size());
-    if (requests.state) saver_.save_state();
-    if (requests.film && saver_.is_filming()) {
-      saver_.stop_film();
-    } else if (requests.film) {
-      saver_.start_film(parse_size(requests.film_size), requests.film_frames);
-    }
-    requests.picture = requests.state = requests.film = false;
-  }
-
-  /// As the exercise sheet asks: spheres, method, milliseconds a step.
-  std::string title() override {
-    const Report& report = demo_.report();
-    return fmt::format("Ballpit: {} spheres, {}, {} ms a step", grouped(report.count), report.broadphase,
-                       three_digits(demo_.player.mean_step_time()));
-  }
-
-  Demo& demo_;
-  DemoRenderer drawing_;
-  Panel panel_;
-  Saver saver_;
-};
 
 class ShowCommand {
  public:
@@ -106,7 +35,7 @@ class ShowCommand {
     catch_interrupts();
     Window window(*size_, "Ballpit");
     try {
-      Show(window, *demo).run();
+      ShowWindow(window, *demo).run();
     } catch (const Interrupted&) {
       // within a long step
     }

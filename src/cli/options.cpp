@@ -29,6 +29,20 @@ void SceneArguments::add_to(CommandOptions& command) {
   add_settings(command, "Simulation (the scene may have other defaults)", given);
 }
 
+void add_language(CommandOptions& command) {
+  command.add({"--lang", "NAME", "language: " + join(kNames<Language>), std::string(name_of(Language::english))},
+              [](const std::string& text) {
+                const std::optional<Language> chosen = find_named<Language>(text);
+                if (!chosen) throw UserError("--lang", text, join(kNames<Language>));
+                set_language(*chosen);
+              });
+}
+
+void add_text_scale(CommandOptions& command, std::optional<float>& scale, float preset) {
+  command.add_number({"--text-scale", "FACTOR", "size of the text in the scene", typed(preset)}, scale,
+                     Range{kMinUiScale, kMaxUiScale});
+}
+
 void LookArguments::add_to(CommandOptions& command) {
   const View preset;
   const auto add_name = [&](const char* name, const std::string& help, const std::vector<std::string>& names,
@@ -44,6 +58,8 @@ void LookArguments::add_to(CommandOptions& command) {
   add_name("--theme", "", names_in(themes()), preset.theme, theme);
   command.add_number({"--ui-scale", "FACTOR", "size of the panel's text and widgets", typed(preset.ui_scale)}, ui_scale,
                      Range{kMinUiScale, kMaxUiScale});
+  add_text_scale(command, text_scale, preset.text_scale);
+  add_language(command);
 }
 
 View LookArguments::view(View base) const {
@@ -51,6 +67,7 @@ View LookArguments::view(View base) const {
   base.coloring = coloring.value_or(base.coloring);
   base.theme = theme.value_or(base.theme);
   base.ui_scale = ui_scale.value_or(base.ui_scale);
+  base.text_scale = text_scale.value_or(base.text_scale);
   return base;
 }
 

@@ -28,7 +28,14 @@ struct SceneArguments {
   std::vector<GivenOption> given{};
 };
 
-/// --overlay, --color, --theme and --ui-scale, for the commands that draw. Those that were not given are empty.
+/// --lang, which sets the language of the program.
+void add_language(CommandOptions& command);
+
+/// --text-scale: of the scene's text.
+void add_text_scale(CommandOptions& command, std::optional<float>& scale, float preset);
+
+/// --overlay, --color, --theme, --ui-scale, --text-scale and --lang, for the commands that draw. Those that were not
+/// given are empty.
 struct LookArguments {
   void add_to(CommandOptions& command);
 
@@ -37,7 +44,7 @@ struct LookArguments {
 
   std::optional<std::vector<std::string>> overlays{};
   std::optional<std::string> coloring{}, theme{};
-  std::optional<float> ui_scale{};
+  std::optional<float> ui_scale{}, text_scale{};
 };
 
 }  // namespace ballpit

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/language.h"
 
 namespace ballpit {
 
@@ -82,8 +83,6 @@ enum class BackendName { automatic, cpu, cuda };
 template <>
 inline constexpr auto kNames<BackendName> = in_order("auto", "cpu", "cuda");
 
-/// Of what the audience reads.
-enum class Language { english, german };
 template <>
 inline constexpr auto kNames<Language> = in_order("en", "de");
 

@@ -101,7 +101,7 @@ const std::vector<SettingInfo>& setting_table() {
              {"cell-size", "FACTOR", "edge of a grid cell in units of 2·r_max; below 1 contacts are missed",
               "at least 1, by the method"},
              &Settings::cell_size, Range{0.05, 1000.0},
-             SettingSlider{0.25f, 8, true, false, [](const Settings&) { return 1.0; }}),
+             SettingSlider{0.25f, 8, true, false, [](const Settings&) { return 1.0; }, {0.5f, 1, 2, 4, 8}}),
       choice(kDetection,
              {"table", "NAME", "one bucket for each cell, or a bounded number of buckets shared by hashing"},
              &Settings::table),
@@ -110,7 +110,7 @@ const std::vector<SettingInfo>& setting_table() {
       number(kDetection,
              {"skin", "FRACTION", "skin of the candidate list, as a fraction of a radius; 0 searches in every step",
               "0.1 with auto, else 0"},
-             &Settings::skin, Range{0.0, 10.0}, SettingSlider{0, 1, false, false, skin_of}),
+             &Settings::skin, Range{0.0, 10.0}, SettingSlider{0, 1, false, false, skin_of, {0, 0.1f}}),
       choice(kResponse, {"response", "NAME", "what happens to spheres in contact"}, &Settings::response),
       number(
           kResponse, {"iterations", "N", "iterations in a substep", "impulse 4, position-based 1"},
@@ -141,7 +141,8 @@ const std::vector<SettingInfo>& setting_table() {
       choice(kTime, {"precision", "NAME", "floating-point type of the simulation", "float; event-driven double"},
              &Settings::precision),
       number(kTime, {"dt", "SECONDS", "time step", "1/240"}, &Settings::dt, Range{1e-12, 10.0},
-             SettingSlider{1e-4f, 1.0f / 30, true}),
+             SettingSlider{
+                 1e-4f, 1.0f / 30, true, false, nullptr, {1e-3f, 1 / 480.0f, 1 / 240.0f, 1 / 120.0f, 1 / 60.0f}}),
       number(kTime, {"substeps", "N", "equal parts of a time step, each with its own detection and response"},
              &Settings::substeps, Range{1, 1000}, SettingSlider{1, 32, true, true}),
       number(kRun, {"max-overlap", "FRACTION", "fraction of the smaller radius; more overlap stops the run"},

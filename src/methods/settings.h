@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "methods/choices.h"
 
@@ -61,6 +62,7 @@ struct SettingSlider {
   float low, high;
   bool is_log = false, is_integer = false;
   double (*fallback)(const Settings&) = nullptr;  ///< the value that the program takes if none is set
+  std::vector<float> snaps{};                     ///< values at which it stops
 };
 
 /// One setting: "--name VALUE" on the command line, "name = value" in [defaults].

@@ -33,7 +33,7 @@ const ImVector<ImWchar>& glyph_ranges() {
   static const ImVector<ImWchar> ranges = [] {
     ImFontGlyphRangesBuilder builder;
     builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
-    builder.AddText(" −–—…·×√≤≥≈→∞∂Δ°²³⁻⁴µ‘’“”„ αβγδεζλμπρστω");
+    builder.AddText(" −–—…·×√≤≥≈→∞∂Δ°⁰¹²³⁴⁵⁶⁷⁸⁹⁻µ‘’“”„ αβγδεζλμπρστω");
     ImVector<ImWchar> result;
     builder.BuildRanges(&result);
     return result;
@@ -41,7 +41,7 @@ const ImVector<ImWchar>& glyph_ranges() {
   return ranges;
 }
 
-constexpr ImWchar kFloorSigns[] = {0x230A, 0x230B, 0};  // ⌊ ⌋
+constexpr ImWchar kMissingSigns[] = {0x2070, 0x207B, 0x230A, 0x230B, 0};  // ⁰ to ⁻, ⌊ ⌋
 
 /// Source code, with formulas in its comments.
 const ImVector<ImWchar>& code_ranges() {
@@ -112,7 +112,7 @@ void Sheet::load_fonts() {
         is_code ? add(mono(), mono_size(), code_ranges().Data) : add(roboto(), roboto_size(), glyph_ranges().Data);
     if (!is_code) {  // the signs that Roboto lacks
       config.MergeMode = true;
-      add(mono(), mono_size(), kFloorSigns);
+      add(mono(), mono_size(), kMissingSigns);
       config.MergeMode = false;
     }
     fonts_[k]->Scale = size / drawn;

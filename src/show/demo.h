@@ -26,12 +26,12 @@ struct Moment {
 
 class Demo;
 
-/// A key, for the window, the list that F1 shows, and the README.
+/// A key of a demonstration, for the window, the list that F1 shows, and the README.
 struct Key {
   int code;               ///< as GLFW has it: the ASCII code of letters and digits
   std::string_view name;  ///< as it is printed: "Space"
   std::string_view help;
-  void (*act)(Demo&);  ///< none for the key that saves a picture, which the window does
+  void (*act)(Demo&);
 };
 
 std::span<const Key> key_table();
@@ -47,10 +47,9 @@ class Demo {
   TradeOff trade_off;                  ///< of the settings that were played in this scene
   View view;
 
-  /// The action of a key, if it has one.
   void perform(const Key& key) {
     touch();
-    if (key.act) key.act(*this);
+    key.act(*this);
   }
 
   void set(const std::string& option, const std::string& value);

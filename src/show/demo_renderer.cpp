@@ -8,6 +8,7 @@ DemoRenderer::DemoRenderer(int width, int height, const RenderOptions& options)
 
 void DemoRenderer::draw(Demo& demo, RenderOptions options) {
   options.theme = theme_named(demo.view.theme);
+  options.text_scale = demo.view.text_scale;
   renderer_.set_options(options);
   const bool is_written = write(demo);
   const auto width = static_cast<float>(renderer_.width() - options.left),

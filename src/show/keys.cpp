@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of all keys.
+// The keys of a demonstration.
 #include <array>
 
 #include "show/demo.h"
@@ -26,7 +26,6 @@ std::span<const Key> key_table() {
       Key{'T', "T", "other theme",
           [](Demo& demo) { demo.view.theme = themes()[demo.view.theme == themes()[0].name ? 1 : 0].name; }},
       Key{'H', "H", "view the whole domain again", [](Demo& demo) { demo.view.reset(); }},
-      Key{'S', "S", "save a picture", nullptr},
       Key{290, "F1", "show these keys, or hide them", [](Demo& demo) { demo.shows_keys = !demo.shows_keys; }},
   };
   return kKeys;

@@ -202,8 +202,8 @@ PageView Presenter::describe_page() {
 FrameView Presenter::frame_view(float aspect) {
   const FrameView whole = demo_->frame_view(aspect);
   page_view_ = describe_page();
-  Room room = room_of(page_view_, kTextScale, aspect);
-  room.below += room_below(whole.overlays, inspection_, kTextScale);
+  Room room = room_of(page_view_, text_scale, aspect);
+  room.below += room_below(whole.overlays, inspection_, text_scale);
   const float part = aspect * room.width() / room.height();
   const Camera camera = leave_room(camera_of(demo_->view, whole.domain, part), room, aspect);
   int64_t selected = demo_->view.selected;

@@ -24,7 +24,7 @@ class Presenter {
   /// `lecture` must outlive the presenter. Starts with its first page.
   Presenter(const Lecture& lecture, Language its_language);
 
-  static constexpr float kTextScale = 1.6f;  ///< of the scene's text
+  static constexpr float kTextScale = 1.6f;
 
   int number() const { return number_; }  ///< of the page, from 1
   int count() const { return static_cast<int>(lecture_.pages.size()); }
@@ -42,6 +42,7 @@ class Presenter {
 
   Language language;
   bool is_blank = false;
+  float text_scale = kTextScale;  ///< of the scene's text
 
   Demo& demo() { return *demo_; }
   const lecture::RecordedRun* run() const { return run_ ? &*run_ : nullptr; }

@@ -124,9 +124,19 @@ int Player::advance(Timeline& timeline, double elapsed, double share) {
     }
     if (!try_step(timeline)) return steps;
     owed_ -= dt;
+    simulated_ += dt;
     ++steps;
   }
   return steps;
+}
+
+void Player::observe(double elapsed) {
+  constexpr double kSample = 0.5;  // [s]
+  if (!is_running) sampled_ = simulated_ = reached_ = 0;
+  sampled_ += elapsed;
+  if (sampled_ < kSample) return;
+  reached_ = simulated_ / sampled_;
+  sampled_ = simulated_ = 0;
 }
 
 void Player::step(Timeline& timeline) {

@@ -92,6 +92,12 @@ class Player {
   /// Pauses and makes one step.
   void step(Timeline& timeline);
 
+  /// `elapsed` [s] of the clock have passed since the last call.
+  void observe(double elapsed);
+
+  /// Simulated seconds a second over the last half second; 0 while paused.
+  double reached() const { return is_running ? reached_ : 0; }
+
   const std::string& failure() const { return failure_; }  ///< why the world cannot go on; empty if it can
   void forgive() { failure_.clear(); }                     ///< for a new world
 
@@ -105,7 +111,9 @@ class Player {
   bool try_step(Timeline& timeline);
 
   static constexpr size_t kKept = 240;
-  double owed_ = 0;  // [s]
+  double owed_ = 0;                     // [s]
+  double sampled_ = 0, simulated_ = 0;  // [s] of the clock, and of the scene, since the last sample
+  double reached_ = 0;
   std::string failure_;
   std::deque<float> step_times_;
 };

@@ -21,6 +21,7 @@ struct View {
   std::string coloring{coloring_table().front().name};
   int64_t selected = -1;  ///< a body, or −1
   float ui_scale = 1;     ///< of the panel's text and widgets
+  float text_scale = 1;   ///< of the scene's text
 
   bool shows(std::string_view overlay) const;
   void toggle(std::string_view overlay);

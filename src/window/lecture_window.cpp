@@ -7,6 +7,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "core/language.h"
+
 namespace ballpit {
 
 std::span<const PresenterKey> presenter_keys() {
@@ -27,12 +29,9 @@ std::span<const PresenterKey> presenter_keys() {
       PresenterKey{GLFW_KEY_F11, "F11", "full screen", [](LectureWindow& s) { s.toggle_full_screen(); }},
       PresenterKey{GLFW_KEY_F5, "F5", "the same", [](LectureWindow& s) { s.toggle_full_screen(); }},
       PresenterKey{GLFW_KEY_F, "F", "the same", [](LectureWindow& s) { s.toggle_full_screen(); }},
-      PresenterKey{GLFW_KEY_TAB, "Tab", "panel", [](LectureWindow& s) { s.shows_panel ^= true; }},
-      PresenterKey{GLFW_KEY_D, "D", "German or English",
-                   [](LectureWindow& s) {
-                     s.presenter.language =
-                         s.presenter.language == Language::german ? Language::english : Language::german;
-                   }},
+      PresenterKey{GLFW_KEY_TAB, "Tab", "panel", [](LectureWindow& s) { s.toggle_panel(); }},
+      PresenterKey{GLFW_KEY_F1, "F1", "these keys", [](LectureWindow& s) { s.show_keys(); }},
+      PresenterKey{GLFW_KEY_D, "D", "German or English", [](LectureWindow& s) { s.change_language(); }},
       PresenterKey{GLFW_KEY_P, "P", "play the scene, or pause",
                    [](LectureWindow& s) { s.presenter.demo().player.is_running ^= true; }},
       PresenterKey{GLFW_KEY_R, "R", "the page as it was",
@@ -46,7 +45,27 @@ LectureWindow::LectureWindow(Window& its_window, Presenter& its_presenter)
     : SceneWindow(its_window),
       presenter(its_presenter),
       renderer_(window.size().width, window.size().height),
-      panel_(renderer_.sheet()) {}
+      panel_(renderer_.sheet()) {
+  panel_.is_shown = false;
+  for (const PresenterKey& key : presenter_keys()) {
+    std::function<void()> act;  // a button each, but one only for keys that do the same
+    const bool needs_button = key.help != "the same" && key.code != GLFW_KEY_ENTER && key.code != GLFW_KEY_F1;
+    if (needs_button) act = [this, &key] { key.act(*this); };
+    panel_.keys.push_back({std::string(key.name), std::string(key.help), act});
+  }
+  panel_.hint(translated("PageDown: on     B: blank     F11: full screen     right click: panel     F1: all keys"));
+}
+
+void LectureWindow::show_keys() {
+  Demo& demo = presenter.demo();
+  demo.shows_keys = !(demo.shows_keys && panel_.is_shown);
+  panel_.is_shown = demo.shows_keys;
+}
+
+void LectureWindow::change_language() {
+  presenter.language = presenter.language == Language::german ? Language::english : Language::german;
+  set_language(presenter.language);
+}
 
 void LectureWindow::move_cursor(int direction) {
   is_shift_down_ ? presenter.skip_phase(direction) : presenter.step(direction);
@@ -59,12 +78,8 @@ void LectureWindow::go_to_typed_page() {
 
 void LectureWindow::leave() { window.is_full_screen() ? window.set_full_screen(false) : stop(); }
 
-int LectureWindow::left() const {
-  const auto [width, height] = window.size();
-  return shows_panel ? Panel::width_in(width, height, presenter.demo().view.ui_scale) : 0;
-}
-
 void LectureWindow::press(int code) {
+  panel_.end_hint();
   if (code >= GLFW_KEY_0 && code <= GLFW_KEY_9) return type_digit(code - GLFW_KEY_0);
   if (code >= GLFW_KEY_KP_0 && code <= GLFW_KEY_KP_9) return type_digit(code - GLFW_KEY_KP_0);
   if (code == GLFW_KEY_KP_ENTER) code = GLFW_KEY_ENTER;
@@ -82,13 +97,10 @@ void LectureWindow::draw(const WindowEvents& events, float elapsed) {
   const auto [width, height] = window.size();
   if (renderer_.width() != width || renderer_.height() != height) renderer_.resize(width, height);
   renderer_.set_options(
-      {.theme = theme_named(presenter.demo().view.theme), .left = left(), .text_scale = Presenter::kTextScale});
+      {.theme = theme_named(presenter.demo().view.theme), .left = left(), .text_scale = presenter.text_scale});
   renderer_.draw(presenter.frame_view(static_cast<float>(width - left()) / static_cast<float>(height)));
-  if (shows_panel) {
-    panel_.density = window.density();
-    panel_.draw(presenter.demo(), {events.mouse, events.is_mouse_down || events.was_pressed, events.wheel, events.typed,
-                                   elapsed, events.keys});
-  }
+  panel_.density = window.density();
+  panel_.draw(presenter.demo(), events.for_panel(elapsed));
   renderer_.copy_to_window();
   window.show();
 }

@@ -30,13 +30,15 @@ class LectureWindow final : public SceneWindow {
   LectureWindow(Window& its_window, Presenter& presenter);
 
   Presenter& presenter;
-  bool shows_panel = false;
 
   /// Arrow keys move by a phase while Shift is down, else by an operation.
   void move_cursor(int direction);
   void type_digit(int digit) { typed_ = typed_ * 10 % 100000 + digit; }
   void go_to_typed_page();
   void leave();  ///< full screen, then the lecture
+  void toggle_panel() override { panel_.is_shown = !panel_.is_shown; }
+  void show_keys();
+  void change_language();
   void toggle_full_screen() { window.set_full_screen(!window.is_full_screen()); }
 
  protected:
@@ -45,11 +47,14 @@ class LectureWindow final : public SceneWindow {
   void press(int code) override;
   void draw(const WindowEvents& events, float elapsed) override;
   std::string title() override;
-  int left() const override;
-  bool takes_mouse() const override { return shows_panel && panel_.has_mouse(); }
-  bool takes_keyboard() const override { return shows_panel && panel_.has_keyboard(); }
+  int left() const override { return width_beside(panel_, window.size(), ui_scale()); }
+  bool is_busy() const override { return panel_.is_hinting(); }
+  bool takes_mouse() const override { return panel_.has_mouse(); }
+  bool takes_keyboard() const override { return panel_.has_keyboard(); }
 
  private:
+  float ui_scale() const { return presenter.demo().view.ui_scale; }
+
   Renderer renderer_;
   Panel panel_;
   int typed_ = 0;

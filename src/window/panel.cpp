@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "window/panel.h"
 
+#include <algorithm>
+#include <array>
+#include <cfloat>
 #include <cmath>
+#include <set>
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
+#include <imgui_internal.h>
 
-#include "methods/methods.h"
+#include "core/language.h"
 
 namespace ballpit {
 
@@ -27,6 +31,9 @@ void style_for(const Theme& theme, float unit) {
   for (const ImGuiCol accent : {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive,
                                 ImGuiCol_PlotHistogram, ImGuiCol_PlotLines}) {
     style.Colors[accent] = im(theme.grid);
+  }
+  for (const ImGuiCol grab : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) {
+    style.Colors[grab].w = 0.6f;  // so that the number on it can be read
   }
   style.Colors[ImGuiCol_Border] = im(theme.text, 0.25f);
   style.FrameBorderSize = 1;
@@ -60,15 +67,12 @@ void feed(ImGuiIO& io, const PanelInput& input, const Sheet& sheet) {
   for (const auto& [key, is_down] : input.keys) {
     if (key >= 0 && key < 512) io.KeysDown[key] = is_down;
   }
+  const auto either = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+  io.KeyShift = either(340, 344);
+  io.KeyCtrl = either(341, 345);
+  io.KeyAlt = either(342, 346);
+  io.KeySuper = either(343, 347);
   for (const char32_t character : input.typed) io.AddInputCharacter(character);
-}
-
-constexpr float kItemWidth = 0.58f;  // of the panel's; the rest is the label's
-
-/// The smallest radius in units of 2·r_max, which is slide 7's bound for cells; and 2·r_max itself.
-std::vector<SliderMark> marks_of(std::string_view setting, const BodyShape& bodies) {
-  if (setting != "cell-size" || bodies.count == 0) return {};
-  return {{0.5f * bodies.smallest / bodies.radius, bodies.smallest < bodies.radius ? "r_min" : "r"}, {1, "2·r_max"}};
 }
 
 }  // namespace
@@ -85,9 +89,42 @@ int Panel::width_in(int picture_width, int picture_height, float scale) {
   return std::min(picture_width / (scale > 1 ? 2 : 3), static_cast<int>(wanted));
 }
 
+int width_beside(const Panel& panel, PictureSize size, float scale) {
+  return panel.is_shown ? Panel::width_in(size.width, size.height, scale) : 0;
+}
+
+bool bring_into_view(Panel& panel, const std::string& name, const std::function<void()>& draw) {
+  const auto has_item = [&] { return panel.items().contains(name); };
+  for (const PanelTab tab : kPanelTabs) {
+    if (has_item()) break;
+    panel.open(tab);
+    draw();  // ImGui shows a new tab in the frame after
+    draw();
+  }
+  if (!has_item()) return false;
+  panel.reveal(name);
+  draw();
+  draw();
+  return true;
+}
+
+std::vector<std::string> items_of_all_tabs(Panel& panel, const std::function<void()>& draw) {
+  std::set<std::string> names;
+  for (const PanelTab tab : kPanelTabs) {
+    panel.open(tab);
+    draw();
+    draw();
+    for (const auto& item : panel.items()) names.insert(item.first);
+  }
+  return {names.begin(), names.end()};
+}
+
+float Panel::item_width() { return 0.58f * ImGui::GetContentRegionAvail().x; }
+
 void Panel::note(const std::string& name) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  items_[name] = {{low.x, low.y}, {high.x, high.y}};
+  const bool is_disabled = (ImGui::GetCurrentContext()->LastItemData.InFlags & ImGuiItemFlags_Disabled) != 0;
+  items_[name] = {{low.x, low.y}, {high.x, high.y}, !is_disabled};
   if (name == revealed_) ImGui::SetScrollHereY();
 }
 
@@ -97,8 +134,19 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   feed(ImGui::GetIO(), input, sheet_);
   style_for(theme_named(demo.view.theme), sheet_.unit() * demo.view.ui_scale);
   items_.clear();
+  demo.report();  // so that the history has every moment, whichever tab is open
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
+  is_shown ? draw_panel(demo) : draw_handle();
+  draw_card(demo);
+  draw_hint(input.elapsed);
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  revealed_.clear();
+  wanted_tab_.reset();
+}
+
+void Panel::draw_panel(Demo& demo) {
   ImGui::SetNextWindowPos({0, 0});
   const auto width = static_cast<float>(width_in(sheet_.picture_width(), sheet_.height(), demo.view.ui_scale));
   ImGui::SetNextWindowSize({width, static_cast<float>(sheet_.height())});
@@ -108,19 +156,62 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   draw_time(demo);
   const std::string& trouble = demo.player.failure().empty() ? demo.message() : demo.player.failure();
   if (!trouble.empty()) ImGui::TextWrapped("%s", trouble.c_str());
-  draw_detection(demo);
-  draw_view(demo);
-  draw_picked(demo);
-  draw_cost(demo);
-  draw_accuracy(demo);
-  draw_trade_off(demo);
-  draw_response(demo);
-  draw_export();
+  demo.shows_keys ? draw_keys(demo) : draw_tabs(demo);
   ImGui::End();
-  draw_keys(demo);
-  ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  revealed_.clear();
+}
+
+void Panel::draw_tabs(Demo& demo) {
+  struct Tab {
+    PanelTab tab;
+    const char* label;
+    void (Panel::*draw)(Demo&);
+  };
+  static constexpr std::array kTabs{Tab{PanelTab::scene, "Scene", &Panel::draw_scene},
+                                    Tab{PanelTab::method, "Method", &Panel::draw_method},
+                                    Tab{PanelTab::numbers, "Numbers", &Panel::draw_numbers}};
+  if (!ImGui::BeginTabBar("tabs")) return;
+  for (const Tab& tab : kTabs) {
+    const int flags = wanted_tab_ == tab.tab ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None;
+    const bool is_open = ImGui::BeginTabItem((translated(tab.label) + "##" + tab.label).c_str(), nullptr, flags);
+    note(std::string("tab ").append(tab.label));
+    if (!is_open) continue;
+    ImGui::BeginChild(tab.label);  // scrolls below the tabs
+    (this->*tab.draw)(demo);
+    ImGui::EndChild();
+    ImGui::EndTabItem();
+  }
+  ImGui::EndTabBar();
+}
+
+/// The way back to a hidden panel for those who have only a mouse.
+void Panel::draw_handle() {
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::Begin("handle", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground);
+  if (button("panel", "»")) is_shown = true;
+  ImGui::End();
+}
+
+void Panel::hint(const std::string& text) {
+  hint_ = text;
+  hint_left_ = kHintTime;
+}
+
+void Panel::draw_hint(float elapsed) {
+  if (hint_left_ <= 0) return;
+  const float beside = is_shown ? static_cast<float>(width_in(sheet_.picture_width(), sheet_.height(), 1)) : 0.0f;
+  const auto width = static_cast<float>(sheet_.picture_width()), height = static_cast<float>(sheet_.height());
+  ImGui::SetNextWindowPos({0.5f * (beside + width), 0.97f * height}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, std::min(hint_left_ / kFade, 1.0f));
+  ImGui::Begin("hint", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoSavedSettings);
+  ImGui::TextUnformatted(hint_.c_str());
+  note("hint");
+  ImGui::End();
+  ImGui::PopStyleVar();
+  hint_left_ -= elapsed;
 }
 
 bool Panel::has_mouse() const {
@@ -132,11 +223,10 @@ bool Panel::has_keyboard() const {
   return ImGui::GetIO().WantTextInput;
 }
 
-/// A heading; returns whether the section below it is open.
-bool Panel::section(const char* title) {
-  const bool is_open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
-  note(std::string("section ").append(title));
-  return is_open;
+void Panel::heading(const char* title) {
+  ImGui::Spacing();
+  ImGui::TextDisabled("%s", translated(title).c_str());
+  ImGui::Separator();
 }
 
 bool Panel::button(const std::string& name, const std::string& label) {
@@ -148,8 +238,9 @@ bool Panel::button(const std::string& name, const std::string& label) {
 /// A drop-down list; `entries` calls entry() for each entry.
 void Panel::combo(const std::string& name, const std::string& label, const std::string& current,
                   const std::function<void()>& entries) {
-  ImGui::SetNextItemWidth(kItemWidth * ImGui::GetContentRegionAvail().x);
-  const bool is_open = ImGui::BeginCombo((label + "##" + name).c_str(), current.c_str(), ImGuiComboFlags_HeightLarge);
+  ImGui::SetNextItemWidth(item_width());
+  const std::string title = translated(label) + "##" + name;
+  const bool is_open = ImGui::BeginCombo(title.c_str(), current.c_str(), ImGuiComboFlags_HeightLarge);
   note(name);
   if (!is_open) return;
   entries();
@@ -162,88 +253,9 @@ bool Panel::entry(const std::string& name, const std::string& label, bool is_cur
   return is_chosen;
 }
 
-/// Returns true once the slider is released, or a number was typed into it.
-bool Panel::slider(const std::string& name, const std::string& label, float& value, const SliderLook& look) {
-  const auto edited = edited_.find(name);
-  float shown = edited != edited_.end() ? edited->second : value;
-  const float width = kItemWidth * ImGui::GetContentRegionAvail().x;
-  ImGui::SetNextItemWidth(width);
-  const ImGuiSliderFlags flags = look.is_log ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-  if (ImGui::SliderFloat((label + "##" + name).c_str(), &shown, look.low, look.high, look.format, flags)) {
-    edited_[name] = shown;
-  }
-  note(name);
-  const bool is_released = ImGui::IsItemDeactivatedAfterEdit();
-  draw_marks(look, width);
-  if (!is_released) return false;
-  value = shown;
-  edited_.erase(name);
-  return true;
-}
-
-/// Draws ticks with names on the slider that was drawn last, where ImGui centres the grab for these values.
-void Panel::draw_marks(const SliderLook& look, float width) {
-  if (look.marks.empty()) return;
-  constexpr float kPadding = 2;  // ImGui's own, between frame and grab [pixel]
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  const float ends = kPadding + 0.5f * ImGui::GetStyle().GrabMinSize, names = high.y + 2 * sheet_.unit();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  float free_from = low.x;  // so that names do not overlap
-  for (const SliderMark& mark : look.marks) {
-    if (mark.at < look.low || mark.at > look.high) continue;
-    const float part = look.is_log ? std::log(mark.at / look.low) / std::log(look.high / look.low)
-                                   : (mark.at - look.low) / (look.high - look.low);
-    const float x = low.x + ends + part * (width - 2 * ends);
-    const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
-    list.AddLine({x, low.y + 0.6f * (high.y - low.y)}, {x, names + 2}, color, std::max(2 * sheet_.unit(), 1.0f));
-    const float size = ImGui::CalcTextSize(mark.name.c_str()).x, left = std::max(x - 0.5f * size, free_from);
-    list.AddText({left, names}, color, mark.name.c_str());
-    free_from = left + size + 0.4f * ImGui::GetFontSize();
-  }
-  ImGui::Dummy({width, ImGui::GetTextLineHeight()});
-}
-
-void Panel::number_setting(Demo& demo, const SettingInfo& info) {
-  const std::string name(info.name);
-  if (const auto& range = info.slider) {
-    auto value = static_cast<float>(info.in_use(demo.session.settings()));
-    const SliderLook look{range->low, range->high, range->is_log, range->is_integer ? "%.0f" : "%.4g",
-                          marks_of(info.name, demo.session.world().shape())};
-    if (slider(name, name, value, look)) {
-      demo.set(name, range->is_integer ? fmt::format("{:.0f}", value) : fmt::format("{:.6g}", value));
-    }
-  } else {
-    std::string& text = typed_[name];
-    if (text.empty()) text = info.get(demo.session.settings());
-    ImGui::SetNextItemWidth(kItemWidth * ImGui::GetContentRegionAvail().x);
-    const bool is_entered = ImGui::InputText((name + "##" + name).c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
-    note(name);
-    if (is_entered) demo.set(name, text);
-    if (!ImGui::IsItemActive()) text.clear();
-  }
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s: %s", std::string(info.help).c_str(), info.allowed.c_str());
-}
-
-/// A setting as its table describes it. Names that do not fit the response are not offered.
-void Panel::setting(Demo& demo, const SettingInfo& info) {
-  if (info.choices.empty()) {
-    number_setting(demo, info);
-    return;
-  }
-  const std::string name(info.name), current = info.get(demo.session.settings());
-  combo(name, name, current, [&] {
-    for (const std::string_view choice : info.choices) {
-      if (info.name != "response" && !goes_with(demo.session.settings().response, info.name, choice)) continue;
-      if (entry(name + " " + std::string(choice), std::string(choice), choice == current))
-        demo.set(name, std::string(choice));
-    }
-  });
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(info.help).c_str());
-}
-
 /// A value beside its name; a long one takes more lines.
 void Panel::row(const char* what, const std::string& value) {
-  ImGui::TextUnformatted(what);
+  ImGui::TextUnformatted(translated(what).c_str());
   ImGui::SameLine(0.45f * ImGui::GetWindowContentRegionMax().x);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(value.c_str());

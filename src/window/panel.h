@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The panel beside the picture, by Dear ImGui: scene and time, detection, overlays, the picked sphere, cost, accuracy,
-// response, export. Its choices come from the same tables as those of the command line; settings that a method does not
-// use are not shown. The panel is drawn into the framebuffer that is bound, in a window or headless. It records the
-// rectangle of each item by name, so that tests can click on items.
+// The panel beside the picture, by Dear ImGui. Scene and time are always in view; below them are three tabs:
+//
+//     Scene      what is drawn, how it looks, export
+//     Method     broad phase, response, and their settings; those that the method does not use are grey
+//     Numbers    cost, accuracy, and the chart of one against the other
+//
+// Over the scene it shows the picked sphere as a card, and a hint that fades. Its choices come from the same tables as
+// those of the command line. The panel is drawn into the framebuffer that is bound, in a window or headless. It records
+// the rectangle of each item by name, so that tests can click on items.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "methods/methods.h"
 #include "render/sheet.h"
 #include "show/demo.h"
 
@@ -17,6 +25,7 @@ namespace ballpit {
 
 struct ItemRect {
   Vec2 low, high;  ///< [pixel] from the upper left corner
+  bool is_enabled = true;
   Vec2 middle() const { return (low + high) / 2.0f; }
 };
 
@@ -38,9 +47,11 @@ struct SliderMark {
 
 struct SliderLook {
   float low, high;
-  bool is_log;
-  const char* format;
-  std::vector<SliderMark> marks{};
+  bool is_log = false, is_integer = false;
+  bool is_late = false;             ///< acts when it is let go, since it moves the panel itself
+  std::string shown;                ///< the value as people write it
+  std::vector<float> snaps{};       ///< values at which it stops
+  std::vector<SliderMark> marks{};  ///< below it
 };
 
 /// Requests of the user that the caller of the panel must handle.
@@ -49,6 +60,15 @@ struct PanelRequests {
   std::string film_size = "1280x720";
   int film_frames = 300;
 };
+
+/// A key, as F1 lists it. One with an action is a button of the panel too, for those who have only a mouse.
+struct PanelKey {
+  std::string name, help;
+  std::function<void()> act{};
+};
+
+enum class PanelTab { scene, method, numbers };
+inline constexpr PanelTab kPanelTabs[] = {PanelTab::scene, PanelTab::method, PanelTab::numbers};
 
 class Panel {
  public:
@@ -64,19 +84,32 @@ class Panel {
   bool has_mouse() const;
   bool has_keyboard() const;
 
-  /// Scrolls to an item in the next frame.
+  /// Opens a tab in the next frame.
+  void open(PanelTab tab) { wanted_tab_ = tab; }
+
+  /// Scrolls to an item of the open tab in the next frame.
   void reveal(const std::string& name) { revealed_ = name; }
 
-  float density = 1;        ///< set by the caller: pixels for one of an ordinary display
-  bool is_filming = false;  ///< set by the caller
-  PanelRequests requests;   ///< for the caller to handle and to clear
+  bool is_shown = true;        ///< else there is only a button that shows it again
+  float density = 1;           ///< set by the caller: pixels for one of an ordinary display
+  bool is_filming = false;     ///< set by the caller
+  PanelRequests requests;      ///< for the caller to handle and to clear
+  std::vector<PanelKey> keys;  ///< set by the caller
+
+  /// A line at the lower edge of the scene, which fades after some seconds.
+  void hint(const std::string& text);
+  void end_hint() { hint_left_ = std::min(hint_left_, kFade); }
+  bool is_hinting() const { return hint_left_ > 0; }
 
   /// All items of the last frame by name: "pause", "broadphase linked-cell", "overlay grid", …
   const std::map<std::string, ItemRect>& items() const { return items_; }
 
  private:
+  static constexpr float kFade = 1, kHintTime = 12;  // [s]
+
   void note(const std::string& name);
-  bool section(const char* title);
+  static float item_width();  ///< [pixel] the label has the rest
+  void heading(const char* title);
   bool button(const std::string& name, const std::string& label);
   void combo(const std::string& name, const std::string& label, const std::string& current,
              const std::function<void()>& entries);
@@ -85,29 +118,50 @@ class Panel {
   void choose(Demo& demo, const char* name, const char* label, const Table& table, std::string& current);
   void setting(Demo& demo, const SettingInfo& info);
   void number_setting(Demo& demo, const SettingInfo& info);
+  void settings(Demo& demo, SettingGroup group, const Method& method);
   bool slider(const std::string& name, const std::string& label, float& value, const SliderLook& look);
   void draw_marks(const SliderLook& look, float width);
   void row(const char* what, const std::string& value);
   void plot(const char* name, const float* values, size_t count, int stride, float from);
 
+  void draw_panel(Demo& demo);
+  void draw_tabs(Demo& demo);
   void draw_time(Demo& demo);
-  void draw_detection(Demo& demo);
-  void draw_response(Demo& demo);
-  void draw_view(Demo& demo);
-  void draw_picked(Demo& demo);
-  void draw_places(const Inspection& inspection, int32_t body);
-  void draw_cost(Demo& demo);
-  void draw_accuracy(Demo& demo);
-  void draw_trade_off(Demo& demo);
+  void draw_scene(Demo& demo);
   void draw_export();
+  void draw_method(Demo& demo);
+  void draw_broad_phases(Demo& demo);
+  void draw_physics(Demo& demo);
+  void draw_numbers(Demo& demo);
+  void draw_trade_off(Demo& demo);
   void draw_keys(Demo& demo);
+  void draw_handle();
+  void draw_hint(float elapsed);
+
+  void draw_card(Demo& demo);
+  void draw_places(const Inspection& inspection, int32_t body);
 
   Sheet& sheet_;
   std::map<std::string, ItemRect> items_;
   std::string revealed_;
-  std::map<std::string, float> edited_;  // sliders that are being dragged
+  std::optional<PanelTab> wanted_tab_;
+  std::map<std::string, float> edited_;  // numbers that are being typed on sliders
   std::map<std::string, std::string> typed_;
   size_t charted_error_ = 0;  // of played_errors()
+  std::string hint_;
+  float hint_left_ = 0;  // [s]
 };
+
+/// A setting's value as people write it: "4.17 ms".
+std::string shown_value(const SettingInfo& setting, double value, const BodyShape& bodies);
+
+/// Opens the tab that has an item, and scrolls to it. `draw` draws a frame. False if no tab has it.
+bool bring_into_view(Panel& panel, const std::string& name, const std::function<void()>& draw);
+
+/// The names of the items of all tabs.
+std::vector<std::string> items_of_all_tabs(Panel& panel, const std::function<void()>& draw);
+
+/// The width of the panel in use [pixel]: 0 while it is hidden.
+int width_beside(const Panel& panel, PictureSize size, float scale);
 
 }  // namespace ballpit

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sections with figures: the picked sphere, cost, accuracy, and the chart of speed against accuracy. Sections with
-// controls: panel_sections.cpp.
+// The tab with figures: cost, accuracy, and the chart of one against the other.
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
@@ -8,34 +7,18 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "render/overlays/overlay.h"
+#include "core/language.h"
+#include "core/numbers.h"
 #include "window/panel.h"
 
 namespace ballpit {
 
 namespace {
 
-std::string scientific(double value) { return fmt::format("{:.2g}", value); }
-
-/// "4, 7, 9"; only the first of many.
-std::string numbers(const std::vector<int32_t>& bodies, const char* separator = ", ") {
-  constexpr size_t kMax = 12;
-  const auto end = bodies.begin() + static_cast<std::ptrdiff_t>(std::min(bodies.size(), kMax));
-  const std::string text = fmt::format("{}", fmt::join(bodies.begin(), end, separator));
-  return bodies.size() > kMax ? fmt::format("{}{}…", text, separator) : text;
-}
-
-/// "3: 4, 7, 9".
-std::string counted_numbers(const std::vector<int32_t>& bodies) {
-  if (bodies.empty()) return "none";
-  return fmt::format("{}: {}", grouped(static_cast<int64_t>(bodies.size())), numbers(bodies));
-}
-
-/// "0.250": with millimetres in a domain of about a metre, with four digits in much smaller or larger ones.
-std::string length_text(const Domain& domain, float length) {
-  const Vec3d size = domain.max - domain.min;
-  const double longest = std::max({size.x, size.y, size.z});
-  return longest >= 0.1 && longest < 1e4 ? fmt::format("{:.3f}", length) : fmt::format("{:.4g}", length);
+/// "+0.12 %": of a fraction.
+std::string percent(double fraction, bool has_sign) {
+  const std::string number = with_unit(100 * std::fabs(fraction)) + " %";
+  return !has_sign ? number : (fraction >= 0 ? "+" : "−") + number;
 }
 
 constexpr double kMinCost = 1e-9;   // [s] a simulated second
@@ -91,56 +74,15 @@ void Panel::plot(const char* name, const float* values, size_t count, int stride
   note(name);
 }
 
-void Panel::draw_picked(Demo& demo) {
-  const auto i = static_cast<int32_t>(demo.view.selected);
-  if (i < 0) return;
-  const Inspection& inspection = demo.inspection();
-  if (i >= inspection.bodies.count) return;
-  if (!section("Picked sphere")) return;
-  const Vec3 p = inspection.bodies.position_of(i);
-  const auto metres = [&](float length) { return length_text(demo.session.scene().domain, length); };
-  std::string place = metres(p.x) + ", " + metres(p.y);
-  if (inspection.bodies.dimensions == 3) place += ", " + metres(p.z);
-  row("sphere", std::to_string(i));
-  row("place", place + " m");
-  row("touches", counted_numbers(touching(inspection, i)));
-  if (const auto missed = partners_of(inspection.missed, i); !missed.empty()) row("missed", counted_numbers(missed));
-  draw_places(inspection, i);
-  const std::vector<Endpoint>& ends = inspection.endpoints;
-  if (const Walk walk = shown_walk(ends, i); walk.body >= 0) {
-    const char axis = "xyz"[std::clamp(inspection.axis, 0, 2)];
-    row("interval", fmt::format("{}: {} to {} m", axis, metres(ends[walk.first].at), metres(ends[walk.last].at)));
-    const auto number = [](size_t k) { return grouped(static_cast<int64_t>(k)); };
-    row("in the sorted list",
-        fmt::format("entries {} and {} of {}", number(walk.first), number(walk.last), number(ends.size())));
-  }
-  if (!demo.has_candidates()) {
-    row("candidates", "too many pairs to look through");
-  } else {
-    row("candidates", counted_numbers(partners_of(inspection.candidates, i)));
-  }
-}
-
-/// The cell whose list or range holds the sphere.
-void Panel::draw_places(const Inspection& inspection, int32_t body) {
-  if (const auto listed = listed_in(inspection, body)) {
-    const IVec3& c = listed->cell;
-    const std::string z = inspection.bodies.dimensions == 3 ? fmt::format(", {}", c.z) : "";
-    row("cell", fmt::format("{} at ({}, {}{})", listed->index, c.x, c.y, z));
-    row(listed->is_sorted ? "its range" : "its list", numbers(listed->bodies, listed->is_sorted ? ", " : " > "));
-    row("place in it", fmt::format("{} of {}", listed->place + 1, listed->bodies.size()));
-  }
-}
-
-void Panel::draw_cost(Demo& demo) {
-  if (!section("Cost")) return;
+void Panel::draw_numbers(Demo& demo) {
+  heading("Cost");
   const Report& report = demo.report();
   const std::vector<float> times(demo.player.step_times().begin(), demo.player.step_times().end());
   row("spheres", grouped(report.count));
   const bool is_played = !times.empty();
   const double mean =
-      is_played ? demo.player.mean_step_time() : 1e3 * report.seconds / double(std::max<int64_t>(report.steps, 1));
-  row("a step", three_digits(mean) + " ms");
+      is_played ? 1e-3 * demo.player.mean_step_time() : report.seconds / double(std::max<int64_t>(report.steps, 1));
+  row("a step", with_unit(mean, "s"));
   if (is_played) plot("times", times.data(), times.size(), sizeof(float), 0);
   row("candidates", grouped(report.candidates));
   row("contacts", grouped(report.contacts));
@@ -152,27 +94,24 @@ void Panel::draw_cost(Demo& demo) {
     const auto part = static_cast<float>(stage.seconds / std::max(sum, 1e-12));
     if (part >= 0.05f) ImGui::ProgressBar(part, {ImGui::GetContentRegionAvail().x, 0}, stage.name.c_str());
   }
-}
-
-void Panel::draw_accuracy(Demo& demo) {
-  if (!section("Accuracy")) return;
-  const Report& report = demo.report();
+  heading("Accuracy");
   const std::vector<Moment>& history = demo.history();
   const Moment& now = history.back();
-  row("energy", three_digits(energy_of(report)) + " J");
-  row("since its start", (now.energy_drift >= 0 ? "+" : "−") + scientific(std::fabs(double(now.energy_drift))));
+  row("energy", with_unit(energy_of(report), "J"));
+  row("since its start", percent(double(now.energy_drift), true));
   plot("drift", &history[0].energy_drift, history.size(), sizeof(Moment), FLT_MAX);
-  row("largest overlap", scientific(report.max_overlap) + " r");
+  row("largest overlap", percent(report.max_overlap, false) + " r");
   plot("overlap", &history[0].max_overlap, history.size(), sizeof(Moment), 0);
-  row("momentum", scientific(length(report.momentum)) + " kg·m/s");
+  row("momentum", with_unit(length(report.momentum)) + " kg·m/s");
+  heading("Speed against accuracy");
+  draw_trade_off(demo);
 }
 
 /// A point for each trial, filled for the present one, and the front as a line.
 void Panel::draw_trade_off(Demo& demo) {
-  if (!section("Speed against accuracy")) return;
   const auto errors = played_errors();
   for (size_t k = 0; k < errors.size(); ++k) {
-    if (ImGui::RadioButton(std::string(errors[k].label).c_str(), k == charted_error_)) charted_error_ = k;
+    if (ImGui::RadioButton(translated(errors[k].label).c_str(), k == charted_error_)) charted_error_ = k;
     note("error " + std::string(errors[k].name));
   }
   const PlayedError& error = errors[charted_error_];
@@ -205,11 +144,11 @@ void Panel::draw_trade_off(Demo& demo) {
   for (const int power : {y.low, y.high})
     right_of(power_of_ten(power), inner_low.x - text / 4, y.at(std::pow(10.0, power)) - (power == y.low ? text : 0),
              ink);
-  const std::string what = "s computed for a second simulated";
+  const std::string what = translated("s computed for a second simulated");
   lines.AddText({inner_low.x, inner_high.y + 1.3f * text}, faint, what.c_str());
   if (x.low < 0 && 0 < x.high) {
     dotted(lines, {x.at(1), inner_low.y}, {x.at(1), inner_high.y}, faint, unit);
-    right_of("real time", x.at(1) - text / 4, inner_low.y + text / 5, faint);
+    right_of(translated("real time"), x.at(1) - text / 4, inner_low.y + text / 5, faint);
   }
 
   const auto place = [&](const Played& t) {
@@ -230,8 +169,8 @@ void Panel::draw_trade_off(Demo& demo) {
     items_["trial " + std::to_string(k)] = {{at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}};
     if (std::hypot(mouse.x - at.x, mouse.y - at.y) > reach) continue;
     chosen = &trials[k];
-    ImGui::SetTooltip("%s\n%s s a simulated second, error %s", trials[k].label().c_str(),
-                      three_digits(trials[k].cost()).c_str(), three_digits(trials[k].*error.value).c_str());
+    ImGui::SetTooltip("%s\n%s, %s %s", trials[k].label().c_str(), with_unit(trials[k].cost(), "s/s").c_str(),
+                      translated("error").c_str(), with_unit(trials[k].*error.value).c_str());
   }
   if (is_clicked && chosen) demo.return_to(*chosen);
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The sections with controls: time, detection, response, view, export. Sections with figures: panel_figures.cpp.
+// The controls: time, the tabs Scene and Method, the list of keys. The tab with figures: panel_figures.cpp.
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include "core/language.h"
+#include "core/numbers.h"
 #include "methods/methods.h"
 #include "render/overlays/overlay.h"
 #include "scene/read_scene.h"
@@ -21,98 +24,115 @@ constexpr float kMaxFrames = 3600;
 
 void Panel::draw_time(Demo& demo) {
   const Scene& scene = demo.session.scene();
-  combo("scene", "scene", scene.title.empty() ? scene.name : scene.title, [&] {
+  const bool is_german = language() == Language::german;
+  const auto title = [&](const SceneInfo& info) { return is_german ? info.title_de : info.title; };
+  combo("scene", "scene", title(scene).empty() ? scene.name : title(scene), [&] {
     for (const SceneInfo& info : built_in_scenes()) {
-      if (entry("scene " + info.name, info.title, info.name == scene.name)) demo.load(info.name);
+      if (entry("scene " + info.name, title(info), info.name == scene.name)) demo.load(info.name);
     }
   });
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", scene.description.c_str());
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("%s", (is_german ? scene.description_de : scene.description).c_str());
+  }
   if (button("restart", "|<")) demo.restart();
   ImGui::SameLine();
   if (button("back", "<")) demo.step_back();
   ImGui::SameLine();
-  if (button("pause", demo.player.is_running ? "pause" : "play")) demo.player.is_running = !demo.player.is_running;
+  if (button("pause", translated(demo.player.is_running ? "pause" : "play"))) {
+    demo.player.is_running = !demo.player.is_running;
+  }
   ImGui::SameLine();
   if (button("step", ">")) demo.step();
   ImGui::SameLine();
-  ImGui::Text("t = %.3f s", demo.session.time());
+  ImGui::Text("t = %s s", local_number(fmt::format("{:.3f}", demo.session.time())).c_str());
   auto moment = static_cast<int>(demo.timeline->step_now());
   ImGui::SetNextItemWidth(-1);
   const int first = static_cast<int>(demo.timeline->first());
   const int furthest = std::max(static_cast<int>(demo.timeline->furthest()), first + 1);
-  if (ImGui::SliderInt("##timeline", &moment, first, furthest, "step %d")) {
+  if (ImGui::SliderInt("##timeline", &moment, first, furthest, (translated("step") + " %d").c_str())) {
     demo.go_to(moment);
   }
   note("timeline");
   auto speed = static_cast<float>(demo.player.speed);
-  if (slider("speed", "times real time", speed, {0.01f, 10, true, "%.2f"})) demo.player.speed = speed;
+  const std::string reached = demo.player.reached() > 0 ? fmt::format("{:.2g} × ({} {:.2f} ×)", speed,
+                                                                      translated("reached"), demo.player.reached())
+                                                        : fmt::format("{:.2g} ×", speed);
+  if (slider("speed", "real time", speed,
+             {.low = 0.01f, .high = 10, .is_log = true, .shown = local_number(reached), .snaps = {0.1f, 0.5f, 1, 2}})) {
+    demo.player.speed = speed;
+  }
+  for (const PanelKey& key : keys) {
+    if (key.act && button("key " + key.name, translated(key.help))) key.act();
+  }
 }
 
-void Panel::draw_detection(Demo& demo) {
-  if (!section("Detection")) return;
-  const Settings& settings = demo.session.settings();
-  for (const Method& method : methods()) {
-    if (method.family != Family::broadphase || is_of_lecture(named<BroadPhase>(method.name))) continue;
+void Panel::draw_broad_phases(Demo& demo) {
+  const std::string_view current = name_of(demo.session.settings().broadphase);
+  const auto radio = [&](const Method& method, const std::string& label) {
     const std::string name(method.name);
-    if (ImGui::RadioButton(std::string(method.label).c_str(), name_of(settings.broadphase) == method.name)) {
-      demo.set("broadphase", name);
-    }
+    if (ImGui::RadioButton((label + "##" + name).c_str(), current == method.name)) demo.set("broadphase", name);
     note("broadphase " + name);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(method.cost).c_str());
-  }
-  const Method& method = find_method(settings.broadphase);
-  for (const SettingInfo& info : setting_table()) {
-    const bool is_kind = info.name == "cell-size" || info.name == "table" || info.name == "axis";
-    if (info.group != SettingGroup::detection || info.name == "broadphase") continue;
-    if (is_kind && !uses(method, info.name)) continue;
-    setting(demo, info);
+  };
+  for (const Method& method : methods()) {
+    if (method.family != Family::broadphase || is_of_lecture(named<BroadPhase>(method.name))) continue;
+    radio(method, translated(method.label));
+    const std::optional<BroadPhase> of_lecture = find_named<BroadPhase>("lecture/" + std::string(method.name));
+    if (!of_lecture) continue;
+    ImGui::SameLine(0.55f * ImGui::GetWindowContentRegionMax().x);
+    radio(find_method(*of_lecture), translated("as on the slides"));
   }
 }
 
-void Panel::draw_response(Demo& demo) {
-  if (!section("Response")) return;
-  const Method& method = find_method(demo.session.settings().response);
-  for (const SettingInfo& info : setting_table()) {
-    if (info.group == SettingGroup::response && (info.name == "response" || uses(method, info.name)))
-      setting(demo, info);
-  }
+void Panel::draw_physics(Demo& demo) {
   Physics physics = demo.session.scene().physics;
   auto restitution = static_cast<float>(physics.restitution);
-  if (slider("restitution", "restitution", restitution, {0, 1, false, "%.2f"})) {
+  if (slider("restitution", "restitution", restitution,
+             {.low = 0, .high = 1, .shown = local_number(fmt::format("{:.2f}", restitution))})) {
     physics.restitution = physics.wall_restitution = restitution;
     demo.set_physics(physics);
   }
   auto stiffness = static_cast<float>(physics.stiffness);
-  if (demo.session.settings().response == Response::penalty &&
-      slider("stiffness", "stiffness [N/m]", stiffness, {1e2f, 1e8f, true, "%.3g"})) {
+  ImGui::BeginDisabled(demo.session.settings().response != Response::penalty);
+  if (slider("stiffness", "stiffness", stiffness,
+             {.low = 1e2f, .high = 1e8f, .is_log = true, .shown = with_unit(physics.stiffness, "N/m", true)})) {
     physics.stiffness = stiffness;
     demo.set_physics(physics);
   }
-  for (const SettingInfo& info : setting_table()) {
-    if (info.group == SettingGroup::time) setting(demo, info);
-  }
+  ImGui::EndDisabled();
+}
+
+void Panel::draw_method(Demo& demo) {
+  heading("Detection");
+  draw_broad_phases(demo);
+  settings(demo, SettingGroup::detection, find_method(demo.session.settings().broadphase));
+  heading("Response");
+  settings(demo, SettingGroup::response, find_method(demo.session.settings().response));
+  draw_physics(demo);
+  heading("Time");
+  settings(demo, SettingGroup::time, find_method(demo.session.settings().response));
 }
 
 /// A drop-down list with an entry for each row of a table.
 template <class Table>
 void Panel::choose(Demo& demo, const char* name, const char* label, const Table& table, std::string& current) {
   const auto shown = std::find_if(table.begin(), table.end(), [&](const auto& e) { return e.name == current; });
-  combo(name, label, std::string(shown->label), [&] {
+  combo(name, label, translated(shown->label), [&] {
     for (const auto& choice : table) {
       const std::string own(choice.name);
-      if (!entry(std::string(name) + " " + own, std::string(choice.label), choice.name == current)) continue;
+      if (!entry(std::string(name) + " " + own, translated(choice.label), choice.name == current)) continue;
       current = own;
       demo.touch();
     }
   });
 }
 
-void Panel::draw_view(Demo& demo) {
-  if (!section("Overlays")) return;
+void Panel::draw_scene(Demo& demo) {
   View& view = demo.view;
+  heading("Overlays");
   for (const OverlayEntry& overlay : overlay_table()) {
-    bool is_shown = view.shows(overlay.name);
-    if (ImGui::Checkbox(std::string(overlay.label).c_str(), &is_shown)) {
+    bool is_drawn = view.shows(overlay.name);
+    if (ImGui::Checkbox((translated(overlay.label) + "##" + std::string(overlay.name)).c_str(), &is_drawn)) {
       view.toggle(overlay.name);
       demo.touch();
     }
@@ -120,49 +140,68 @@ void Panel::draw_view(Demo& demo) {
     const std::string lack = view.shows(overlay.name) ? overlay.lack(demo.inspection()) : "";
     if (lack.empty()) continue;
     ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("%s", lack.c_str());
+    ImGui::TextDisabled("%s", translated(lack).c_str());
     ImGui::PopTextWrapPos();
     note("lack of " + std::string(overlay.name));
   }
+  heading("Look");
   choose(demo, "color", "colour", coloring_table(), view.coloring);
   choose(demo, "theme", "theme", themes(), view.theme);
-  if (slider("ui-scale", "panel size", view.ui_scale, {kMinUiScale, kMaxUiScale, true, "%.2f"})) {
-    view.ui_scale = std::clamp(view.ui_scale, kMinUiScale, kMaxUiScale);  // a typed number may be any
+  const auto scale = [&](const char* name, const char* label, float& value) {
+    const std::string shown = local_number(fmt::format("{:.2g} ×", value));
+    const bool is_own = &value == &view.ui_scale;
+    const SliderLook look{
+        .low = kMinUiScale, .high = kMaxUiScale, .is_log = true, .is_late = is_own, .shown = shown, .snaps = {1}};
+    if (!slider(name, label, value, look)) return;
+    value = std::clamp(value, kMinUiScale, kMaxUiScale);  // a typed number may be any
     demo.touch();
-  }
+  };
+  scale("text-scale", "text in the scene", view.text_scale);
+  scale("ui-scale", "panel", view.ui_scale);
+  const auto speak = [&](const char* name, const char* label, Language spoken) {
+    if (ImGui::RadioButton(label, language() == spoken)) {
+      set_language(spoken);
+      demo.touch();
+    }
+    note(name);
+  };
+  speak("language en", "English", Language::english);
+  ImGui::SameLine();
+  speak("language de", "Deutsch", Language::german);
+  draw_export();
 }
 
 void Panel::draw_export() {
-  if (!section("Export")) return;
-  if (button("save", "save picture")) requests.picture = true;
+  heading("Export");
+  if (button("save", translated("save picture"))) requests.picture = true;
   ImGui::SameLine();
-  if (button("save state", "save state (CSV)")) requests.state = true;
+  if (button("save state", translated("save state (CSV)"))) requests.state = true;
   combo("film size", "size of frames", requests.film_size, [&] {
     for (const std::string size : kFilmSizes) {
       if (entry("film size " + size, size, size == requests.film_size)) requests.film_size = size;
     }
   });
   auto frames = static_cast<float>(requests.film_frames);
-  if (slider("film frames", "frames, 60 a second", frames, {1, kMaxFrames, true, "%.0f"})) {
+  const std::string shown =
+      fmt::format("{} = {}", requests.film_frames, with_unit(requests.film_frames / 60.0, "s", true));
+  if (slider("film frames", "frames", frames,
+             {.low = 1, .high = kMaxFrames, .is_log = true, .is_integer = true, .shown = shown})) {
     requests.film_frames = static_cast<int>(std::clamp(frames, 1.0f, kMaxFrames));
   }
-  if (button("film", is_filming ? "stop" : "export frames")) requests.film = true;
+  if (button("film", translated(is_filming ? "stop" : "export frames"))) requests.film = true;
 }
 
 void Panel::draw_keys(Demo& demo) {
-  if (!demo.shows_keys) return;
-  ImGui::SetNextWindowPos(
-      {0.5f * static_cast<float>(sheet_.picture_width()), 0.5f * static_cast<float>(sheet_.height())}, ImGuiCond_Always,
-      {0.5f, 0.5f});
-  ImGui::Begin("Keys", &demo.shows_keys,
-               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
-  for (const Key& key : key_table()) {
-    ImGui::TextUnformatted(std::string(key.name).c_str());
+  heading("Keys");
+  for (const PanelKey& key : keys) {
+    ImGui::TextUnformatted(key.name.c_str());
     ImGui::SameLine(5 * ImGui::GetFontSize());
-    ImGui::TextUnformatted(std::string(key.help).c_str());
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(translated(key.help).c_str());
+    ImGui::PopTextWrapPos();
   }
-  ImGui::TextDisabled("drag: turn   wheel: closer   click: pick a sphere");
-  ImGui::End();
+  ImGui::TextDisabled("%s", translated("drag: turn   wheel: closer   click: pick a sphere").c_str());
+  if (button("close keys", translated("close"))) demo.shows_keys = false;
 }
 
 }  // namespace ballpit

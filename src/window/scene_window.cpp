@@ -27,10 +27,11 @@ void SceneWindow::run() {
     const bool is_idle = drawn_ == demo().version() && !demo().player.is_running && !is_settling_ && !is_busy();
     const WindowEvents& events = window.poll(is_idle ? kIdle : 0);
     const auto now = Clock::now();
-    const double elapsed = std::min(seconds_between(last, now), 0.25);
+    const double elapsed = seconds_between(last, now);
     last = now;
     handle(events);
-    advance(elapsed);
+    demo().player.observe(elapsed);
+    advance(std::min(elapsed, kIdle));  // no great leap after a long frame
     if (const PictureSize size = window.size(); size.width < 16 || size.height < 16) {  // minimised
       sleep(kFrame);
       continue;
@@ -67,6 +68,10 @@ void SceneWindow::handle(const WindowEvents& events) {
   if (events.was_released) is_turning_ = false;
   if (events.wheel != 0 && !takes_mouse()) {
     demo().view.zoom_by(events.wheel);
+    demo().touch();
+  }
+  if (events.has_menu) {
+    toggle_panel();
     demo().touch();
   }
   mouse_ = events.mouse;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A window that shows a demonstration. The mouse turns the scene, the wheel zooms, and a click picks a sphere.
+// A window that shows a demonstration. The mouse turns the scene, the wheel zooms, a click picks a sphere, and
+// the right button hides or shows the panel.
 //
 //     run():   events ──▶ keys, mouse, panel's input
 //              clock ──▶ player: the steps that are due, for half a frame at most
@@ -30,6 +31,7 @@ class SceneWindow {
   virtual FrameView frame_view(float aspect) = 0;                    ///< of the scene, with its bodies
   virtual void draw(const WindowEvents& events, float elapsed) = 0;  ///< into the window
   virtual std::string title() = 0;                                   ///< asked once a second
+  virtual void toggle_panel() = 0;
   virtual void advance(double elapsed) { demo().advance(elapsed, kFrame / 2); }
   virtual bool is_busy() const { return false; }      ///< whether it draws on without events
   virtual int left() const { return 0; }              ///< [pixel] of the window's width beside the scene

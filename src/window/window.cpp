@@ -80,8 +80,9 @@ void Window::listen() {
   glfwSetCursorPosCallback(window_,
                            [](GLFWwindow* w, double x, double y) { changed(w).mouse = of(w).to_pixels(x, y); });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
-    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     WindowEvents& events = changed(w);
+    if (button == GLFW_MOUSE_BUTTON_RIGHT && action == GLFW_PRESS) events.has_menu = true;
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     events.is_mouse_down = action == GLFW_PRESS;
     (events.is_mouse_down ? events.was_pressed : events.was_released) = true;
   });

@@ -8,6 +8,7 @@
 
 #include "core/math.h"
 #include "show/options.h"
+#include "window/panel.h"
 
 struct GLFWwindow;
 
@@ -23,7 +24,13 @@ struct WindowEvents {
   std::vector<int> pressed{};  ///< keys that went down, by GLFW's code
   std::map<int, bool> keys{};  ///< keys that changed, and whether they are down now
   std::u32string typed{};      ///< characters
+  bool has_menu = false;       ///< the right button went down
   bool any = false;            ///< anything at all, including a new size or an uncovered window
+
+  /// A click so short that it is over already is down for one frame.
+  PanelInput for_panel(float elapsed) const {
+    return {mouse, is_mouse_down || was_pressed, wheel, typed, elapsed, keys};
+  }
 };
 
 class Window {

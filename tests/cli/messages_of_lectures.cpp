@@ -18,7 +18,7 @@ std::vector<Row> rows_of_lectures() {
   };
   return {
       {"cli/command_lecture.cpp: --page", "--page: found 999, allowed 1 to ", {"lecture", "--page", "999", "--json"}},
-      {"cli/command_lecture.cpp: --lang", "--lang: found fr, allowed en, de", {"lecture", "--lang", "fr", "--json"}},
+      {"cli/options.cpp: --lang", "--lang: found fr, allowed en, de", {"lecture", "--lang", "fr", "--json"}},
       interrupted("cli/command_lecture.cpp: interrupted", "lecture: interrupted after ",
                   {"lecture", "--export", "handout", "--size", "3840x2160"}),
       whole("show/lecture.cpp: tables [[page]]", "page: found nothing, allowed tables", "title = 'x'"),

@@ -176,7 +176,7 @@ TEST_CASE("each key is one key, and names a method or an overlay that there is")
   }
 }
 
-TEST_CASE("the README names each key") {
+TEST_CASE("the README names each key of a demonstration") {
   std::ifstream in(BALLPIT_GOLDEN_FOLDER "/../../README.md");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   for (const Key& key : key_table()) {

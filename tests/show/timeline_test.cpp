@@ -2,6 +2,7 @@
 // Going back and forward again: by every response, to the same bits.
 #include <catch2/catch.hpp>
 
+#include "show/session.h"
 #include "tests/support/timeline_run.h"
 
 using namespace ballpit;
@@ -59,4 +60,22 @@ TEST_CASE("what is ahead is stepped on as if nobody had gone back") {
     CHECK(back.timeline.furthest() == 80);
     CHECK(moment_of(*back.world) == ahead.seen.at(80));
   }
+}
+
+TEST_CASE("the speed that is reached is that of the last half second, and 0 while paused") {
+  Session session("lecture-grid", {{"threads", "1"}});
+  Timeline timeline(session.world(), session.settings().dt);
+  Player player;
+  player.speed = 2;
+  const auto play = [&](double share) {
+    for (int k = 0; k < 12; ++k) {
+      player.observe(0.1);
+      player.advance(timeline, 0.1, share);
+    }
+    return player.reached();
+  };
+  CHECK(play(60) == Approx(2).epsilon(0.05));
+  CHECK(play(0) == Approx(session.settings().dt / 0.1).epsilon(0.05));  // a step for each frame
+  player.is_running = false;
+  CHECK(player.reached() == 0);
 }

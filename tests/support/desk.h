@@ -23,8 +23,8 @@ class Desk {
 
   void frame(const PanelInput& input) {
     const int width = renderer.width(), height = renderer.height();
-    const int left = Panel::width_in(width, height, demo.view.ui_scale);
-    renderer.set_options({theme_named(demo.view.theme), 1, left});
+    const int left = width_beside(panel, {width, height}, demo.view.ui_scale);
+    renderer.set_options({theme_named(demo.view.theme), 1, left, demo.view.text_scale});
     renderer.draw(demo.frame_view(static_cast<float>(width - left) / static_cast<float>(height)));
     panel.draw(demo, input);
   }
@@ -32,7 +32,11 @@ class Desk {
     frame(PanelInput{});
     frame(PanelInput{});
   }
-  bool has(const std::string& name) const { return panel.items().count(name) > 0; }
+  /// Whether a tab has an item; opens that tab.
+  bool has(const std::string& name) {
+    return bring_into_view(panel, name, [this] { frame(PanelInput{}); });
+  }
+  bool is_enabled(const std::string& name) { return has(name) && panel.items().at(name).is_enabled; }
   void click_at(Vec2 at) {
     for (const bool is_down : {false, true, false}) frame(PanelInput{.mouse = at, .is_down = is_down});
     rest();
@@ -40,8 +44,6 @@ class Desk {
   void click(const std::string& name) {
     INFO(name);
     REQUIRE(has(name));
-    panel.reveal(name);
-    rest();
     click_at(panel.items().at(name).middle());
   }
 

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/file.h"
+#include "window/show_window.h"
 
 using namespace ballpit;
 using Catch::Contains;
@@ -23,4 +24,14 @@ TEST_CASE("the documentation names every key of the presenter, and every figure 
 TEST_CASE("a key of the presenter has one action") {
   std::set<int> codes;
   for (const PresenterKey& key : presenter_keys()) CHECK(codes.insert(key.code).second);
+}
+
+TEST_CASE("the README names the keys of the window, and none does what a key of the demonstration does") {
+  const std::string text = read_file(BALLPIT_SOURCE_DIR "/README.md");
+  std::set<int> codes;
+  for (const Key& key : key_table()) codes.insert(key.code);
+  for (const WindowKey& key : window_keys()) {
+    CHECK_THAT(text, Contains("`" + std::string(key.name) + "`"));
+    CHECK(codes.insert(key.code).second);
+  }
 }

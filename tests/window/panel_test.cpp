@@ -3,25 +3,47 @@
 #include "window/panel.h"
 
 #include <algorithm>
+#include <set>
+#include <thread>
 
 #include <catch2/catch.hpp>
 #include <time.h>
 
+#include "core/language.h"
+#include "render/overlays/overlay.h"
+#include "scene/read_scene.h"
 #include "tests/support/desk.h"
 #include "tests/support/picture_compare.h"
+#include "window/lecture_window.h"
+#include "window/show_window.h"
 
 using namespace ballpit;
 
-TEST_CASE("a click on a method's name switches to it, and shows its options alone") {
+TEST_CASE("a click on a method's name switches to it, and its options alone can be set") {
   Desk desk;
-  CHECK(desk.has("cell-size"));
-  CHECK_FALSE(desk.has("axis"));
+  CHECK(desk.is_enabled("cell-size"));
+  CHECK_FALSE(desk.is_enabled("axis"));
   desk.click("broadphase sort-and-sweep");
   CHECK(desk.demo.session.settings().broadphase == BroadPhase::sort_and_sweep);
-  CHECK(desk.has("axis"));
-  CHECK_FALSE(desk.has("cell-size"));
+  CHECK(desk.is_enabled("axis"));
+  CHECK_FALSE(desk.is_enabled("cell-size"));
   desk.click("broadphase brute-force");
-  CHECK_FALSE(desk.has("axis"));
+  CHECK_FALSE(desk.is_enabled("axis"));
+  desk.click("broadphase lecture/linked-cell");
+  CHECK(desk.demo.session.settings().broadphase == BroadPhase::lecture_linked_cell);
+}
+
+TEST_CASE("nothing in the panel moves when the method changes") {
+  Desk desk;
+  REQUIRE(desk.has("broadphase brute-force"));
+  const auto before = desk.panel.items();
+  for (const char* method : {"sort-and-sweep", "brute-force", "sorted-grid", "lecture/sort-and-sweep"}) {
+    desk.click(std::string("broadphase ").append(method));
+    for (const auto& [name, rect] : before) {
+      CAPTURE(method, name);
+      CHECK(desk.panel.items().at(name).low == rect.low);
+    }
+  }
 }
 
 TEST_CASE("overlays, pause, step and theme answer to clicks") {
@@ -62,24 +84,122 @@ TEST_CASE("a list offers what goes with the response, and nothing else") {
   desk.click("response");
   desk.click("response penalty");
   CHECK(desk.demo.session.settings().response == Response::penalty);
-  CHECK(desk.has("stiffness"));
+  CHECK(desk.is_enabled("stiffness"));
   desk.click("integrator");
   CHECK(desk.has("integrator rk4"));
 }
 
-TEST_CASE("a slider that is dragged takes effect when it is let go") {
+TEST_CASE("a slider acts while it is dragged, and stops at the values that people want") {
   Desk desk;
-  desk.panel.reveal("cell-size");
-  desk.rest();
+  REQUIRE(desk.has("cell-size"));
   const ItemRect rect = desk.panel.items().at("cell-size");
-  const Vec2 start = rect.middle(), end{rect.low.x + 0.1f * (rect.high.x - rect.low.x), start.y};
+  const auto at = [&](float part) { return Vec2(rect.low.x + part * (rect.high.x - rect.low.x), rect.middle().y); };
+  desk.frame(PanelInput{.mouse = at(0.5f)});
+  desk.frame(PanelInput{.mouse = at(0.5f), .is_down = true});
+  std::set<double> reached;
+  for (int k = 0; k <= 200; ++k) {
+    desk.frame(PanelInput{.mouse = at(0.005f * float(k)), .is_down = true});
+    reached.insert(desk.demo.session.settings().cell_size.value());
+  }
+  for (const double wanted : {0.5, 1.0, 2.0, 4.0, 8.0}) CHECK(reached.contains(wanted));
+  desk.frame(PanelInput{.mouse = at(1)});
+  CHECK(desk.demo.session.settings().cell_size.value() == 8);
+}
+
+TEST_CASE("Ctrl and a click let a number be typed into a slider, and change nothing before it is entered") {
+  constexpr int kCtrl = 341, kEnter = 257;
+  Desk desk;
+  REQUIRE(desk.has("cell-size"));
+  const Vec2 at = desk.panel.items().at("cell-size").middle();
   const std::optional<double> before = desk.demo.session.settings().cell_size;
-  desk.frame(PanelInput{.mouse = start});
-  desk.frame(PanelInput{.mouse = start, .is_down = true});
-  desk.frame(PanelInput{.mouse = end, .is_down = true});
+  desk.frame(PanelInput{.mouse = at, .keys = {{kCtrl, true}}});
+  desk.frame(PanelInput{.mouse = at, .is_down = true});
+  desk.frame(PanelInput{.mouse = at, .keys = {{kCtrl, false}}});
   CHECK(desk.demo.session.settings().cell_size == before);
-  desk.frame(PanelInput{.mouse = end});
-  CHECK(desk.demo.session.settings().cell_size.value() < 1);
+  CHECK(desk.panel.has_keyboard());
+  desk.frame(PanelInput{.typed = U"1.25"});
+  CHECK(desk.demo.session.settings().cell_size == before);
+  for (const bool is_down : {true, false}) desk.frame(PanelInput{.keys = {{kEnter, is_down}}});
+  CHECK(desk.demo.session.settings().cell_size == 1.25);
+}
+
+TEST_CASE("a click that is over within a frame counts") {
+  Desk desk;
+  REQUIRE(desk.has("overlay pairs"));
+  WindowEvents events{.mouse = desk.panel.items().at("overlay pairs").middle()};
+  desk.frame(events.for_panel(0.016f));
+  events.was_pressed = events.was_released = true;  // both since the frame before
+  desk.frame(events.for_panel(0.016f));
+  events.was_pressed = events.was_released = false;
+  desk.frame(events.for_panel(0.016f));
+  CHECK(desk.demo.view.shows("pairs"));
+}
+
+TEST_CASE("numbers of settings are written as people write them") {
+  Desk desk;
+  const auto shown = [&](std::string_view name) {
+    const auto& table = setting_table();
+    const auto info = std::ranges::find(table, name, &SettingInfo::name);
+    return shown_value(*info, info->in_use(desk.demo.session.settings()), desk.demo.session.world().shape());
+  };
+  CHECK(shown("dt") == "4.17 ms");
+  CHECK(shown("cell-size") == "2 × 2r = 1 m");
+  CHECK(shown("threads") == "1");
+  desk.demo.set("threads", "0");
+  CHECK(shown("threads") == fmt::format("all ({})", std::thread::hardware_concurrency()));
+}
+
+TEST_CASE("a hidden panel leaves a button that shows it again, and the whole picture to the scene") {
+  Desk desk;
+  desk.panel.is_shown = false;
+  desk.rest();
+  CHECK(width_beside(desk.panel, {1280, 720}, 1) == 0);
+  CHECK_FALSE(desk.panel.items().contains("pause"));
+  desk.click_at(desk.panel.items().at("panel").middle());
+  CHECK(desk.panel.is_shown);
+  CHECK(desk.panel.items().contains("pause"));
+}
+
+TEST_CASE("a hint goes after some seconds, or after the first act") {
+  Desk desk;
+  desk.panel.hint("Space: play");
+  desk.frame(PanelInput{.elapsed = 0.1f});
+  CHECK(desk.panel.items().contains("hint"));
+  SECTION("after seconds") { desk.frame(PanelInput{.elapsed = 15}); }
+  SECTION("after an act") {
+    desk.panel.end_hint();
+    desk.frame(PanelInput{.elapsed = 1.1f});
+  }
+  desk.frame(PanelInput{});
+  CHECK_FALSE(desk.panel.is_hinting());
+  CHECK_FALSE(desk.panel.items().contains("hint"));
+}
+
+TEST_CASE("the list of keys is in the panel, and leaves the scene free") {
+  Desk desk;
+  desk.panel.keys = {{"Space", "pause, or go on"}};
+  desk.demo.shows_keys = true;
+  desk.rest();
+  REQUIRE(desk.panel.items().contains("close keys"));
+  CHECK(desk.panel.items().at("close keys").high.x <= float(Panel::width_in(Desk::kWidth, Desk::kHeight)));
+  desk.click_at(desk.panel.items().at("close keys").middle());
+  CHECK_FALSE(desk.demo.shows_keys);
+}
+
+TEST_CASE("the card of the picked sphere does not cover it") {
+  Desk desk;
+  for (int32_t i = 0; i < 20; ++i) {
+    desk.demo.view.selected = i;
+    desk.demo.touch();
+    desk.rest();
+    const float left = float(Panel::width_in(Desk::kWidth, Desk::kHeight)), width = float(Desk::kWidth) - left;
+    const FrameView view = desk.demo.frame_view(width / float(Desk::kHeight));
+    const Vec4 place = view.camera.projection() * view.camera.view() * Vec4(view.inspection.bodies.position_of(i), 1);
+    const Vec2 at(left + 0.5f * width * (1 + place.x / place.w), 0.5f * float(Desk::kHeight) * (1 - place.y / place.w));
+    const ItemRect& card = desk.panel.items().at("card");
+    CAPTURE(i, at.x, at.y);
+    CHECK_FALSE((card.low.x <= at.x && at.x <= card.high.x && card.low.y <= at.y && at.y <= card.high.y));
+  }
 }
 
 TEST_CASE("the panel shows what the method stores of the picked sphere") {
@@ -177,7 +297,6 @@ TEST_CASE("golden: the panel in both themes, as it begins and with a picked sphe
     desk.demo.step();
     (void)desk.demo.report();  // a point of the histories each
   }
-  desk.click("section Cost");  // fold times, which no two runs have alike
   for (const char* theme : {"projector", "dark"}) {
     desk.demo.view.theme = theme;
     desk.demo.view.selected = -1;
@@ -240,3 +359,24 @@ TEST_CASE("a frame of the panel takes at most 4 ms of the processor") {
   CHECK(frames[15] < 4);
 }
 #endif
+
+TEST_CASE("German readers have a text for whatever a table shows") {
+  const auto check = [](std::string_view text) {
+    CAPTURE(text);
+    CHECK(has_german(text));
+  };
+  for (const OverlayEntry& overlay : overlay_table()) check(overlay.label);
+  for (const ColoringEntry& coloring : coloring_table()) check(coloring.label);
+  for (const Theme& theme : themes()) check(theme.label);
+  for (const Key& key : key_table()) check(key.help);
+  for (const WindowKey& key : window_keys()) check(key.help);
+  for (const PresenterKey& key : presenter_keys()) check(key.help);
+  for (const PlayedError& error : played_errors()) check(error.label);
+  for (const Method& method : methods()) {
+    if (method.family == Family::broadphase && !is_of_lecture(named<BroadPhase>(method.name))) check(method.label);
+  }
+  for (const SettingInfo& setting : setting_table()) {
+    if (setting.group != SettingGroup::run && setting.name != "broadphase") check(setting.help);
+  }
+  for (const SceneInfo& scene : built_in_scenes()) CHECK(scene.title_de != scene.title);
+}

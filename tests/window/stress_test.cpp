@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <functional>
 
 #include <catch2/catch.hpp>
 
 #include "core/random.h"
+#include "show/presenter.h"
 #include "tests/support/desk.h"
 #include "tests/support/run_program.h"
 #include "window/saver.h"
@@ -144,6 +146,45 @@ class Monkey {
 };
 
 }  // namespace
+
+TEST_CASE("two thousand keys at random end no lecture, and each leaves a picture") {
+  GlContext context;
+  Renderer renderer(480, 270);
+  Panel panel(renderer.sheet());
+  Presenter presenter(built_in_lecture(), Language::english);
+  Random random(11);
+  const auto below = [&](int count) { return std::min(int(random.uniform(0, count)), count - 1); };
+  const std::array<std::function<void()>, 14> acts{
+      [&] { presenter.next(); },
+      [&] { presenter.next(); },
+      [&] { presenter.previous(); },
+      [&] { presenter.go_to(below(2 * presenter.count()) - 3); },
+      [&] { presenter.step(below(7) - 3); },
+      [&] { presenter.step(1); },
+      [&] { presenter.skip_phase(below(2) == 0 ? 1 : -1); },
+      [&] { presenter.is_blank = !presenter.is_blank; },
+      [&] { presenter.language = presenter.language == Language::german ? Language::english : Language::german; },
+      [&] { presenter.demo().player.is_running = !presenter.demo().player.is_running; },
+      [&] { presenter.demo().view.selected = below(30) - 1; },
+      [&] { presenter.demo().perform(key_table()[size_t(below(int(key_table().size())))]); },
+      [&] { presenter.demo().view.orbit(random.uniform(-1, 1), random.uniform(-1, 1)); },
+      [&] { panel.is_shown = !panel.is_shown; }};
+  for (int k = 0; k < 2000; ++k) {
+    CAPTURE(k, presenter.page().id);
+    REQUIRE_NOTHROW(acts[size_t(below(int(acts.size())))]());
+    presenter.demo().touch();
+    presenter.demo().advance(0.02, 0.002);
+    if (k % 4 != 0) continue;
+    const int left = width_beside(panel, {480, 270}, 1);
+    renderer.set_options({.theme = themes().front(), .left = left, .text_scale = presenter.text_scale});
+    REQUIRE_NOTHROW(renderer.draw(presenter.frame_view(float(480 - left) / 270)));
+    REQUIRE_NOTHROW(panel.draw(presenter.demo(), PanelInput{}));
+  }
+  presenter.is_blank = false;
+  presenter.go_to(1);
+  CHECK(presenter.failure().empty());
+  CHECK_FALSE(presenter.caption().empty());
+}
 
 TEST_CASE("three thousand acts at random end no demonstration, and none takes long") {
   constexpr int kActs = 3000;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "core/language.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include <toml++/toml.h>
+
+#include "german_text.h"
+
+namespace ballpit {
+
+namespace {
+
+Language current = Language::english;
+
+using Table = std::map<std::string, std::string, std::less<>>;
+
+const Table& german() {
+  static const Table table = [] {
+    Table texts;
+    const toml::table entries = toml::parse(german_text().front().text);
+    for (const auto& [english, text] : entries) texts.emplace(english.str(), text.value_or(std::string()));
+    return texts;
+  }();
+  return table;
+}
+
+}  // namespace
+
+Language language() { return current; }
+void set_language(Language language) { current = language; }
+
+std::string translated(std::string_view english) {
+  if (current == Language::english) return std::string(english);
+  const auto entry = german().find(english);
+  return entry == german().end() ? std::string(english) : entry->second;
+}
+
+bool has_german(std::string_view english) { return german().contains(english); }
+
+std::string local_number(std::string text) {
+  if (current == Language::german) std::ranges::replace(text, '.', ',');
+  return text;
+}
+
+}  // namespace ballpit

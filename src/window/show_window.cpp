@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "window/show_window.h"
+
+#include <array>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include "core/language.h"
+#include "core/numbers.h"
+
+namespace ballpit {
+
+std::span<const WindowKey> window_keys() {
+  static constexpr std::array kKeys{
+      WindowKey{GLFW_KEY_S, "S", "save a picture", [](ShowWindow& w) { w.save_picture(); }},
+      WindowKey{GLFW_KEY_F11, "F11", "full screen", [](ShowWindow& w) { w.toggle_full_screen(); }},
+      WindowKey{GLFW_KEY_F, "F", "full screen", [](ShowWindow& w) { w.toggle_full_screen(); }},
+      WindowKey{GLFW_KEY_ESCAPE, "Esc", "leave full screen", [](ShowWindow& w) { w.leave_full_screen(); }},
+      WindowKey{GLFW_KEY_TAB, "Tab", "hide the panel, or show it", [](ShowWindow& w) { w.toggle_panel(); }},
+  };
+  return kKeys;
+}
+
+ShowWindow::ShowWindow(Window& its_window, Demo& demo)
+    : SceneWindow(its_window),
+      demo_(demo),
+      drawing_(window.size().width, window.size().height, {}),
+      panel_(drawing_.renderer().sheet()),
+      saver_(demo) {
+  for (const Key& key : key_table()) panel_.keys.push_back({std::string(key.name), std::string(key.help)});
+  for (const WindowKey& key : window_keys()) panel_.keys.push_back({std::string(key.name), std::string(key.help)});
+  demo_.player.is_running = false;  // until somebody looks
+  panel_.hint(translated("Space: play     click: pick a sphere     F1: all keys"));
+}
+
+void ShowWindow::press(int code) {
+  panel_.end_hint();
+  for (const Key& key : key_table()) {
+    if (key.code == code) demo_.perform(key);
+  }
+  for (const WindowKey& key : window_keys()) {
+    if (key.code == code) key.act(*this);
+  }
+  if (demo_.shows_keys) panel_.is_shown = true;
+  demo_.touch();
+}
+
+void ShowWindow::draw(const WindowEvents& events, float elapsed) {
+  Renderer& renderer = drawing_.renderer();
+  const auto [width, height] = window.size();
+  if (renderer.width() != width || renderer.height() != height) renderer.resize(width, height);
+  drawing_.draw(demo_, {.left = left()});
+  panel_.density = window.density();
+  panel_.is_filming = saver_.is_filming();
+  if (events.was_released) panel_.end_hint();
+  panel_.draw(demo_, events.for_panel(elapsed));
+  renderer.copy_to_window();
+  window.show();
+  handle(panel_.requests);
+}
+
+void ShowWindow::handle(PanelRequests& requests) {
+  if (requests.picture) save_picture();
+  if (requests.state) saver_.save_state();
+  if (requests.film && saver_.is_filming()) {
+    saver_.stop_film();
+  } else if (requests.film) {
+    saver_.start_film(parse_size(requests.film_size), requests.film_frames);
+  }
+  requests.picture = requests.state = requests.film = false;
+}
+
+/// As the exercise sheet asks: spheres, method, milliseconds a step.
+std::string ShowWindow::title() {
+  const Report& report = demo_.report();
+  return fmt::format("Ballpit: {} spheres, {}, {} ms a step", grouped(report.count), report.broadphase,
+                     three_digits(demo_.player.mean_step_time()));
+}
+
+}  // namespace ballpit

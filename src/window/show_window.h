@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The window of `ballpit show`: a demonstration with its panel, and what it saves.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "window/panel.h"
+#include "window/saver.h"
+#include "window/scene_window.h"
+
+namespace ballpit {
+
+class ShowWindow;
+
+/// A key of the window itself; those of the demonstration: key_table().
+struct WindowKey {
+  int code;               ///< as GLFW has it
+  std::string_view name;  ///< as it is printed
+  std::string_view help;
+  void (*act)(ShowWindow&);
+};
+
+std::span<const WindowKey> window_keys();
+
+class ShowWindow final : public SceneWindow {
+ public:
+  ShowWindow(Window& its_window, Demo& demo);
+
+  void save_picture() { saver_.save_picture(window.size()); }
+  void toggle_full_screen() { window.set_full_screen(!window.is_full_screen()); }
+  void leave_full_screen() { window.set_full_screen(false); }
+  void toggle_panel() override { panel_.is_shown = !panel_.is_shown; }
+
+ private:
+  Demo& demo() override { return demo_; }
+  FrameView frame_view(float aspect) override { return demo_.frame_view(aspect); }
+  bool is_busy() const override { return saver_.is_filming() || panel_.is_hinting(); }
+  bool takes_mouse() const override { return panel_.has_mouse(); }
+  bool takes_keyboard() const override { return panel_.has_keyboard(); }
+  void advance(double elapsed) override { saver_.is_filming() ? saver_.advance() : SceneWindow::advance(elapsed); }
+  int left() const override { return width_beside(panel_, window.size(), demo_.view.ui_scale); }
+  void press(int code) override;
+  void draw(const WindowEvents& events, float elapsed) override;
+  std::string title() override;
+  void handle(PanelRequests& requests);
+
+  Demo& demo_;
+  DemoRenderer drawing_;
+  Panel panel_;
+  Saver saver_;
+};
+
+}  // namespace ballpit
