@@ -9,7 +9,8 @@ layout(std140, binding = 0) uniform Frame {
                         // edge [1/m]
   vec4 shadow;          // x: darkness of shadows on the floor
   vec4 background;      // colour
-  vec4 mark_color[18];  // in the order of enum class Mark
+  vec4 rim;             // colour of the rim that some marks have
+  vec4 mark_color[18];  // in the order of enum class Mark; w: width of the rim [line_unit], or 0
   vec2 viewport;        // [pixel]
   float pixel;          // length of one pixel at distance 1; at any distance if orthographic
   float line_unit;      // [pixel] 1/1080 of the picture's height

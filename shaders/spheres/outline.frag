@@ -3,7 +3,7 @@
 #include "frame.glsl"
 #include "shade.glsl"
 
-flat in vec3 color;
+flat in vec4 color;
 flat in float outline;
 flat in vec3 right;
 flat in vec3 up;
@@ -16,5 +16,6 @@ void main() {
   float from_center = length(disc);
   float coverage = (1 - from_center) * outline + 0.5;
   vec3 normal = outward + (disc.x * right + disc.y * up) / max(from_center, 1e-6);
-  fragment = vec4(shade(color, normal), coverage >= 1 ? 0 : max(coverage, 0.0));
+  vec3 shown = color.w > 0 ? frame.rim.rgb : shade(color.rgb, normal);
+  fragment = vec4(shown, coverage >= 1 ? 0 : max(coverage, 0.0));
 }

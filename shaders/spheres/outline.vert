@@ -7,7 +7,7 @@ layout(location = 0) in vec3 position;  // [m]
 layout(location = 1) in float radius;   // [m]
 layout(location = 2) in uint mark;
 
-flat out vec3 color;
+flat out vec4 color;     // w: whether it has a rim
 flat out float outline;  // radius [pixel]
 flat out vec3 right;     // of the disc, times the component of the normal in its plane
 flat out vec3 up;
@@ -31,7 +31,7 @@ void main() {
   up = cross(right, axis);
   outward = -sine * axis;
 
-  color = frame.mark_color[mark].rgb;
+  color = frame.mark_color[mark];
   outline = sine / (cosine * frame.pixel);
   disc = (vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2 - 1) * (1 + 0.5 / outline);
   vec3 point = distance * cosine * cosine * axis + r * (disc.x * right + disc.y * up);

@@ -8,6 +8,7 @@ flat in float curvature;
 flat in float power;
 flat in float covered;
 flat in vec3 color;
+flat in vec2 rim;
 in vec3 ray;
 in vec2 disc;
 
@@ -23,7 +24,12 @@ void main() {
   float t = (b - sqrt(max(0.0, b * b - a * power))) / a;
   vec3 hit = t * ray;
 
-  fragment = vec4(shade(color, (hit - center) * curvature), 1);
+  vec3 shown = shade(color, (hit - center) * curvature);
+  if (rim.x > 0) {
+    float inside = 1 - length(disc);
+    shown = mix(frame.rim.rgb, shown, clamp((inside - rim.x) / rim.y + 0.5, 0.0, 1.0));
+  }
+  fragment = vec4(shown, 1);
   float depth = 0.5 - 0.5 * (frame.projection[2].z + frame.projection[3].z / hit.z);
   gl_FragDepth = max(gl_FragCoord.z, depth);
 }

@@ -12,6 +12,7 @@ flat out float curvature; // 1/radius
 flat out float power;     // of the eye with respect to the sphere: distance² − radius²
 flat out float covered;   // squared length of disc up to which pixels are covered completely
 flat out vec3 color;
+flat out vec2 rim;        // width, and 1 [pixel], in lengths of disc; no rim: 0
 out vec3 ray;             // from the eye to the tangent plane
 out vec2 disc;            // on that plane; the outline is at length 1
 
@@ -37,6 +38,7 @@ void main() {
   power = distance * distance - r * r;
   covered = inner * inner;
   color = frame.mark_color[mark].rgb;
+  rim = vec2(min(frame.mark_color[mark].w * frame.line_unit / outline, 0.16), 1 / outline);
   disc = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2 - 1;
   ray = plane * axis + size * (disc.x * right + disc.y * up);
   gl_Position = frame.projection * vec4(ray, 1);

@@ -143,8 +143,7 @@ void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter&
   }
   const Vec2 corner(static_cast<float>(sheet.width()) - margin - kScaleColors * width,
                     margin + sheet.size_of("0").y + 6 * unit);
-  const float free = kScaleColors * width - sheet.size_of(coloring.label).x;  // a long name ends with the scale
-  sheet.text(corner + Vec2(std::min(0.0f, free), -6 * unit), kLowerLeft, ink, coloring.label);
+  sheet.text(corner + Vec2(kScaleColors * width, -6 * unit), {1, 1}, ink, coloring.label);
   for (int k = 0; k < kScaleColors; ++k) {
     const Vec2 low = corner + Vec2(static_cast<float>(k) * width, 0);
     sheet.box(low, low + Vec2(width, height), to_rgba(color_of(painter.theme, static_cast<int>(scale_mark(k)))));

@@ -2,6 +2,7 @@
 #include "render/page_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/painter.h"
 
@@ -11,8 +12,10 @@ namespace {
 
 // [1/1080 of the picture's height]
 constexpr float kMargin = 24, kPad = 10;
-constexpr float kTitle = 50, kCaption = 44;  // heights at a text scale of 1: a line, with its margins
-constexpr float kCodeWidth = 0.47f;          // of the picture's width
+constexpr float kSlides = 260;         // of "Slides 2–4" with its margins, in a lecture
+constexpr float kCodeWidth = 0.47f;    // of the picture's width
+constexpr float kCodeSpacing = 1.12f;  // from one line of code to the next [its height]
+constexpr float kMeanLetter = 0.43f;   // of a sentence [height of a line]
 
 /// The text in lines of at most `width` pixels, broken at blanks.
 std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, float width, TextSize size) {
@@ -36,7 +39,8 @@ std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, 
 void draw_code(const PageView& page, float top, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), width = kCodeWidth * static_cast<float>(sheet.width());
-  const float line = sheet.size_of("0", TextSize::code).y * 1.25f, left = static_cast<float>(sheet.width()) - width;
+  const float line = sheet.size_of("0", TextSize::code).y * kCodeSpacing,
+              left = static_cast<float>(sheet.width()) - width;
   const Vec2 corner(left, top);
   const float height = line * static_cast<float>(page.code.size()) + 2 * kPad * u;
   sheet.box(corner, {left + width - kMargin * u, top + height}, painter.ground(), 6 * u);
@@ -54,16 +58,20 @@ void draw_code(const PageView& page, float top, Painter& painter) {
     sheet.text({left + kPad * u, y}, kUpperLeft, painter.ink(), text, TextSize::small);
     y += sheet.size_of("0", TextSize::small).y;
   }
-  painter.note_left = left - kPad * u;
-  painter.noted = y;
+  painter.note_left = left - kPad * u / 2;
+  painter.note_width = width - 2 * kMargin * u;
+  painter.noted = y - kPad * u;
 }
 
 }  // namespace
 
-Room room_of(const PageView& page, float text_scale) {
+Room room_of(const PageView& page, float text_scale, float aspect) {
   Room room;
-  room.above = kTitle * (1 + text_scale) / 2 / 1080;
-  room.below = kCaption * text_scale / 1080;
+  room.above = (line_height(TextSize::title, text_scale) + kPad) / 1080;
+  const float line = line_height(TextSize::normal, text_scale);
+  const float width = 1080 * aspect - 2 * kMargin - (page.slides.empty() ? 0 : kSlides);
+  const float wanted = kMeanLetter * line * static_cast<float>(page.caption.size());
+  room.below = (line * std::ceil(std::max(wanted / width, 1.0f)) + 2 * kPad) / 1080;
   if (!page.code.empty()) room.right = kCodeWidth;
   return room;
 }
@@ -86,7 +94,9 @@ void draw_page(const PageView& page, Painter& painter) {
   const float u = sheet.unit(), width = static_cast<float>(sheet.width());
   const float title = sheet.size_of("0", TextSize::title).y + kPad * u;
   sheet.box({0, 0}, {width, title}, painter.ground());  // spheres may fly this high
-  sheet.text({kMargin * u, kPad * u / 2}, kUpperLeft, painter.ink(), page.title, TextSize::title);
+  const bool fits = sheet.size_of(page.title, TextSize::title).x <= width - 2 * kMargin * u;
+  sheet.text({kMargin * u, kPad * u / 2}, kUpperLeft, painter.ink(), page.title,
+             fits ? TextSize::title : TextSize::small);
   painter.noted = title;
   const float slides = page.slides.empty() ? 0 : sheet.size_of(page.slides, TextSize::small).x + 2 * kMargin * u;
   const std::vector<std::string> lines =

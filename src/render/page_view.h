@@ -37,8 +37,8 @@ struct PageView {
   bool has_no_scene = false;  ///< only text is shown: a page that failed to load
 };
 
-/// The parts of the picture that the page needs, beside what overlays take below.
-Room room_of(const PageView& page, float text_scale);
+/// The parts of a picture of this aspect that the page needs, beside what overlays take below.
+Room room_of(const PageView& page, float text_scale, float aspect);
 
 /// Marks element `index` of an array, whose box is drawn from `low` to `high` [pixel], if the step has touched it: an
 /// outline, and the old value struck through.

@@ -16,11 +16,12 @@ void draw_swatch(Sheet& sheet, const NotePart& part, Vec2 at) {
     case Swatch::none:
       break;
     case Swatch::line:
-      sheet.line(at, end, color, 3 * u);
+      sheet.line(at, end, to_rgba(rim_of(part.color)), 7 * u);
+      sheet.line(at, end, color, 4 * u);
       break;
     case Swatch::bold:
       sheet.line(at, end, color, 15 * u);
-      sheet.line(at, end, to_rgba(0.45f * part.color), 7 * u);
+      sheet.line(at, end, to_rgba(rim_of(part.color)), 7 * u);
       break;
     case Swatch::arrow:
       sheet.arrow(at, end, color, 4 * u);
@@ -37,24 +38,43 @@ void draw_swatch(Sheet& sheet, const NotePart& part, Vec2 at) {
 
 }  // namespace
 
-void Painter::note(const std::vector<NotePart>& parts) {
-  const float u = sheet.unit(), height = sheet.size_of("0").y + kPad * u;
+void Painter::draw_notes() {
+  constexpr TextSize kSize = TextSize::small;
+  const float u = sheet.unit(), height = sheet.size_of("0", kSize).y + kPad * u / 2;
   const float sample = (kSample + kPad) * u, space = 2.5f * kPad * u;
-  float width = 0;
-  for (const NotePart& part : parts) {
-    width += sheet.size_of(part.text).x + space + (part.swatch == Swatch::none ? 0 : sample);
-  }
-  Vec2 at(kMargin * u + note_left, kMargin * u + noted + height / 2);
-  sheet.box(at - Vec2(kPad * u, height / 2), at + Vec2(width - space + kPad * u, height / 2), ground());
-  for (const NotePart& part : parts) {
-    if (part.swatch != Swatch::none) {
-      draw_swatch(sheet, part, at);
-      at.x += sample;
+  const auto width_of = [&](const NotePart& part) {
+    return sheet.size_of(part.text, kSize).x + space + (part.swatch == Swatch::none ? 0 : sample);
+  };
+  const float left = kMargin * u + note_left;
+  float y = kMargin * u + noted;
+  for (const std::vector<NotePart>& parts : notes) {
+    for (size_t first = 0, end = 0; first < parts.size(); first = end) {  // the lines of a note
+      float width = 0;
+      while (end < parts.size() && (end == first || note_width <= 0 || width + width_of(parts[end]) <= note_width)) {
+        width += width_of(parts[end++]);
+      }
+      sheet.box({left - kPad * u, y}, {left + width - space + kPad * u, y + height}, ground());
+      Vec2 at(left, y + height / 2);
+      for (size_t k = first; k < end; ++k) {
+        const bool has_sample = parts[k].swatch != Swatch::none;
+        if (has_sample) draw_swatch(sheet, parts[k], at);
+        sheet.text(at + Vec2(has_sample ? sample : 0, 0), kLeft, ink(), parts[k].text, kSize);
+        at.x += width_of(parts[k]);
+      }
+      y += height;
     }
-    sheet.text(at, kLeft, ink(), part.text);
-    at.x += sheet.size_of(part.text).x + space;
   }
-  noted += height;
+  notes.clear();
+}
+
+void Painter::draw_rimmed(const std::vector<Line>& lines_, const Vec3& rim_color, float width, float rim) {
+  std::vector<Line> rims = lines_;
+  const Rgba color = to_rgba(rim_color) & 0xFFFFFFu;
+  for (Line& line : rims) {
+    for (Rgba* end : {&line.color_a, &line.color_b}) *end = color | (*end & 0xFF000000u);
+  }
+  lines.draw(rims, (width + 2 * rim) * line_unit);
+  lines.draw(lines_, width * line_unit);
 }
 
 float Painter::take_strip(float height) {

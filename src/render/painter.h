@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/numbers.h"
+#include "render/body_buffer.h"
 #include "render/frame_view.h"
 #include "render/sheet.h"
 #include "render/theme.h"
@@ -36,14 +37,22 @@ struct Painter {
   FaceRenderer& faces;
   Sheet& sheet;  ///< in pixels, in front of everything that is drawn in space
   const Theme& theme;
-  float line_unit;      ///< [pixel] 1/1080 of the picture's height, so that lines look the same at every size
-  float noted = 0;      ///< [pixel] height of the notes so far
-  float note_left = 0;  ///< [pixel] where they begin
-  float taken = 0;      ///< [pixel] height of the strips so far
+  float line_unit;       ///< [pixel] 1/1080 of the picture's height, so that lines look the same at every size
+  float noted = 0;       ///< [pixel] where the notes begin: their upper edge
+  float note_left = 0;   ///< [pixel] their left edge
+  float note_width = 0;  ///< [pixel] a longer note continues in the next line; 0: none does
+  float taken = 0;       ///< [pixel] height of the strips so far
+  const std::vector<Mark>* marks = nullptr;  ///< of the bodies, where a colouring has set them
+  std::vector<std::vector<NotePart>> notes{};
 
-  /// Adds a line to the legend in the upper left corner.
-  void note(const std::vector<NotePart>& parts);
+  /// Adds a line to the legend in the upper left corner. All are drawn at last, in front of everything.
+  void note(std::vector<NotePart> parts) { notes.push_back(std::move(parts)); }
   void note(const std::string& text) { note({{Swatch::none, {}, text}}); }
+  void draw_notes();
+
+  /// Draws lines with a rim on both sides, which keeps them visible on spheres and on either ground. `width` and `rim`
+  /// in 1/1080 of the picture's height.
+  void draw_rimmed(const std::vector<Line>& lines, const Vec3& rim_color, float width, float rim);
 
   /// Takes a strip at the lower edge, over the whole width, and gives it a translucent ground. Returns its top [pixel].
   float take_strip(float height);
@@ -99,6 +108,14 @@ inline float line_scale(const FrameView& view, const Projection& projection, flo
   if (radius.empty() || !projection.sees(middle)) return 1;
   const float mean = std::accumulate(radius.begin(), radius.end(), 0.0f) / static_cast<float>(radius.size());
   return std::clamp(projection.length_at(middle, mean) / (kFull * unit), kMin, 1.0f);
+}
+
+/// How visible lines in a box are, by their depth: from 1 at the front of the box to a quarter at its back.
+inline float fade_at(const Vec3& point, const Vec3& min, const Vec3& max, const Camera& camera) {
+  constexpr float kFarthest = 0.25f;
+  const float middle = length((min + max) / 2.0f - camera.eye), reach = length(max - min) / 2;
+  const float way = (length(point - camera.eye) - (middle - reach)) / (2 * reach);
+  return 1 + (kFarthest - 1) * std::clamp(way, 0.0f, 1.0f);
 }
 
 /// (1, "contact") → "1 contact"; (1200, "contact") → "1 200 contacts".

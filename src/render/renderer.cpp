@@ -26,10 +26,12 @@ int checked_side(int width, int height, int side) {
 /// In the layout of shaders/frame/frame.glsl (std140).
 struct FrameBlock {
   Mat4 view, projection;
-  Vec4 key_light, halfway, sky, units, shadow, background, mark_color[2 + kScaleColors];
+  Vec4 key_light, halfway, sky, units, shadow, background, rim, mark_color[2 + kScaleColors];
   Vec2 viewport;
   float pixel, line_unit;
 };
+
+constexpr float kContactRim = 6;  // [1/1080 of the picture's height]
 
 /// For a picture of this size [pixel]: for all shaders used from now on.
 void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& theme, int width, int height) {
@@ -46,7 +48,11 @@ void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& th
   uniforms.units = Vec4(domain.min, 1 / domain.longest_edge());
   uniforms.shadow = Vec4(theme.shadow, 0, 0, 0);
   uniforms.background = Vec4(theme.background, 1);
-  for (int mark = 0; mark < 2 + kScaleColors; ++mark) uniforms.mark_color[mark] = Vec4(color_of(theme, mark), 1);
+  uniforms.rim = Vec4(rim_of(theme.contact), 0);
+  for (int mark = 0; mark < 2 + kScaleColors; ++mark) {
+    const bool is_contact = mark == static_cast<int>(Mark::contact);
+    uniforms.mark_color[mark] = Vec4(color_of(theme, mark), is_contact ? kContactRim : 0);
+  }
   uniforms.viewport = Vec2(width, height);
   uniforms.pixel = camera.pixel_size(1.0f, height);
   uniforms.line_unit = static_cast<float>(height) / 1080.0f;
@@ -55,8 +61,7 @@ void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& th
 }
 
 constexpr float kWidth = 4.0f;  // of edges [1/1080 of the picture's height]
-constexpr float kOpacity = 0.6f;
-constexpr float kRise = 0.1f;  // of the box's height: by how much upright edges of an open box are longer
+constexpr float kRise = 0.1f;   // of the box's height: by how much upright edges of an open box are longer
 
 /// Planar scenes have no floor.
 void draw_floor(const DomainBox& domain, Painter& painter) {
@@ -67,7 +72,7 @@ void draw_floor(const DomainBox& domain, Painter& painter) {
 
 /// The edges of the box. Without a ceiling, the upright ones continue above it and fade.
 void draw_edges(const DomainBox& domain, Painter& painter) {
-  const Rgba color = to_rgba(painter.theme.domain, kOpacity), faded = to_rgba(painter.theme.domain, 0);
+  const Rgba color = to_rgba(painter.theme.domain), faded = to_rgba(painter.theme.domain, 0);
   const Vec3 low = domain.min, size = domain.max - low, x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
   std::vector<Line> lines;
   const auto add = [&](const Vec3& from, const Vec3& to) { lines.push_back({from, color, to, color}); };
@@ -175,6 +180,9 @@ void Renderer::set_state() {
 void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, const Colored& colored) {
   const int height = canvas().height;
   Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f};
+  const auto width = static_cast<float>(sheet_.width());
+  painter.note_width = (view.domain.is_planar() ? 0.2f : 0.45f) * width;
+  if (!colored.marks.empty()) painter.marks = &colored.marks;
   if (view.page) {
     draw_page(*view.page, painter);
     if (view.page->has_no_scene) return;
@@ -184,6 +192,7 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
   body_renderer_.draw(bodies_, view, height);
   draw_overlays(view, painter, false);
   draw_edges(view.domain, painter);
+  painter.draw_notes();
   draw_legend(coloring, colored, painter);
 }
 

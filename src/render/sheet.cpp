@@ -18,12 +18,13 @@ namespace ballpit {
 
 namespace {
 
-constexpr std::array<float, 5> kSizes{22, 26, 38, 22, 22};  // [pixel] at 1080 lines, in the order of TextSize
-constexpr float kSmallest = 9;                              // [pixel] smaller letters are not legible
-constexpr float kLargest = 128;                             // [pixel] larger letters are magnified, to save memory
-constexpr float kFine = 64;    // [pixel] up to this size, letters are sampled twice horizontally
-constexpr float kHead = 4.5f;  // of an arrow [width of its line]
-constexpr float kDots = 2.5f;  // from one dot to the next [width]
+// In the order of TextSize: [pixel] at 1080 lines, and by which part of the text scale it grows.
+constexpr std::array<float, 5> kSizes{36, 40, 48, 22, 22}, kGrowth{0.42f, 0.75f, 0.42f, 0, 0};
+constexpr float kSmallest = 9;   // [pixel] smaller letters are not legible
+constexpr float kLargest = 128;  // [pixel] larger letters are magnified, to save memory
+constexpr float kFine = 64;      // [pixel] up to this size, letters are sampled twice horizontally
+constexpr float kHead = 4.5f;    // of an arrow [width of its line]
+constexpr float kDots = 2.5f;    // from one dot to the next [width]
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
@@ -67,6 +68,11 @@ ImGuiContext* make_context() {
 
 }  // namespace
 
+float line_height(TextSize size, float text_scale) {
+  const auto k = static_cast<size_t>(size);
+  return kSizes[k] * (1 + kGrowth[k] * (text_scale - 1));
+}
+
 Sheet::Sheet() : context_(make_context()) {
   ImGui::SetCurrentContext(context_);
   ImGui::GetIO().IniFilename = nullptr;  // ImGui must not write a file for the state of its windows
@@ -95,11 +101,8 @@ void Sheet::load_fonts() {
     const auto kind = static_cast<TextSize>(k);
     const bool is_panel = kind == TextSize::panel, is_code = kind == TextSize::code;
     const float min = kSmallest * (is_panel ? panel_density_ : 1);
-    const float scale = is_panel                  ? panel_scale_
-                        : is_code                 ? 1
-                        : kind == TextSize::title ? (1 + text_scale_) / 2
-                                                  : text_scale_;
-    const float size = std::max(min, std::round(kSizes[k] * unit() * scale)), drawn = std::min(size, kLargest);
+    const float height = is_panel ? kSizes[k] * panel_scale_ : line_height(kind, text_scale_);
+    const float size = std::max(min, std::round(height * unit())), drawn = std::min(size, kLargest);
     config.OversampleH = drawn <= kFine ? 2 : 1;
     const auto add = [&](const unsigned char* font, size_t bytes, const ImWchar* ranges) {
       return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(font), static_cast<int>(bytes), drawn, &config,
@@ -184,6 +187,15 @@ void Sheet::text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, Text
   const ImFont* font = this->font(size);
   list_->AddText(font, font->FontSize * font->Scale, {std::round(corner.x), std::round(corner.y)}, color, text.data(),
                  text.data() + text.size());
+}
+
+void Sheet::bordered_text(Vec2 at, Anchor anchor, Rgba color, Rgba border, std::string_view text, TextSize size) {
+  const float width = std::max(1.0f, std::round(2.5f * unit()));
+  for (const Vec2& way :
+       {Vec2(-1, -1), Vec2(0, -1), Vec2(1, -1), Vec2(-1, 0), Vec2(1, 0), Vec2(-1, 1), Vec2(0, 1), Vec2(1, 1)}) {
+    this->text(at + width * way, anchor, border, text, size);
+  }
+  this->text(at, anchor, color, text, size);
 }
 
 void Sheet::line(Vec2 a, Vec2 b, Rgba color, float width) {

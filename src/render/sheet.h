@@ -20,9 +20,14 @@ struct ImFont;
 
 namespace ballpit {
 
-/// At 1080 lines: 22, 26 and 38 pixels, 22 for the panel, and 22 for code, whose letters have equal widths; in
-/// proportion at other heights, at least 9. Panel and scene have scales of their own.
+/// At 1080 lines: 36, 40 and 48 pixels, 22 for the panel, and 22 for code, whose letters have equal widths; in
+/// proportion at other heights, at least 9. Digits and capitals are 0.6 times as high. Panel and scene have scales of
+/// their own: with 1.6, that of a lecture, the sizes are 45, 58 and 60. Captions grow most: numbers must still fit into
+/// boxes and cells.
 enum class TextSize { small, normal, title, panel, code };
+
+/// [1/1080 of the picture's height] of a line of the scene's text at this scale.
+float line_height(TextSize size, float text_scale);
 
 /// The point of a text that a position refers to: fractions of its width and height, from the upper left.
 struct Anchor {
@@ -40,7 +45,7 @@ class Sheet {
   Sheet& operator=(const Sheet&) = delete;
 
   /// For a picture of this size, whose first `left` pixels of width belong to a panel: x starts there. `scale` is that
-  /// of the scene's text; titles grow by half as much.
+  /// of the scene's text.
   void begin(int width, int height, int left = 0, float scale = 1);
   void draw();
 
@@ -51,6 +56,8 @@ class Sheet {
 
   Vec2 size_of(std::string_view text, TextSize size = TextSize::normal) const;  ///< [pixel]
   void text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size = TextSize::normal);
+  /// With a border in another colour, so that it is legible over anything.
+  void bordered_text(Vec2 at, Anchor anchor, Rgba color, Rgba border, std::string_view text, TextSize size);
 
   void line(Vec2 a, Vec2 b, Rgba color, float width);
   void dotted(Vec2 a, Vec2 b, Rgba color, float width);
@@ -69,6 +76,7 @@ class Sheet {
   /// For the panel: the context that must be current while it is drawn.
   ImGuiContext* context() const { return context_; }
   ImFont* font(TextSize size) const { return fonts_[static_cast<size_t>(size)]; }
+  float text_scale() const { return text_scale_; }
 
  private:
   void load_fonts();

@@ -16,6 +16,14 @@ constexpr int64_t kMaxForPicked = 100'000;           // candidates, and spheres,
 constexpr size_t kMaxMoments = 240;
 constexpr int64_t kMaxForOracle = 20'000;  // spheres among which brute force searches for missed contacts
 
+/// [m/s] After a fall through the domain, or at the start if that is faster.
+float typical_speed(const Scene& scene) {
+  const Vec3d size = scene.domain.max - scene.domain.min;
+  double squared = 2 * length(scene.physics.gravity) * std::max({size.x, size.y, size.z});
+  for (const Vec3d& velocity : scene.bodies.velocity) squared = std::max(squared, dot(velocity, velocity));
+  return static_cast<float>(std::sqrt(squared));
+}
+
 }  // namespace
 
 Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : session(scene, given) { begin_world(); }
@@ -147,7 +155,17 @@ FrameView Demo::frame_view(float aspect, bool is_written) {
   const Camera camera =
       leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, seen, view.text_scale));
   const auto step = static_cast<float>(session.settings().dt / session.settings().substeps);
-  return {seen, box, camera, view.overlays, view.selected, view.coloring, step, left_out_, is_written};
+  return {seen,
+          box,
+          camera,
+          view.overlays,
+          view.selected,
+          view.coloring,
+          step,
+          left_out_,
+          is_written,
+          nullptr,
+          view.shows("velocity") ? typical_speed(session.scene()) : 0};
 }
 
 const Inspection& Demo::inspect(Wanted wanted) {

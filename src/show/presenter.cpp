@@ -211,7 +211,7 @@ PageView Presenter::describe_page() {
 FrameView Presenter::frame_view(float aspect) {
   const FrameView whole = demo_->frame_view(aspect);
   page_view_ = describe_page();
-  Room room = room_of(page_view_, text_scale);
+  Room room = room_of(page_view_, text_scale, aspect);
   room.below += room_below(whole.overlays, inspection_, text_scale);
   const float part = aspect * room.width() / room.height();
   const Camera camera = leave_room(camera_of(demo_->view, whole.domain, part), room, aspect);
@@ -220,8 +220,8 @@ FrameView Presenter::frame_view(float aspect) {
     const Operation& shown = run_->record.operations[cursor_ - 1];
     selected = run_->record.values_after(0, cursor_)[static_cast<size_t>(shown.thread)] / 2;
   }
-  return {inspection_,    whole.domain, camera,         whole.overlays, selected,
-          whole.coloring, whole.step,   whole.left_out, false,          &page_view_};
+  return {inspection_, whole.domain,   camera, whole.overlays, selected,           whole.coloring,
+          whole.step,  whole.left_out, false,  &page_view_,    whole.typical_speed};
 }
 
 }  // namespace ballpit

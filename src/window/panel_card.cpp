@@ -69,9 +69,9 @@ void Panel::draw_card(Demo& demo) {
   row("sphere", std::to_string(i));
   row("place", place + " m");
   row("speed", with_unit(double(length(inspection.bodies.velocity_of(i))), "m/s"));
-  row("touches", counted_numbers(partners_of(inspection.contacts, i)));
+  row("touches", counted_numbers(touching(inspection, i)));
   if (const std::vector<int32_t> missed = partners_of(inspection.missed, i); !missed.empty()) {
-    row("touches, missed", counted_numbers(missed));
+    row("missed", counted_numbers(missed));
   }
   draw_places(inspection, i);
   const std::vector<Endpoint>& ends = inspection.endpoints;

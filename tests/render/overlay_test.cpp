@@ -78,7 +78,7 @@ TEST_CASE("a contact is a bold orange line with a dark core, a candidate apart a
   add_candidates(inspection);
   const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
   const Image image = draw(view, kSize, kSize);
-  CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), 0.45f * kTheme.contact, 0) < 24);
+  CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), rim_of(kTheme.contact), 0) < 24);
   CHECK(nearest_difference(image, place(view, {2.25f, 3.4f, 0}), kTheme.candidate, 1) < 50);
   CHECK(nearest_difference(image, place(view, {3.4f, 3.4f, 0}), kTheme.candidate, 4) > 60);
 }
@@ -141,7 +141,8 @@ TEST_CASE("a note reports a grid with too many cells, and its arrays are still d
   grid.next.clear();
   grid.arrays = CellArrays{false, true, {-1, 0, -1, -1}, {-1}};
   for (const OverlayEntry& entry : overlay_table()) {
-    if (entry.name == "grid") CHECK(entry.lack(inspection) == "this broad phase has too many cells to show");
+    if (entry.name == "grid")
+      CHECK(entry.lack(inspection) == "this broad phase has too many cells to show; enlarge them");
     if (entry.name == "lists") CHECK(entry.lack(inspection) == "");
   }
   const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
@@ -170,6 +171,92 @@ TEST_CASE("the fastest sphere's arrow is a twelfth of the picture long and ends 
   CHECK(is_drawn(tip.x - 2));
   CHECK_FALSE(is_drawn(tip.x + 2));
   CHECK_FALSE(is_drawn(centre.x - 3));
+}
+
+TEST_CASE("spheres that are slow for their scene have short arrows, and those at rest none") {
+  Inspection inspection = three();
+  inspection.contacts.clear();
+  inspection.bodies.velocity = {0, 0, 0, 0, 0.00017f, 0};
+  FrameView view = view_of(inspection, kPlane, 1, {"velocity"});
+  view.typical_speed = 4;
+  const Vec2 centre = place(view, {2.5f, 4.3f, 0});
+  const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
+  const auto arrow = [&] {
+    const Image image = draw(view, kSize, kSize);
+    int columns = 0;
+    for (int x = static_cast<int>(centre.x); x < kSize; ++x) {
+      const int y = static_cast<int>(centre.y);
+      columns += difference(image.pixel(x, y), plain.pixel(x, y)) > 8;
+    }
+    return columns;
+  };
+  CHECK(arrow() == 0);
+  inspection.bodies.velocity[4] = 0.1f;  // a fortieth of the typical speed: half of an arrow
+  CHECK(arrow() == Approx(kSize / 24.0).margin(3));
+  inspection.bodies.velocity[4] = 1;
+  CHECK(arrow() == Approx(kSize / 12.0).margin(3));
+}
+
+TEST_CASE("the line of a candidate ends at the surfaces of both spheres") {
+  Inspection inspection = inspect({{{1, 2.5f, 0}, 0.6f}, {{4, 2.5f, 0}, 0.6f}}, kPlane);
+  inspection.candidates = {{0, 1}};
+  const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
+  const Image image = draw(view, kSize, kSize), plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
+  const auto is_drawn = [&](float x) {
+    const Vec2 at = place(view, {x, 2.5f, 0});
+    return difference(image.pixel(int(at.x), int(at.y)), plain.pixel(int(at.x), int(at.y))) > 8;
+  };
+  for (const float x : {1.0f, 1.3f, 3.7f, 4.0f}) CHECK_FALSE(is_drawn(x));
+  for (const float x : {1.7f, 2.5f, 3.3f}) CHECK(is_drawn(x));
+}
+
+TEST_CASE("the candidates of the selected sphere and paths are visible through nearer spheres") {
+  const DomainBox box;
+  const auto visible = [&](const char* overlay, bool is_selected) {
+    const Vec3 eye = view_of(inspect({}, box), box, 1).camera.eye, middle(0.5f), near = normalize(eye - middle);
+    const Vec3 across = normalize(glm::cross(near, Vec3(0, 1, 0)));
+    const std::vector<Sphere> spheres{
+        {middle - 0.3f * across, 0.03f}, {middle + 0.3f * across, 0.03f}, {middle + 0.3f * near, 0.2f}};
+    Inspection inspection = inspect(spheres, box);
+    inspection.candidates = {{0, 1}};
+    for (int axis = 0; axis < 3; ++axis) inspection.bodies.velocity.push_back(0.6f * across[axis]);
+    inspection.bodies.velocity.resize(9, 0);
+    FrameView view = view_of(inspection, box, 1, {overlay});
+    view.selected = is_selected ? 0 : -1;
+    view.step = 1;
+    const Image plain = draw(view_of(inspection, box, 1), kSize, kSize), image = draw(view, kSize, kSize);
+    const Vec2 at = place(view, middle);
+    int drawn = 0;
+    for (int y = -20; y <= 20; ++y) {  // the border of a path is a radius away from the middle
+      const int u = static_cast<int>(at.x), v = static_cast<int>(at.y) + y;
+      drawn += difference(image.pixel(u, v), plain.pixel(u, v)) > 8;
+    }
+    return drawn > 0;
+  };
+  CHECK_FALSE(visible("pairs", false));
+  CHECK(visible("pairs", true));
+  CHECK(visible("swept", false));
+}
+
+TEST_CASE("many candidates in space are fainter than few, and far ones fainter than near ones") {
+  constexpr int kLarge = 1080;
+  const DomainBox box;
+  const auto darkness = [&](int copies, float z) {
+    Inspection inspection = inspect({{{0.3f, 0.5f, z}, 0.05f}, {{0.7f, 0.5f, z}, 0.05f}}, box);
+    inspection.candidates = {{0, 1}};
+    inspection.bodies.count = 2 + copies;
+    for (int k = 0; k < copies; ++k) {  // the others are outside of the picture
+      for (const float x : {0.0f, 900.0f, 0.0f}) inspection.bodies.position.push_back(x);
+      inspection.bodies.radius.push_back(0.05f);
+      if (k > 0) inspection.candidates.push_back({k + 1, k + 2});
+    }
+    const FrameView view = view_of(inspection, box, 1, {"pairs"});
+    const Image image = draw(view, kLarge, kLarge);
+    const Vec2 at = place(view, {0.5f, 0.5f, z}, kLarge);
+    return nearest_difference(image, at, Vec3(0), 2);
+  };
+  CHECK(darkness(0, 0.9f) + 20 < darkness(0, 0.1f));
+  CHECK(darkness(0, 0.9f) + 20 < darkness(3000, 0.9f));
 }
 
 TEST_CASE("a swept way is drawn beside the sphere's path, with a ring at the end of the step") {
@@ -293,7 +380,7 @@ TEST_CASE("thirty thousand candidates are only counted, but contacts are drawn")
   for (int k = 0; k < 30000; ++k) inspection.candidates.push_back({k, k + 1});
   const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
   const Image image = draw(view, kSize, kSize);
-  CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), 0.45f * kTheme.contact, 0) < 24);
+  CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), rim_of(kTheme.contact), 0) < 24);
 }
 
 TEST_CASE("a page's title is legible in front of spheres") {

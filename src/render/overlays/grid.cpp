@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <fmt/format.h>
+
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
@@ -19,7 +21,6 @@ namespace ballpit {
 namespace {
 
 constexpr float kEdgeWidth = 2.0f;       // [1/1080 of the picture's height]
-constexpr float kLegibleCell = 40.0f;    // [pixel]
 constexpr int64_t kMaxWithEdges = 4000;  // occupied cells
 
 /// 0 to 1: one body is clearly visible, and counts up to about eight look different.
@@ -44,14 +45,8 @@ int fullest_around_edge(const GridInspection& grid, const std::vector<int>& coun
   return fullest;
 }
 
-/// An opacity that falls with the distance from the viewer: from 1 at the front of the grid to a quarter at its back.
 float fade_at(const Vec3& point, const GridInspection& grid, const Camera& camera) {
-  constexpr float kFarthest = 0.25f;
-  const Vec3 size = grid.edge * Vec3(grid.cells);
-  const float middle = length(grid.origin + size / 2.0f - camera.eye);
-  const float nearest = middle - length(size) / 2, farthest = middle + length(size) / 2;
-  const float way = (length(point - camera.eye) - nearest) / (farthest - nearest);
-  return 1 + (kFarthest - 1) * std::clamp(way, 0.0f, 1.0f);
+  return ballpit::fade_at(point, grid.origin, grid.origin + grid.edge * Vec3(grid.cells), camera);
 }
 
 /// Adds the lattice's edges along `axis` through `start`; neighbours with equal counts become one line.
@@ -121,7 +116,7 @@ std::vector<Face> occupied_faces(const GridInspection& grid, const std::vector<i
 /// The borders of all cells, except on the edges of the domain.
 std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domain, const Theme& theme) {
   std::vector<Line> lines;
-  const Rgba color = to_rgba(theme.grid, 0.7f);
+  const Rgba color = to_rgba(theme.grid);
   const auto on_border = [&](const Vec3& point, int axis) {
     const float tolerance = 1e-3f * grid.edge[axis];
     return std::abs(point[axis] - domain.min[axis]) < tolerance || std::abs(point[axis] - domain.max[axis]) < tolerance;
@@ -138,17 +133,21 @@ std::vector<Line> plane_lines(const GridInspection& grid, const DomainBox& domai
   return lines;
 }
 
-/// Writes the number of bodies into the upper right corner of each occupied cell.
+/// Writes "n = 2" into the upper right corner of each occupied cell, if there is room.
 void draw_counts(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
-  if (projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y)) < kLegibleCell) return;
+  const auto text_of = [](int count) { return fmt::format("n = {}", count); };
+  const Vec2 widest = painter.sheet.size_of(text_of(*std::max_element(counts.begin(), counts.end())), TextSize::small);
+  const Vec2 inset = Vec2(8, 3) * painter.sheet.unit(), wanted = widest + 2.0f * inset;
+  const Vec2 cell(projection.length_at(grid.origin, grid.edge.x), projection.length_at(grid.origin, grid.edge.y));
+  if (cell.x < wanted.x || cell.y < 1.5f * wanted.y) return;
   for (int y = 0; y < grid.cells.y; ++y) {
     for (int x = 0; x < grid.cells.x; ++x) {
       const int count = counts[index_of(grid, {x, y, 0})];
       if (count == 0) continue;
       const Vec2 corner = projection.at(lattice_point(grid, view.domain, {x + 1, y + 1, 0}));
-      painter.sheet.text(corner + Vec2(-5, 3) * painter.sheet.unit(), kUpperRight, painter.ink(), std::to_string(count),
-                         TextSize::small);
+      painter.sheet.bordered_text(corner + Vec2(-inset.x, inset.y), kUpperRight, to_rgba(painter.theme.cell_text),
+                                  to_rgba(painter.theme.background), text_of(count), TextSize::small);
     }
   }
 }

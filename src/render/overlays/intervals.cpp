@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Shows sort and sweep (slides 2 to 4): the axis beside the scene, the begin and end of each sphere on it, the sorted
-// list and the walk of one thread along that list.
+// Shows sort and sweep (slides 2 to 4): the axis beside the scene, the begin and end of each sphere on it, and the sorted
+// list.
 //
 //          ( 0 )  ( 1 )
 //          ⋮   ⋮  ⋮   ⋮                dotted: from a sphere's ends to the axis
 //     ─────[───]──[───]─────▶ x        begin: a filled bracket; end: a hollow one
-//          b0  e0 b1  e1
-//           ┌─────────┐   T         the list, and an arrow from the thread's begin to its end; the begins that it
-//     ┌──┬──┴──┬──┬───▼┬──┐         meets are sky; ends are grey: their threads return at once
-//     │b0│ b1  │b2│ e1 │e0│
-//     └──┴─────┴──┴────┴──┘
+//          │   ╎   ╲   ╲               from each mark to its entry: crossing lines show that the list is unsorted
+//     ┌──┬───┬───┬───┬──┐
+//     │b0│e0 │b1 │b2 │e1│              the list: interval_list.h
+//     └──┴───┴───┴───┴──┘
 //
-// With many spheres there is only room for the brackets. Cost: proportional to the number of spheres.
+// Without a list, the names stand at the brackets. With many spheres there is only room for the brackets. Cost:
+// proportional to the number of spheres.
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
-#include "render/overlays/overlay.h"
-#include "render/page_view.h"
+#include "render/overlays/interval_list.h"
 
 namespace ballpit {
 
@@ -30,13 +27,8 @@ constexpr float kBracket = 16, kSerif = 8, kLabels = 20;  // on the axis
 constexpr float kDistance = 34;                           // from the domain's edge to the axis
 constexpr float kBeyond = 26;                             // by how much the axis is longer at both ends
 
-constexpr float kRows = 3;             // of labels
-constexpr size_t kMaxLabels = 2 * 24;  // the endpoints of a longer list have no names
-
-/// "b3" or "e3".
-std::string name_of(const Endpoint& endpoint) {
-  return fmt::format("{}{}", endpoint.is_end ? 'e' : 'b', endpoint.body);
-}
+constexpr float kAbove = 96;  // from the brackets to the boxes of the list
+constexpr int kRows = 3;      // of labels
 
 /// How far outside an edge of the domain lies in the picture: the axis is drawn beside the outermost one.
 float outwardness(const Vec2& middle, bool is_upright) { return is_upright ? -middle.x : middle.y; }
@@ -96,7 +88,7 @@ void SweepAxis::draw(Painter& painter) const {
   const char* name = axis == 0 ? "x" : axis == 1 ? "y" : "z";
   const Vec2 end = at(high) + kBeyond * u * along;
   sheet.arrow(at(low) - kBeyond * u * along, end, painter.ink(0.8f), 3 * u);
-  sheet.text(end + 16 * u * (is_upright ? -outward : along), kCentre, painter.ink(), name);
+  sheet.text(end + 16 * u * (is_upright ? -outward : along), kCentre, painter.ink(), name, TextSize::small);
 }
 
 /// A bracket at the endpoint: [ filled, ] hollow.
@@ -121,18 +113,35 @@ void draw_ticks(const std::vector<Endpoint>& endpoints, const SweepAxis& axis, P
     const Vec2 at = axis.at(endpoint.at), way = (endpoint.is_end ? kBracket : -kBracket) * u * axis.outward;
     if (length(at - last[endpoint.is_end]) < kMinDistance) continue;
     last[endpoint.is_end] = at;
-    painter.sheet.line(at, at + way, to_rgba(painter.theme.begin, endpoint.is_end ? 0.4f : 0.8f), 1.5f * u);
+    painter.sheet.line(at, at + way, to_rgba(painter.theme.begin), (endpoint.is_end ? 1 : 2) * u);
   }
 }
 
+/// From the sphere's surface to the axis, interrupted by the other spheres.
 void draw_drops(const FrameView& view, const SweepAxis& axis, const Projection& projection, Painter& painter) {
+  constexpr float kDot = 3, kEvery = 7;  // [1/1080 of the picture's height]
   const Inspection& inspection = view.inspection;
+  const BodySnapshot& bodies = inspection.bodies;
+  const float u = painter.sheet.unit();
+  std::vector<std::pair<Vec2, float>> discs;
+  for (int64_t i = 0; i < bodies.count; ++i) {
+    const Vec3 centre = bodies.position_of(i);
+    if (projection.sees(centre)) {
+      discs.emplace_back(projection.at(centre), projection.length_at(centre, bodies.radius_of(i)));
+    }
+  }
   for (const Endpoint& endpoint : inspection.endpoints) {
-    Vec3 extreme = inspection.bodies.position_of(endpoint.body);
+    Vec3 extreme = bodies.position_of(endpoint.body);
     extreme[inspection.axis] = endpoint.at;
     if (!projection.sees(extreme)) continue;
-    painter.sheet.dotted(projection.at(extreme), axis.at(endpoint.at), to_rgba(painter.theme.begin, 0.6f),
-                         2.5f * painter.sheet.unit());
+    const Vec2 from = projection.at(extreme), way = axis.at(endpoint.at) - from;
+    const int dots = static_cast<int>(length(way) / (kEvery * u));
+    for (int k = 0; k <= dots; ++k) {
+      const Vec2 at = from + way * (static_cast<float>(k) / static_cast<float>(std::max(dots, 1)));
+      const auto covers = [&](const auto& disc) { return length(at - disc.first) < disc.second - kDot * u; };
+      if (std::any_of(discs.begin(), discs.end(), covers)) continue;
+      painter.sheet.disc(at, std::max(kDot * u, 1.0f) / 2, to_rgba(painter.theme.begin));
+    }
   }
 }
 
@@ -140,7 +149,7 @@ void draw_drops(const FrameView& view, const SweepAxis& axis, const Projection& 
 void draw_labels(const std::vector<Endpoint>& endpoints, const SweepAxis& axis, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit();
-  std::array<std::optional<Vec2>, static_cast<size_t>(kRows)> last;  // the label's end along the axis, in x
+  std::array<std::optional<Vec2>, kRows> last;  // the label's end along the axis, in x
   const float height = sheet.size_of("0", TextSize::small).y;
   for (const Endpoint& endpoint : endpoints) {
     const std::string name = name_of(endpoint);
@@ -157,106 +166,27 @@ void draw_labels(const std::vector<Endpoint>& endpoints, const SweepAxis& axis, 
   }
 }
 
-/// The sorted list as a row of boxes at the picture's lower edge.
-struct Row {
-  float left, box, top, bottom;  // [pixel]
-
-  Vec2 low(size_t k) const { return {left + static_cast<float>(k) * box, top}; }
-  Vec2 high(size_t k) const { return {left + static_cast<float>(k + 1) * box, bottom}; }
-  float middle(size_t k) const { return left + (static_cast<float>(k) + 0.5f) * box; }
-};
-
-constexpr float kBoxHeight = 40, kAbove = 46, kBelow = 12;  // [1/1080 of the picture's height]
-
-void draw_box(const Endpoint& endpoint, size_t k, const Row& row, bool walks, bool is_met, Painter& painter) {
-  Sheet& sheet = painter.sheet;
-  const Theme& theme = painter.theme;
-  const float u = sheet.unit();
-  const Rgba edge = endpoint.is_end && !walks ? to_rgba(theme.idle) : to_rgba(theme.begin);
-  Rgba text = endpoint.is_end ? painter.ink(0.7f) : painter.ink();
-  const Vec2 low = row.low(k) + Vec2(1.5f * u, 0), high = row.high(k) - Vec2(1.5f * u, 0);
-  if (walks && !endpoint.is_end) {
-    sheet.box(low, high, edge);
-    text = to_rgba(Vec3(1));
-  } else if (is_met) {
-    sheet.box(low, high, to_rgba(theme.candidate));
-    text = to_rgba(theme.on_body);
-  } else if (endpoint.is_end) {
-    sheet.box(low, high, to_rgba(theme.idle, 0.18f));
-  }
-  sheet.frame(low, high, edge, (walks ? 4 : 2) * u);
-  sheet.text((low + high) / 2.0f, kCentre, text, name_of(endpoint), TextSize::small);
-  if (endpoint.is_end && !walks) {  // its thread ends at once
-    const Vec2 foot(row.middle(k), row.top), head = foot - Vec2(0, 10 * u);
-    sheet.line(foot, head, to_rgba(theme.idle), 3 * u);
-    sheet.line(head - Vec2(7 * u, 0), head + Vec2(7 * u, 0), to_rgba(theme.idle), 3 * u);
-  }
-}
-
-/// From the thread's begin up, along the list and down on its end.
-void draw_walk(const Walk& walk, const Row& row, Painter& painter) {
-  Sheet& sheet = painter.sheet;
-  const float u = sheet.unit(), width = 4 * u, above = row.top - 28 * u;
-  const Rgba color = to_rgba(painter.theme.begin);
-  const Vec2 begin(row.middle(walk.first), row.top), end(row.middle(walk.last), row.top - 2 * u);
-  sheet.line(begin, {begin.x, above - width / 2}, color, width);
-  sheet.line({begin.x, above}, {end.x + width / 2, above}, color, width);
-  sheet.arrow({end.x, above}, end, color, width);
-}
-
-/// Room for the list, if its names fit.
-std::optional<Row> take_row(const std::vector<Endpoint>& endpoints, Painter& painter) {
-  const Sheet& sheet = painter.sheet;
-  const float u = sheet.unit(), width = static_cast<float>(sheet.width()) - 32 * u;
-  float text = 0;
-  for (const Endpoint& endpoint : endpoints) text = std::max(text, sheet.size_of(name_of(endpoint), TextSize::small).x);
-  const float box = std::min(width / static_cast<float>(endpoints.size()), std::max(64 * u, text + 12 * u));
-  if (endpoints.size() > kMaxLabels || box < text + 5 * u) return std::nullopt;
-  const float height = std::max(kBoxHeight * u, sheet.size_of("0", TextSize::small).y + 6 * u);
-  const float top = painter.take_strip((kAbove + kBelow) * u + height);
-  const float left = (static_cast<float>(sheet.width()) - box * static_cast<float>(endpoints.size())) / 2;
-  return Row{left, box, top + kAbove * u, top + kAbove * u + height};
-}
-
-void draw_list(const std::vector<Endpoint>& endpoints, const Walk& walk, const Row& row, const PageView* page,
-               Painter& painter) {
+/// From the brackets to the boxes.
+void draw_links(const std::vector<Endpoint>& endpoints, const SweepAxis& axis, const Row& row, Painter& painter) {
+  const float u = painter.sheet.unit();
   for (size_t k = 0; k < endpoints.size(); ++k) {
-    const bool is_met = std::binary_search(walk.met.begin(), walk.met.end(), k);
-    draw_box(endpoints[k], k, row, walk.body >= 0 && endpoints[k].body == walk.body, is_met, painter);
-    if (page) mark_touched(*page, "list", static_cast<int64_t>(k), row.low(k), row.high(k), painter);
+    const Vec2 from = axis.at(endpoints[k].at) + (kBracket + 4) * u * axis.outward;
+    const Vec2 to(row.middle(k), row.top - 3 * u);
+    if (endpoints[k].is_end) {
+      painter.sheet.dotted(from, to, to_rgba(painter.theme.begin), 3 * u);
+    } else {
+      painter.sheet.line(from, to, to_rgba(painter.theme.begin), 2.5f * u);
+    }
   }
-  if (walk.body >= 0) draw_walk(walk, row, painter);
 }
 
 }  // namespace
 
-Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected) {
-  // The walk of a body meets the begins up to its end, without those up to its own begin.
-  Walk walk;
-  std::vector<std::pair<int, size_t>> begin(
-      endpoints.size());  // of each body: number of begins so far, entry in the list
-  int begins = 0, max = -1;
-  for (size_t k = 0; k < endpoints.size(); ++k) {
-    const auto body = static_cast<size_t>(endpoints[k].body);
-    if (body >= begin.size()) continue;
-    if (!endpoints[k].is_end) {
-      begin[body] = {++begins, k};
-    } else if (begin[body].first > 0 &&
-               (selected < 0 ? begins - begin[body].first > max : endpoints[k].body == selected)) {
-      max = begins - begin[body].first;
-      walk = {endpoints[k].body, begin[body].second, k, {}};
-    }
-  }
-  if (walk.body < 0) return walk;
-  for (size_t k = walk.first + 1; k < walk.last; ++k) {
-    if (!endpoints[k].is_end) walk.met.push_back(k);
-  }
-  return walk;
-}
-
 float intervals_room(const Inspection& inspection, float text_scale) {
   if (inspection.axis < 0) return 0;
-  return inspection.endpoints.size() <= kMaxLabels ? 0.07f + 0.14f * text_scale : 0.06f;
+  const size_t entries = inspection.endpoints.size();
+  if (entries > kMaxLabels) return (kDistance + 2 * kBracket + 10) / 1080;
+  return (kDistance + kBracket + kAbove + list_height(entries, text_scale)) / 1080;
 }
 
 void draw_intervals(const FrameView& view, Painter& painter) {
@@ -266,8 +196,12 @@ void draw_intervals(const FrameView& view, Painter& painter) {
   const float u = painter.sheet.unit();
   const bool has_labels = endpoints.size() <= kMaxLabels;
   const Walk walk = view.page && !view.page->walks ? Walk{} : shown_walk(endpoints, view.selected);
-  const std::optional<Row> row = take_row(endpoints, painter);
-  const float labels = has_labels ? kRows * painter.sheet.size_of("0", TextSize::small).y + kLabels * u : 30 * u;
+  const Vec3 centre = (view.domain.min + view.domain.max) / 2.0f;
+  const float middle = projection.sees(centre) ? projection.at(centre).x : 0;
+  const std::optional<Row> row = take_row(endpoints, middle, painter);
+  const bool is_linked = row && view.inspection.axis != 1;
+  const float label = painter.sheet.size_of("0", TextSize::small).y;
+  const float labels = is_linked ? 40 * u : has_labels ? kRows * label + kLabels * u : 30 * u;
   const float bottom = static_cast<float>(painter.sheet.height()) - painter.taken - labels;
   const SweepAxis axis(view, projection, bottom, u);
 
@@ -281,11 +215,19 @@ void draw_intervals(const FrameView& view, Painter& painter) {
     painter.note({{row ? Swatch::square : Swatch::none, painter.theme.candidate,
                    "and tests " + counted(static_cast<int64_t>(walk.met.size()), "begin")}});
   }
+  if (!row) {
+    painter.note("Intervals: " + grouped(static_cast<int64_t>(endpoints.size())) +
+                 " entries are too many to draw the list; show fewer spheres");
+  }
   if (has_labels) {
     for (const Endpoint& endpoint : endpoints) draw_bracket(endpoint, axis, painter);
-    draw_labels(endpoints, axis, painter);
   } else {
     draw_ticks(endpoints, axis, painter);
+  }
+  if (is_linked) {
+    draw_links(endpoints, axis, *row, painter);
+  } else if (has_labels) {
+    draw_labels(endpoints, axis, painter);
   }
   if (row) draw_list(endpoints, walk, *row, view.page, painter);
 }

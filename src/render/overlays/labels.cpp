@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with few
-// cells also the number of each cell: in its lower left corner (slide 8), or in another one if a sphere lies there.
-#include <iterator>
-
+// cells also the number of each cell: always in its lower left corner (slide 8), in front of spheres.
 #include "render/body_buffer.h"
+#include "render/coloring.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
@@ -13,6 +12,8 @@ namespace {
 constexpr float kMinRadius = 7;       // [pixel] of a sphere
 constexpr size_t kMaxSpheres = 3000;  // of more spheres, the nearest get numbers
 constexpr size_t kMaxCells = 400;
+constexpr float kMostHidden = 0.15f;          // of a cell's number, by the number of a sphere
+constexpr float kTop = 0.18f, kFoot = 0.79f;  // of digits, in their line of text
 
 struct Seen {
   int64_t body;
@@ -56,68 +57,84 @@ bool meets(const Area& area, const Seen& sphere) {
   return length(glm::clamp(sphere.at, area.low, area.high) - sphere.at) < sphere.radius;
 }
 
+/// The part of b that lies under a.
+float covered(const Area& b, const Area& a) {
+  const Vec2 both = glm::max(glm::min(a.high, b.high) - glm::max(a.low, b.low), Vec2(0)), size = b.high - b.low;
+  return both.x * both.y / std::max(size.x * size.y, 1e-6f);
+}
+
 bool meets(const Area& a, const Area& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/// From near to far: a sphere gets no number where a nearer sphere or number covers it. Where lines meet in the centre, a
-/// number has a disc of its sphere's colour behind it. Returns how many numbers were drawn.
-size_t draw_numbers(const FrameView& view, const std::vector<Seen>& spheres, Painter& painter) {
-  const std::vector<Mark> marks = contact_marks(view.inspection.bodies.count, view.inspection.contacts);
-  const bool has_discs = view.shows("pairs") || view.shows("velocity") || view.shows("intervals");
-  std::vector<Area> taken;
+/// The number of a sphere.
+struct Number {
+  Seen sphere;
+  Area area;
+  std::string text;
+  TextSize size;
+};
+
+/// From near to far: a sphere gets no number where a nearer sphere or number covers it.
+std::vector<Number> place_numbers(const FrameView& view, const std::vector<Seen>& spheres, const Sheet& sheet) {
+  std::vector<Number> numbers;
   for (size_t k = 0; k < spheres.size(); ++k) {
     const Seen& sphere = spheres[k];
     const std::string text = std::to_string(sphere.body);
-    const std::optional<TextSize> size = size_within(text, sphere.radius, painter.sheet);
+    const std::optional<TextSize> size = size_within(text, sphere.radius, sheet);
     if (!size) continue;
-    const Vec2 half = 0.4f * painter.sheet.size_of(text, *size);
+    const Vec2 half = Vec2(0.5f, (kFoot - kTop) / 2) * sheet.size_of(text, *size);
     const Area area{sphere.at - half, sphere.at + half};
     const auto end = spheres.begin() + static_cast<std::ptrdiff_t>(view.domain.is_planar() ? 0 : k);
     if (std::any_of(spheres.begin(), end, [&](const Seen& nearer) { return meets(area, nearer); })) continue;
-    if (std::any_of(taken.begin(), taken.end(), [&](const Area& other) { return meets(area, other); })) continue;
-    taken.push_back(area);
-    if (has_discs) {
-      const bool touches = marks[static_cast<size_t>(sphere.body)] == Mark::contact;
-      const Rgba color = to_rgba(touches ? painter.theme.contact : painter.theme.body, 0.85f);
-      painter.sheet.disc(sphere.at, std::min(1.2f * length(half), 0.9f * sphere.radius), color);
+    if (std::any_of(numbers.begin(), numbers.end(), [&](const Number& other) { return meets(area, other.area); })) {
+      continue;
     }
-    painter.sheet.text(sphere.at, kCentre, to_rgba(painter.theme.on_body), text, *size);
+    numbers.push_back({sphere, area, text, *size});
   }
-  return taken.size();
+  return numbers;
 }
 
-/// In the cell's lower left corner, as on the slide; if a sphere lies there, in the first free corner, if any.
-void draw_cell_number(size_t cell, const Area& square, const std::vector<Seen>& spheres, Painter& painter) {
-  constexpr Anchor kCorners[] = {kLowerLeft, {1, 1}, kUpperLeft, kUpperRight};
+/// In their spheres' colours. Where lines meet in the centre, with a plate behind.
+void draw_numbers(const FrameView& view, const std::vector<Number>& numbers, Painter& painter) {
+  const std::vector<Mark> marks =
+      painter.marks ? *painter.marks : contact_marks(view.inspection.bodies.count, view.inspection.contacts);
+  const bool has_plates = view.shows("pairs") || view.shows("velocity") || view.shows("intervals");
+  for (const Number& number : numbers) {
+    const Vec3 fill = color_of(painter.theme, static_cast<int>(marks[static_cast<size_t>(number.sphere.body)]));
+    if (has_plates) {
+      const Vec2 edge(3 * painter.sheet.unit());
+      painter.sheet.box(number.area.low - edge, number.area.high + edge, to_rgba(fill, 0.85f), 2 * edge.x);
+    }
+    painter.sheet.bordered_text(number.sphere.at, kCentre, to_rgba(text_on(fill)), to_rgba(fill), number.text,
+                                number.size);
+  }
+}
+
+/// Each in the lower left corner of its cell, as on the slide; none where the number of a sphere hides it.
+/// Returns how many were drawn.
+size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Number>& numbers, const Projection& projection,
+                         Painter& painter) {
   Sheet& sheet = painter.sheet;
-  const std::string text = std::to_string(cell);
-  const Vec2 inset = Vec2(6, 3) * sheet.unit(), size = sheet.size_of(text, TextSize::small);
-  const auto place = [&](const Anchor& anchor) {
-    const Vec2 part(anchor.x, anchor.y), low = square.low + inset, room = square.high - inset - low - size;
-    return Area{low + part * room, low + part * room + size};
-  };
-  const auto is_free = [&](const Anchor& anchor) {
-    return std::none_of(spheres.begin(), spheres.end(),
-                        [&](const Seen& sphere) { return meets(place(anchor), sphere); });
-  };
-  const Anchor* corner = std::find_if(std::begin(kCorners), std::end(kCorners), is_free);
-  if (corner == std::end(kCorners)) return;
-  const Area area = place(*corner);
-  sheet.text(area.low, kUpperLeft, to_rgba(painter.theme.grid), text, TextSize::small);
-}
-
-void draw_cell_numbers(const GridInspection& grid, const DomainBox& domain, const std::vector<Seen>& spheres,
-                       const Projection& projection, Painter& painter) {
-  const Vec2 widest = painter.sheet.size_of(std::to_string(grid.head.size() - 1), TextSize::small);
-  if (projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y)) < widest.x + widest.y) return;
+  const float edge = projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y));
+  const TextSize size = edge > 4.5f * sheet.size_of("0").y ? TextSize::normal : TextSize::small;
+  const Vec2 widest = sheet.size_of(std::to_string(grid.head.size() - 1), size), inset = Vec2(6, -6) * sheet.unit();
+  if (edge < widest.x + 0.5f * widest.y) return 0;
   const auto columns = static_cast<size_t>(grid.cells.x);
+  size_t drawn = 0;
   for (size_t cell = 0; cell < grid.head.size(); ++cell) {
-    const Vec3 low = grid.origin + grid.edge * Vec3(cell % columns, cell / columns, 0);
-    const Vec3 high = glm::min(low + Vec3(grid.edge.x, grid.edge.y, 0), glm::max(domain.max, low));
-    const Vec2 a = projection.at(low), b = projection.at(high);
-    draw_cell_number(cell, {{a.x, b.y}, {b.x, a.y}}, spheres, painter);
+    const Vec2 corner = projection.at(grid.origin + grid.edge * Vec3(cell % columns, cell / columns, 0));
+    const std::string text = std::to_string(cell);
+    const Vec2 extent = sheet.size_of(text, size);
+    const Vec2 at = corner + inset - Vec2(0, kFoot * extent.y), foot = at + Vec2(extent.x, kFoot * extent.y);
+    const Area area{at + Vec2(0, kTop * extent.y), foot};
+    const auto hides = [&](const Number& number) { return covered(area, number.area) > kMostHidden; };
+    if (std::any_of(numbers.begin(), numbers.end(), hides)) continue;
+    sheet.bordered_text(at, kUpperLeft, to_rgba(painter.theme.cell_text), to_rgba(painter.theme.background), text,
+                        size);
+    ++drawn;
   }
+  return drawn;
 }
 
 }  // namespace
@@ -125,12 +142,20 @@ void draw_cell_numbers(const GridInspection& grid, const DomainBox& domain, cons
 void draw_labels(const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
   const std::vector<Seen> spheres = large_spheres(view, projection, painter.sheet);
+  const std::vector<Number> numbers = place_numbers(view, spheres, painter.sheet);
   const std::vector<GridInspection>& grids = view.inspection.grids;
-  if (view.domain.is_planar() && grids.size() == 1 && grids[0].head.size() <= kMaxCells && !grids[0].head.empty()) {
-    draw_cell_numbers(grids[0], view.domain, spheres, projection, painter);
+  if (view.domain.is_planar() && grids.size() == 1 && !grids[0].head.empty()) {
+    if (grids[0].head.size() > kMaxCells || draw_cell_numbers(grids[0], numbers, projection, painter) == 0) {
+      painter.note("Numbers: the cells are too small for theirs");
+    }
   }
-  if (draw_numbers(view, spheres, painter) == 0 && view.inspection.bodies.count > 0) {
-    painter.note("no numbers: the spheres are too small in the picture");
+  draw_numbers(view, numbers, painter);
+  const int64_t count = view.inspection.bodies.count;
+  if (numbers.empty() && count > 0) {
+    painter.note("Numbers: the spheres are too small in the picture; come closer or show fewer");
+  } else if (static_cast<int64_t>(numbers.size()) < count) {
+    painter.note("Numbers: " + grouped(static_cast<int64_t>(numbers.size())) + " of " + grouped(count) +
+                 "; the other spheres are hidden or too small");
   }
 }
 

@@ -18,8 +18,18 @@
 //     bodies  │  4 │  0 │  7 │
 //              └───────┘
 //
-// A hashed grid has buckets instead of cells. If there are more entries or bodies than fit in a row, a histogram
-// shows the lengths of the lists or ranges instead.
+// A hashed grid has the slots of a table instead of cells, and cells share slots. So each body has its key below it, the
+// index of its cell, by which the search tells the cells of a slot apart:
+//
+//               0    1    2
+//     next    │ −1 │ −1 │  0 │              bodies 2 and 0 share a slot, but not a cell
+//     cell    │  7 │  3 │ 19 │
+//
+// Of many cells or slots, only the occupied ones are shown. If they or the bodies do not fit in a row, a histogram shows
+// the lengths of the lists or ranges instead.
+#include <numeric>
+
+#include <fmt/format.h>
 
 #include "lecture/record.h"
 #include "render/overlays/overlay.h"
@@ -32,7 +42,7 @@ namespace {
 constexpr size_t kMaxBoxes = 32;
 constexpr size_t kMaxLength = 10;
 // [1/1080 of the picture's height]
-constexpr float kMargin = 16, kBoxHeight = 40, kGap = 84, kArcs = 58, kWidest = 72;
+constexpr float kMargin = 12, kPadding = 3, kGap = 58, kArcs = 44, kWidest = 140;
 
 /// One array: numbered boxes beside its name.
 struct Boxes {
@@ -47,9 +57,12 @@ struct Boxes {
 struct Arrays {
   bool is_sorted, is_hashed;
   const std::vector<int32_t>&cells, &bodies;
+  std::vector<size_t> shown{};  ///< entries of `cells`, ascending
 
   size_t entries() const { return cells.size() - (is_sorted && !cells.empty()); }
   const char* name_of_cells() const { return is_sorted ? "offsets" : "head"; }
+  const char* entry_name() const { return is_hashed ? "slots of the table" : "cells"; }
+  int rows_of_bodies() const { return is_hashed ? 2 : 1; }
   const char* name_of_bodies() const { return is_sorted ? "bodies" : "next"; }
 
   /// Visits the bodies of one cell or bucket, in the order of memory.
@@ -63,31 +76,55 @@ struct Arrays {
   }
 };
 
-Arrays arrays_of(const GridInspection& grid) {
-  if (!grid.arrays) return {false, false, grid.head, grid.next};
-  return {grid.arrays->is_sorted, grid.arrays->is_hashed, grid.arrays->cells, grid.arrays->bodies};
+/// All entries of the array of cells, or of a long one those that hold bodies.
+std::vector<size_t> shown_entries(const Arrays& arrays) {
+  std::vector<size_t> shown;
+  const bool is_long = arrays.entries() > kMaxBoxes;
+  for (size_t k = 0; k < (is_long ? arrays.entries() : arrays.cells.size()); ++k) {
+    const bool is_empty = arrays.is_sorted ? is_long && arrays.cells[k] == arrays.cells[k + 1] : arrays.cells[k] < 0;
+    if (!is_long || !is_empty) shown.push_back(k);
+  }
+  return shown;
 }
 
-void draw_array(const char* name, const std::vector<int32_t>& values, const Boxes& boxes, const Vec3& color,
-                const PageView* page, Painter& painter) {
+Arrays arrays_of(const GridInspection& grid) {
+  Arrays arrays = grid.arrays
+                      ? Arrays{grid.arrays->is_sorted, grid.arrays->is_hashed, grid.arrays->cells, grid.arrays->bodies}
+                      : Arrays{false, false, grid.head, grid.next};
+  arrays.shown = shown_entries(arrays);
+  return arrays;
+}
+
+/// The cells of the bodies, in the order of the array of bodies.
+std::vector<int32_t> keys_of(const Arrays& arrays, const GridInspection& grid, const BodySnapshot& bodies) {
+  std::vector<int32_t> keys;
+  for (size_t k = 0; k < arrays.bodies.size(); ++k) {
+    const int64_t body = arrays.is_sorted ? arrays.bodies[k] : static_cast<int64_t>(k);
+    keys.push_back(static_cast<int32_t>(index_of(grid, cell_of(grid, bodies, body))));
+  }
+  return keys;
+}
+
+/// Draws an array, or of a longer one the entries `shown`.
+void draw_array(const char* name, const std::vector<int32_t>& values, const std::vector<size_t>& shown,
+                const Boxes& boxes, const Vec3& color, const PageView* page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit();
-  sheet.text({kMargin * u, boxes.top + boxes.height / 2}, kLeft, painter.ink(), name);
-  for (size_t k = 0; k < values.size(); ++k) {
+  sheet.text({kMargin * u, boxes.top + boxes.height / 2}, kLeft, painter.ink(), name, TextSize::small);
+  for (size_t k = 0; k < shown.size(); ++k) {
+    const int32_t value = values[shown[k]];
     const Vec2 low(boxes.left + static_cast<float>(k) * boxes.width, boxes.top);
     const Vec2 high = low + Vec2(boxes.width, boxes.height);
-    const bool is_empty = values[k] < 0;
+    const bool is_empty = value < 0;
     if (!is_empty) sheet.box(low, high, to_rgba(color, 0.3f));
     sheet.frame(low, high, to_rgba(color), 2 * u);
-    sheet.text(boxes.over_number(k) + Vec2(0, boxes.number / 2), kCentre, painter.ink(0.65f), std::to_string(k),
-               TextSize::small);
-    const bool is_unset = values[k] == lecture::kUnset;
-    sheet.text((low + high) / 2.0f, kCentre, painter.ink(is_empty ? 0.55f : 1),
-               is_unset   ? "?"
-               : is_empty ? "–1"
-                          : std::to_string(values[k]),
-               TextSize::small);
-    if (page) mark_touched(*page, name, static_cast<int64_t>(k), low, high, painter);
+    if (boxes.number > 0) {
+      sheet.text(boxes.over_number(k) + Vec2(0, boxes.number / 2), kCentre, painter.ink(0.65f),
+                 std::to_string(shown[k]), TextSize::small);
+    }
+    const std::string text = value == lecture::kUnset ? "?" : is_empty ? "–1" : std::to_string(value);
+    sheet.text((low + high) / 2.0f, kCentre, painter.ink(is_empty ? 0.6f : 1), text, TextSize::small);
+    if (page) mark_touched(*page, name, static_cast<int64_t>(shown[k]), low, high, painter);
   }
 }
 
@@ -100,82 +137,120 @@ void draw_link(const Boxes& next, size_t from, size_t to, Rgba color, Painter& p
   painter.sheet.curved_arrow(a, {(a.x + b.x) / 2, a.y + depth}, b + Vec2(0, 2 * u), color, 3 * u);
 }
 
-/// Along the list of one cell: head → body → next body → …
-void draw_list(const Arrays& arrays, size_t cell, const Boxes& head, const Boxes& next, Rgba color, Painter& painter) {
-  if (arrays.cells[cell] < 0) return;
-  auto body = static_cast<size_t>(arrays.cells[cell]);
-  painter.sheet.arrow(head.under(cell), next.over_number(body), color, 3 * painter.sheet.unit());
+/// The arrays in the picture; `lowest` is the last row of those of the bodies.
+struct Rows {
+  const Boxes &cells, &bodies, &lowest;
+};
+
+/// Along the list of one cell, in box `box`: head → body → next body → …
+void draw_list(const Arrays& arrays, size_t box, const Rows& rows, Rgba color, Painter& painter) {
+  const int32_t first = arrays.cells[arrays.shown[box]];
+  if (first < 0) return;
+  auto body = static_cast<size_t>(first);
+  painter.sheet.arrow(rows.cells.under(box), rows.bodies.over_number(body), color, 3 * painter.sheet.unit());
   while (arrays.bodies[body] >= 0) {
     const auto following = static_cast<size_t>(arrays.bodies[body]);
-    draw_link(next, body, following, color, painter);
+    draw_link(rows.lowest, body, following, color, painter);
     body = following;
   }
 }
 
 /// The range of one cell: an arrow from its offset to the first slot, and a brace below all of its slots.
-void draw_range(const Arrays& arrays, size_t cell, const Boxes& offsets, const Boxes& bodies, Rgba color,
-                Painter& painter) {
+void draw_range(const Arrays& arrays, size_t box, const Rows& rows, Rgba color, Painter& painter) {
+  const size_t cell = arrays.shown[box];
   const auto first = static_cast<size_t>(arrays.cells[cell]), end = static_cast<size_t>(arrays.cells[cell + 1]);
   if (first == end) return;
   Sheet& sheet = painter.sheet;
-  const float u = sheet.unit(), inset = 0.15f * bodies.width;
-  sheet.arrow(offsets.under(cell), bodies.over_number(first), color, 3 * u);
-  const Vec2 left = bodies.under(first) + Vec2(inset - bodies.width / 2, 6 * u),
-             right = bodies.under(end - 1) + Vec2(bodies.width / 2 - inset, 6 * u), down(0, 12 * u);
+  const Boxes& lowest = rows.lowest;
+  const float u = sheet.unit(), inset = 0.15f * lowest.width;
+  sheet.arrow(rows.cells.under(box), rows.bodies.over_number(first), color, 3 * u);
+  const Vec2 left = lowest.under(first) + Vec2(inset - lowest.width / 2, 6 * u),
+             right = lowest.under(end - 1) + Vec2(lowest.width / 2 - inset, 6 * u), down(0, 12 * u);
   sheet.line(left, left + down, color, 3 * u);
   sheet.line(left + down, right + down, color, 3 * u);
   sheet.line(right + down, right, color, 3 * u);
 }
 
-bool fits(const Arrays& arrays) { return arrays.entries() <= kMaxBoxes && arrays.bodies.size() <= kMaxBoxes; }
+/// [1/1080 of the picture's height]
+float strip_height(const Arrays& arrays, float text_scale) {
+  const float line = line_height(TextSize::small, text_scale), box = line + 2 * kPadding;
+  return 2 * line + static_cast<float>(1 + arrays.rows_of_bodies()) * box + kGap + kArcs + kMargin;
+}
+
+bool fits(const Arrays& arrays) { return arrays.shown.size() <= kMaxBoxes + 1 && arrays.bodies.size() <= kMaxBoxes; }
 
 /// Returns false if the boxes would be too narrow for their numbers.
-bool draw_arrays(const Arrays& arrays, int64_t selected, const PageView* page, Painter& painter) {
+bool draw_arrays(const Arrays& arrays, const std::vector<int32_t>& keys, int64_t selected, const PageView* page,
+                 Painter& painter) {
+  if (!fits(arrays)) return false;
   Sheet& sheet = painter.sheet;
-  const std::string widest = std::string(arrays.name_of_cells()) + " ";
-  const float u = sheet.unit(), left = kMargin * u + sheet.size_of(widest).x + 8 * u;
-  const auto count = static_cast<float>(std::max(arrays.cells.size(), arrays.bodies.size()));
-  const float width = std::min(kWidest * u, (static_cast<float>(sheet.width()) - left - kMargin * u) / count);
-  const Vec2 text = sheet.size_of("–1", TextSize::small);
-  if (!fits(arrays) || width < text.x + 4 * u) return false;
+  const float u = sheet.unit();
+  const auto extent_of = [&](const std::string& text) { return sheet.size_of(text, TextSize::small); };
+  const float left =
+      (kMargin + 12) * u + std::max(extent_of(arrays.name_of_cells()).x, extent_of(arrays.name_of_bodies()).x);
+  const auto count = static_cast<float>(std::max(arrays.shown.size(), arrays.bodies.size()));
+  const float line = extent_of("0").y;
+  float narrowest = extent_of("–1").x + 4 * u;
+  if (!arrays.shown.empty()) narrowest = std::max(narrowest, extent_of(std::to_string(arrays.shown.back())).x + 4 * u);
+  const auto width_up_to = [&](float right) { return std::min(kWidest * u, (right - left - kMargin * u) / count); };
+  float width = width_up_to(painter.note_left);  // beside code, if there is room
+  if (width < narrowest) width = width_up_to(static_cast<float>(sheet.width()));
+  if (width < narrowest) return false;
 
-  const float number = text.y + 2 * u, height = std::max(kBoxHeight * u, text.y + 6 * u);
-  const float top = painter.take_strip(2 * (number + height) + (kGap + kArcs + kMargin) * u);
-  const Boxes cells{left, width, top + kMargin * u / 2 + number, height, number};
-  const Boxes bodies{left, width, cells.top + height + kGap * u + number, height, number};
-  draw_array(arrays.name_of_cells(), arrays.cells, cells, painter.theme.grid, page, painter);
-  draw_array(arrays.name_of_bodies(), arrays.bodies, bodies, painter.theme.body, page, painter);
-  for (size_t entry = 0; entry < arrays.entries(); ++entry) {
+  const float top = painter.take_strip(strip_height(arrays, sheet.text_scale()) * u), height = line + 2 * kPadding * u;
+  const Boxes cells{left, width, top + kMargin * u / 2 + line, height, line};
+  const Boxes bodies{left, width, cells.top + height + kGap * u + line, height, line};
+  std::vector<size_t> all(arrays.bodies.size());
+  std::iota(all.begin(), all.end(), size_t{0});
+  draw_array(arrays.name_of_cells(), arrays.cells, arrays.shown, cells, painter.theme.grid, page, painter);
+  draw_array(arrays.name_of_bodies(), arrays.bodies, all, bodies, painter.theme.body, page, painter);
+  Boxes lowest = bodies;
+  if (arrays.is_hashed) {
+    lowest.top += height;
+    lowest.number = 0;
+    draw_array("cell", keys, all, lowest, painter.theme.grid, nullptr, painter);
+  }
+  const size_t boxes = std::min(arrays.shown.size(), arrays.entries());
+  for (size_t box = 0; box < boxes; ++box) {
     bool is_selected = false;
-    arrays.for_each_body(entry, [&](int32_t body) { is_selected |= body == selected; });
-    const Rgba color = is_selected ? to_rgba(painter.theme.selected) : painter.ink(selected < 0 ? 0.75f : 0.4f);
-    (arrays.is_sorted ? draw_range : draw_list)(arrays, entry, cells, bodies, color, painter);
+    arrays.for_each_body(arrays.shown[box], [&](int32_t body) { is_selected |= body == selected; });
+    const Rgba color = is_selected ? to_rgba(painter.theme.selected) : painter.ink(selected < 0 ? 0.75f : 0.55f);
+    (arrays.is_sorted ? draw_range : draw_list)(arrays, box, {cells, bodies, lowest}, color, painter);
+  }
+  if (boxes < arrays.entries()) {
+    painter.note(fmt::format("Lists: {} of {} {}, those with spheres", boxes, arrays.entries(), arrays.entry_name()));
   }
   return true;
 }
 
 /// Bars in the lower right corner: the length under each, the number of cells above.
-void draw_histogram(const GridInspection& grid, Painter& painter) {
+void draw_histogram(const std::vector<GridInspection>& grids, Painter& painter) {
   constexpr float kBar = 62, kHigh = 190;
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y;
-  std::vector<int> counts = count_lengths(grid, kMaxLength);
+  std::vector<int> counts(kMaxLength + 1, 0);
+  for (const GridInspection& grid : grids) {
+    const std::vector<int> own = count_lengths(grid, kMaxLength);
+    for (size_t k = 0; k < counts.size(); ++k) counts[k] += own[k];
+  }
   const bool is_cut = counts.back() > 0;
   while (counts.size() > 1 && counts.back() == 0) counts.pop_back();
   const auto most = static_cast<float>(*std::max_element(counts.begin(), counts.end()));
 
-  const Arrays arrays = arrays_of(grid);
-  const std::string title = std::string(arrays.is_hashed ? "buckets of the table" : "cells") +
-                            " by the length of their " + (arrays.is_sorted ? "range" : "list");
+  const Arrays arrays = arrays_of(grids[0]);
+  const std::string title =
+      (grids.size() > 1 ? fmt::format("{} grids: ", grids.size()) : std::string()) + arrays.entry_name();
+  const std::string subtitle = std::string("by the length of their ") + (arrays.is_sorted ? "range" : "list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
-  const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(title, TextSize::small).x);
+  const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(subtitle, TextSize::small).x);
   const Vec2 high(static_cast<float>(sheet.width()) - kMargin * u,
                   static_cast<float>(sheet.height()) - painter.taken - kMargin * u);
-  const Vec2 low = high - Vec2(width, kHigh * u + 4 * line);
+  const Vec2 low = high - Vec2(width, kHigh * u + 5 * line);
   const float ground = high.y - line;
   sheet.box(low - Vec2(kMargin * u), high + Vec2(kMargin * u), painter.ground());
   sheet.text({high.x, low.y}, kUpperRight, painter.ink(), title, TextSize::small);
+  sheet.text({high.x, low.y + line}, kUpperRight, painter.ink(), subtitle, TextSize::small);
   for (size_t k = 0; k < counts.size(); ++k) {
     const float middle = high.x - (static_cast<float>(counts.size() - k) - 0.5f) * bar;
     const float top = ground - kHigh * u * static_cast<float>(counts[k]) / most;
@@ -202,15 +277,23 @@ std::vector<int> count_lengths(const GridInspection& grid, size_t max) {
 }
 
 float lists_room(const Inspection& inspection, float text_scale) {
-  return !inspection.grids.empty() && fits(arrays_of(inspection.grids[0])) ? 0.21f + 0.08f * text_scale : 0.0f;
+  if (inspection.grids.size() != 1) return 0;
+  const Arrays arrays = arrays_of(inspection.grids[0]);
+  return fits(arrays) ? (strip_height(arrays, text_scale) + kMargin) / 1080 : 0.0f;
 }
 
 void draw_lists(const FrameView& view, Painter& painter) {
-  if (view.inspection.grids.empty()) return;
-  const GridInspection& grid = view.inspection.grids[0];
-  const Arrays arrays = arrays_of(grid);
-  if (arrays.entries() == 0) return;
-  if (!draw_arrays(arrays, view.selected, view.page, painter)) draw_histogram(grid, painter);
+  const std::vector<GridInspection>& grids = view.inspection.grids;
+  if (grids.empty()) return;
+  const Arrays arrays = arrays_of(grids[0]);
+  if (arrays.entries() == 0) {
+    painter.note("Lists: this broad phase has too many cells to show; enlarge them");
+    return;
+  }
+  std::vector<int32_t> keys;
+  if (arrays.is_hashed) keys = keys_of(arrays, grids[0], view.inspection.bodies);
+  const bool is_drawn = grids.size() == 1 && draw_arrays(arrays, keys, view.selected, view.page, painter);
+  if (!is_drawn) draw_histogram(grids, painter);
 }
 
 }  // namespace ballpit

@@ -5,19 +5,19 @@ namespace ballpit {
 
 namespace {
 
-constexpr const char* kNoCells = "this broad phase has no cells to show; linked-cell and sorted-grid have";
+constexpr const char* kNoCells = "this broad phase has no cells; choose linked-cell or sorted-grid";
 
 std::string lacks_cells(const Inspection& inspection) {
   const std::vector<GridInspection>& grids = inspection.grids;
   if (grids.empty()) return kNoCells;
   const bool shows_none = std::all_of(grids.begin(), grids.end(), [](const auto& grid) { return grid.head.empty(); });
-  return shows_none ? "this broad phase has too many cells to show" : "";
+  return shows_none ? "this broad phase has too many cells to show; enlarge them" : "";
 }
 
 std::string lacks_lists(const Inspection& inspection) { return inspection.grids.empty() ? kNoCells : ""; }
 
 std::string lacks_intervals(const Inspection& inspection) {
-  return inspection.axis < 0 ? "this broad phase sorts no intervals; sort-and-sweep does" : "";
+  return inspection.axis < 0 ? "this broad phase sorts no intervals; choose sort-and-sweep" : "";
 }
 
 std::string lacks_warps(const Inspection& inspection) {

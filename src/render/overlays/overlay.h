@@ -68,6 +68,9 @@ inline size_t index_of(const GridInspection& grid, const IVec3& cell) {
          static_cast<size_t>(cell.x);
 }
 
+/// The cell that holds the body's centre.
+IVec3 cell_of(const GridInspection& grid, const BodySnapshot& bodies, int64_t body);
+
 /// A corner of cells. The last cells along an axis may extend beyond the domain; they are drawn up to its wall.
 Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IVec3& corner);
 
@@ -110,5 +113,8 @@ Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected);
 
 /// The other spheres of the pairs that contain the body, ascending.
 std::vector<int32_t> partners_of(const std::vector<Pair>& pairs, int32_t body);
+
+/// The spheres that touch the body, ascending; also those whose contact the method misses.
+std::vector<int32_t> touching(const Inspection& inspection, int32_t body);
 
 }  // namespace ballpit

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Shows the candidates of the broad phase and which of them are contacts, as lines between centres.
 //
-//     o───────o   candidate that does not touch: thin, sky
-//     o━━━━━━━o   contact: bold, orange with a dark core
+//     o ───── o   candidate that does not touch: thin, sky, from surface to surface
+//     o━━━━━━━o   contact: bold, orange with a dark core, from centre to centre
 //     ◎═══════◎   contact that the method missed: double, vermillion, a ring around both
 //
-// Lines of candidates and contacts are in front of their own two spheres and behind others; those of missed contacts are in
-// front of everything. Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
+// In space, candidates are hidden by nearer spheres and fade with depth, and more so the more there are. Contacts are in
+// front of their own two spheres. Missed contacts, and the candidates of the selected sphere, are in front of everything.
+// Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
 #include <cmath>
 #include <iterator>
 #include <tuple>
@@ -18,8 +19,10 @@ namespace ballpit {
 namespace {
 
 // [1/1080 of the picture's height]
-constexpr float kThin = 3, kBold = 7, kEdge = 4, kThinEdge = 1, kGap = 5, kDouble = 4, kRing = 5;
+constexpr float kThin = 3, kBold = 7, kEdge = 4, kRim = 2, kGap = 5, kDouble = 4, kRing = 5, kCasing = 2.5f;
+constexpr float kShortest = 14;  // of a candidate's line, so that it is visible between spheres that almost touch
 constexpr size_t kMaxRings = 2000;
+constexpr float kCrowd = 300;  // of more candidates, each is fainter
 
 bool before(const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); }
 
@@ -34,14 +37,14 @@ Vec3 touching_image(const BodySnapshot& bodies, const Pair& pair, const DomainBo
   return to;
 }
 
-/// A line from the centre of i to `end`, in front of both spheres; longer by `beyond` [pixel] at both ends.
+/// The line of a contact, from the centre of i to `end`, in front of both spheres; longer by `beyond` [pixel] at both
+/// ends. It is visible as a whole, even if one sphere stands behind the other.
 Line lifted(const BodySnapshot& bodies, const Pair& pair, Vec3 end, const Projection& projection, Rgba color,
-            float beyond, bool touches) {
+            float beyond) {
   const float way = 1.02f * std::max(bodies.radius_of(pair.i), bodies.radius_of(pair.j));
   Vec3 start = bodies.position_of(pair.i);
-  // The line of a contact is visible as a whole, even if one sphere stands behind the other.
   const auto behind = [&](const Vec3& a, const Vec3& b) {
-    return touches ? std::max(0.0f, projection.depth(a) - projection.depth(b)) : 0.0f;
+    return std::max(0.0f, projection.depth(a) - projection.depth(b));
   };
   const float distance = length(end - start);
   if (beyond > 0 && distance > 0) {
@@ -53,28 +56,58 @@ Line lifted(const BodySnapshot& bodies, const Pair& pair, Vec3 end, const Projec
           color};
 }
 
-void draw_apart(const BodySnapshot& bodies, const std::vector<Pair>& apart, Painter& painter,
-                const Projection& projection) {
-  const Rgba color = to_rgba(painter.theme.candidate), edge = to_rgba(0.4f * painter.theme.candidate, 0.5f);
-  std::vector<Line> lines, edges;
+/// The part of the line of centres between the surfaces, [m]; a short one is extended into the spheres.
+std::pair<Vec3, Vec3> between_surfaces(const BodySnapshot& bodies, const Pair& pair, float shortest) {
+  const Vec3 a = bodies.position_of(pair.i), b = bodies.position_of(pair.j);
+  const float distance = length(b - a);
+  if (!(distance > 0)) return {a, b};
+  const float r = bodies.radius_of(pair.i), s = bodies.radius_of(pair.j);
+  const float inside = std::clamp((shortest - (distance - r - s)) / 2, 0.0f, std::min(r, s));
+  const Vec3 along = (b - a) / distance;
+  return {a + (r - inside) * along, b - (s - inside) * along};
+}
+
+void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& painter, const Projection& projection,
+                float scale) {
+  const BodySnapshot& bodies = view.inspection.bodies;
+  const bool is_planar = view.domain.is_planar();
+  const float crowd = is_planar ? 1 : std::sqrt(std::min(1.0f, kCrowd / static_cast<float>(apart.size() + 1)));
+  std::vector<Line> lines;
+  std::vector<std::pair<Vec3, Vec3>> picked;
   for (const Pair& pair : apart) {
-    const Vec3 end = bodies.position_of(pair.j);
-    lines.push_back(lifted(bodies, pair, end, projection, color, 0, false));
-    edges.push_back(lifted(bodies, pair, end, projection, edge, 0, false));
+    const Vec3 centre = bodies.position_of(pair.i);
+    if (!projection.sees(centre) || !projection.sees(bodies.position_of(pair.j))) continue;
+    const float shortest = kShortest * painter.sheet.unit() / projection.length_at(centre, 1);
+    const auto [from, to] = between_surfaces(bodies, pair, shortest);
+    if (pair.i == view.selected || pair.j == view.selected) {
+      picked.emplace_back(from, to);
+      continue;
+    }
+    const auto color_at = [&](const Vec3& point) {
+      const float fade = is_planar ? 1 : fade_at(point, view.domain.min, view.domain.max, view.camera);
+      return to_rgba(painter.theme.candidate, crowd * fade);
+    };
+    lines.push_back({from, color_at(from), to, color_at(to)});
   }
-  painter.lines.draw(edges, (kThin + 2 * kThinEdge) * painter.line_unit);
-  painter.lines.draw(lines, kThin * painter.line_unit);
+  const float width = is_planar ? 1 : scale;
+  painter.draw_rimmed(lines, rim_of(painter.theme.candidate), width * kThin, width * kRim);
+  const float u = painter.sheet.unit();
+  for (const auto& [from, to] : picked) {
+    const Vec2 a = projection.at(from), b = projection.at(to);
+    painter.sheet.line(a, b, to_rgba(rim_of(painter.theme.candidate)), (kThin + 3 * kRim) * u);
+    painter.sheet.line(a, b, to_rgba(painter.theme.candidate), 1.3f * kThin * u);
+  }
 }
 
 void draw_contacts(const FrameView& view, Painter& painter, const Projection& projection, float scale) {
   const BodySnapshot& bodies = view.inspection.bodies;
   // A dark core separates the line from the spheres, which are orange too.
-  const Rgba color = to_rgba(0.45f * painter.theme.contact), edge = to_rgba(painter.theme.contact);
+  const Rgba color = to_rgba(rim_of(painter.theme.contact)), edge = to_rgba(painter.theme.contact);
   std::vector<Line> lines, edges;
   for (const Pair& pair : view.inspection.contacts) {
     const Vec3 end = touching_image(bodies, pair, view.domain);
-    lines.push_back(lifted(bodies, pair, end, projection, color, 0, true));
-    edges.push_back(lifted(bodies, pair, end, projection, edge, scale * kEdge * painter.sheet.unit(), true));
+    lines.push_back(lifted(bodies, pair, end, projection, color, 0));
+    edges.push_back(lifted(bodies, pair, end, projection, edge, scale * kEdge * painter.sheet.unit()));
   }
   painter.lines.draw(edges, scale * (kBold + 2 * kEdge) * painter.line_unit);
   painter.lines.draw(lines, scale * kBold * painter.line_unit);
@@ -93,12 +126,14 @@ void draw_missed(const FrameView& view, Painter& painter, const Projection& proj
     const Vec2 a = projection.at(centre), b = projection.at(end), way = b - a;
     const Vec2 across = length(way) > 0 ? Vec2(-way.y, way.x) / length(way) : Vec2(0, 1);
     const Vec2 beside = std::max(kGap * u, 1.5f) * across;
-    sheet.line(a, b, ground, 2 * length(beside));
+    sheet.line(a, b, ground, 2 * (kGap + kDouble / 2 + kCasing) * u);
     for (const Vec2& offset : {beside, -beside}) sheet.line(a + offset, b + offset, color, kDouble * u);
     for (const int32_t body : {pair.i, pair.j}) {
       const Vec3 at = bodies.position_of(body);
-      const float radius = projection.length_at(at, bodies.radius_of(body));
-      sheet.ring(projection.at(at), radius + (kGap + kRing / 2) * u, color, kRing * u);
+      const float beyond = (kGap + kRing / 2) * u + (body == view.selected ? 8 * sheet.unit() : 0);
+      const float radius = projection.length_at(at, bodies.radius_of(body)) + beyond;
+      sheet.ring(projection.at(at), radius, ground, (kRing + 2 * kCasing) * u);
+      sheet.ring(projection.at(at), radius, color, kRing * u);
     }
   }
 }
@@ -107,9 +142,9 @@ void draw_notes(const FrameView& view, size_t apart, Painter& painter) {
   const Inspection& inspection = view.inspection;
   const Theme& theme = painter.theme;
   const auto count = [](size_t n) { return static_cast<int64_t>(n); };
-  if (view.left_out.missed) painter.note("too many spheres to look for missed contacts");
+  if (view.left_out.missed) painter.note("Pairs: too many spheres to look for missed contacts");
   if (view.left_out.candidates) {
-    painter.note({{Swatch::none, {}, "too many candidates to list,"},
+    painter.note({{Swatch::none, {}, "too many candidates to draw; show fewer spheres"},
                   {Swatch::bold, theme.contact, counted(count(inspection.contacts.size()), "contact")}});
     return;
   }
@@ -141,7 +176,7 @@ void draw_pairs(const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
   const float scale = line_scale(view, projection, painter.sheet.unit());
   const std::vector<Pair> apart = candidates_apart(inspection);
-  if (apart.size() <= kMaxCandidates) draw_apart(inspection.bodies, apart, painter, projection);
+  if (apart.size() <= kMaxCandidates) draw_apart(view, apart, painter, projection, scale);
   draw_contacts(view, painter, projection, scale);
   draw_missed(view, painter, projection, scale);
   draw_notes(view, apart.size(), painter);

@@ -10,7 +10,7 @@ namespace ballpit {
 namespace {
 
 constexpr float kTint = 0.2f;
-constexpr float kWidth = 5;  // [1/1080 of the picture's height]
+constexpr float kWidth = 5, kRim = 1.5f, kInset = 6;  // [1/1080 of the picture's height]
 
 /// The sides of the block behind the spheres in it, as the viewer sees them.
 std::vector<Face> far_sides(const Vec3& low, const Vec3& size, const Camera& camera, Rgba color) {
@@ -28,8 +28,14 @@ std::vector<Face> far_sides(const Vec3& low, const Vec3& size, const Camera& cam
 
 void draw_block(const GridInspection& grid, const Block& block, const FrameView& view, Painter& painter) {
   const DomainBox& domain = view.domain;
-  const Vec3 low = lattice_point(grid, domain, block.low);
+  Vec3 low = lattice_point(grid, domain, block.low);
   Vec3 size = lattice_point(grid, domain, block.high) - low;
+  if (domain.is_planar()) {  // beside the border of the domain, not under it
+    const float inset = kInset / 1080 * view.camera.orthographic_height;
+    const Vec3 high = glm::min(low + size, domain.max - inset);
+    low = glm::max(low, domain.min + inset);
+    size = high - low;
+  }
   const Rgba tint = to_rgba(painter.theme.selected, kTint);
   if (domain.is_planar()) {
     size.z = 0;
@@ -38,8 +44,8 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
     painter.faces.draw(far_sides(low, size, view.camera, tint));
   }
   const Rgba color = to_rgba(painter.theme.selected);
-  std::vector<Line> lines;  // in the plane each twice, so that their smooth borders are stronger
-  for (int corner = 0; corner < 8; ++corner) {
+  std::vector<Line> lines;
+  for (int corner = 0; corner < (domain.is_planar() ? 4 : 8); ++corner) {
     const Vec3 from = corner_of(low, low + size, corner);
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 to = from;
@@ -47,17 +53,12 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
       if (!(corner >> axis & 1) && size[axis] > 0) lines.push_back({from, color, to, color});
     }
   }
-  painter.lines.draw(lines, kWidth * painter.line_unit);
+  painter.draw_rimmed(lines, rim_of(painter.theme.selected), kWidth, kRim);
 }
 
 /// The cell that lists the body; none if the grid does not list it.
 std::optional<IVec3> cell_listing(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
-  const Vec3 place = (bodies.position_of(body) - grid.origin) / grid.edge;
-  IVec3 cell(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(place[axis])) continue;
-    cell[axis] = static_cast<int>(std::clamp(place[axis], 0.0f, static_cast<float>(grid.cells[axis] - 1)));
-  }
+  const IVec3 cell = cell_of(grid, bodies, body);
   const size_t index = index_of(grid, cell);
   if (index >= grid.head.size()) return std::nullopt;
   int32_t listed = grid.head[index];
@@ -66,6 +67,16 @@ std::optional<IVec3> cell_listing(const GridInspection& grid, const BodySnapshot
 }
 
 }  // namespace
+
+IVec3 cell_of(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
+  const Vec3 place = (bodies.position_of(body) - grid.origin) / grid.edge;
+  IVec3 cell(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(place[axis])) continue;
+    cell[axis] = static_cast<int>(std::clamp(place[axis], 0.0f, static_cast<float>(grid.cells[axis] - 1)));
+  }
+  return cell;
+}
 
 std::optional<Block> block_around(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
   const std::optional<IVec3> cell = cell_listing(grid, bodies, body);
@@ -98,6 +109,12 @@ std::vector<int32_t> partners_of(const std::vector<Pair>& pairs, int32_t body) {
   return partners;
 }
 
+std::vector<int32_t> touching(const Inspection& inspection, int32_t body) {
+  std::vector<Pair> all = inspection.contacts;
+  all.insert(all.end(), inspection.missed.begin(), inspection.missed.end());
+  return partners_of(all, body);
+}
+
 void draw_selection(const FrameView& view, Painter& painter) {
   const BodySnapshot& bodies = view.inspection.bodies;
   if (view.selected < 0 || view.selected >= bodies.count) return;
@@ -109,7 +126,8 @@ void draw_selection(const FrameView& view, Painter& painter) {
   const Vec3 centre = bodies.position_of(view.selected);
   if (!projection.sees(centre)) return;
   const float u = painter.sheet.unit(), radius = projection.length_at(centre, bodies.radius_of(view.selected));
-  painter.sheet.ring(projection.at(centre), radius + 4 * u, to_rgba(painter.theme.selected), 8 * u);
+  painter.sheet.ring(projection.at(centre), radius + 4 * u, to_rgba(rim_of(painter.theme.selected)), 10 * u);
+  painter.sheet.ring(projection.at(centre), radius + 4 * u, to_rgba(painter.theme.selected), 7 * u);
 }
 
 }  // namespace ballpit

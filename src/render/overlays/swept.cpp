@@ -5,7 +5,7 @@
 //     ( o )· · · · · · · · ·( )     two sides, tinted between them, and a ring at the end
 //       ╰────────────────────╯
 //
-// A search finds contacts at both ends of the path; only swept contacts are found in between. The velocity is the present
+// Paths are the subject, so they shine through spheres that hide them. A search finds contacts at both ends of the path; only swept contacts are found in between. The velocity is the present
 // one: forces during the step are ignored.
 #include <cmath>
 #include <numbers>
@@ -18,8 +18,8 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kWidth = 3;  // [1/1080 of the picture's height]
-constexpr float kOpacity = 0.85f, kTint = 0.14f;
+constexpr float kWidth = 3, kRim = 2;  // [1/1080 of the picture's height]
+constexpr float kTint = 0.14f;
 constexpr float kSmallest = 2;  // [pixel] spheres with a smaller radius are drawn as a line
 
 /// The shapes of all paths.
@@ -41,7 +41,7 @@ void add_ring(const Vec3& centre, const Vec3& a, const Vec3& b, int corners, Rgb
 
 void add_path(const Vec3& from, const Vec3& way, float radius, float radius_in_pixels, const Camera& camera,
               const Painter& painter, Paths& paths) {
-  const Rgba ink = painter.ink(kOpacity);
+  const Rgba ink = painter.ink();
   const Vec3 to = from + way, look = normalize(camera.is_orthographic() ? camera.target - camera.eye : to - camera.eye);
   const Vec3 across = glm::cross(way, look);
   if (radius_in_pixels < kSmallest) {
@@ -71,7 +71,7 @@ float longest_way(const FrameView& view) {
 void draw_swept(const FrameView& view, Painter& painter) {
   const float longest = longest_way(view);
   if (!(longest > 0) || !std::isfinite(longest)) {
-    painter.note("no swept ways: all spheres are at rest");
+    painter.note("Swept ways: all spheres are at rest");
     return;
   }
   const BodySnapshot& bodies = view.inspection.bodies;
@@ -85,7 +85,9 @@ void draw_swept(const FrameView& view, Painter& painter) {
     add_path(centre, way, radius, projection.length_at(centre, radius), view.camera, painter, paths);
   }
   painter.faces.draw(paths.faces);
-  painter.lines.draw(paths.lines, kWidth * painter.line_unit);
+  glDisable(GL_DEPTH_TEST);
+  painter.draw_rimmed(paths.lines, painter.theme.background, kWidth, kRim);
+  glEnable(GL_DEPTH_TEST);
   painter.note({{Swatch::line, painter.theme.text, fmt::format("longest way in a step: {:.3g} diameters", longest)}});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Draws an arrow along each velocity, from the centre of the sphere. The longest arrow is a twelfth of the picture's height;
-// a note gives its speed.
+// Draws an arrow along each velocity, from the centre of the sphere. The arrow of the fastest sphere is a twelfth of the
+// picture's height, and a note gives its speed. If all spheres are slow, arrows are shorter; spheres that hardly move,
+// such as those of a heap at rest, have none.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,9 +12,9 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kLongest = 1.0f / 12;    // of the picture's height, at the middle of the domain
-constexpr float kWidth = 4, kBarb = 18;  // [1/1080 of the picture's height]
-constexpr float kOpacity = 0.6f;
+constexpr float kLongest = 1.0f / 12;              // of the picture's height, at the middle of the domain
+constexpr float kWidth = 4, kRim = 2, kBarb = 18;  // [1/1080 of the picture's height]
+constexpr float kSlow = 0.05f, kRest = 1e-3f;  // of the scene's typical speed: below them arrows are short, or absent
 
 float fastest(const BodySnapshot& bodies) {
   float most = 0;
@@ -39,31 +40,31 @@ void add_arrow(const Vec3& from, const Vec3& way, float barb, const Camera& came
 
 float arrow_time(const FrameView& view) {
   const float speed = fastest(view.inspection.bodies);
-  if (!(speed > 0) || !std::isfinite(speed)) return 0;
+  if (!(speed > kRest * view.typical_speed) || !std::isfinite(speed)) return 0;
   const float distance = length((view.domain.min + view.domain.max) / 2.0f - view.camera.eye);
-  return kLongest * view.camera.pixel_size(distance, 1) / speed;
+  return kLongest * view.camera.pixel_size(distance, 1) / std::max(speed, kSlow * view.typical_speed);
 }
 
 void draw_velocities(const FrameView& view, Painter& painter) {
   const float time = arrow_time(view);
   if (time == 0) {
-    painter.note("no arrows: all spheres are at rest");
+    painter.note("Velocities: all spheres are at rest");
     return;
   }
   const BodySnapshot& bodies = view.inspection.bodies;
   const Projection projection(view.camera, painter.sheet);
   const float scale = line_scale(view, projection, painter.sheet.unit());
+  const float rest = time * kRest * view.typical_speed;
   std::vector<Line> lines;
   for (int64_t i = 0; i < bodies.count; ++i) {
     const Vec3 centre = bodies.position_of(i), way = time * bodies.velocity_of(i);
     const float pixel = view.camera.pixel_size(projection.depth(centre), painter.sheet.height());
-    if (!projection.sees(centre) || length(way) < pixel) continue;
+    if (!projection.sees(centre) || length(way) < pixel || length(way) <= rest) continue;
     const Vec3 from = projection.lift(centre, 1.02f * bodies.radius_of(i));
-    add_arrow(from, way, scale * kBarb * painter.sheet.unit() * pixel, view.camera, painter.ink(kOpacity), lines);
+    add_arrow(from, way, scale * kBarb * painter.sheet.unit() * pixel, view.camera, painter.ink(), lines);
   }
-  painter.lines.draw(lines, scale * kWidth * painter.line_unit);
-  painter.note({{Swatch::arrow, 0.6f * painter.theme.text + 0.4f * painter.theme.background,
-                 fmt::format("longest arrow: {:.3g} m/s", fastest(bodies))}});
+  painter.draw_rimmed(lines, painter.theme.background, scale * kWidth, scale * kRim);
+  painter.note({{Swatch::arrow, painter.theme.text, fmt::format("longest arrow: {:.3g} m/s", fastest(bodies))}});
 }
 
 }  // namespace ballpit

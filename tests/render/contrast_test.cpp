@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Whether marks can be told from what they are drawn on: computed from the colours of the themes, and measured in pictures.
+#include "render/contrast.h"
+
+#include <catch2/catch.hpp>
+
+#include "render/coloring.h"
+#include "render/overlays/overlay.h"
+#include "render/painter.h"
+#include "tests/support/test_scenes.h"
+
+using namespace ballpit;
+
+namespace {
+
+const DomainBox kPlane{Vec3(0), Vec3(5, 5, 0), 2, false};
+
+/// A colour that carries meaning, its rim, and all that it is drawn on.
+struct Use {
+  const char* mark;
+  Vec3 color, rim;  // equal if it has no rim
+  std::vector<Vec3> grounds;
+};
+
+/// The tints of cells with up to eight spheres, as the grid draws them.
+std::vector<Vec3> cell_tints(const Theme& theme) {
+  std::vector<Vec3> tints;
+  for (const float opacity : {0.0f, 0.2f, 0.3f, 0.48f}) tints.push_back(blended(theme.grid, opacity, theme.background));
+  for (const Vec3& tint : std::vector(tints)) tints.push_back(blended(theme.selected, 0.2f, tint));
+  return tints;
+}
+
+std::vector<Use> uses_of(const Theme& theme) {
+  const Vec3 ground = theme.background, floor = theme.floor, sphere = theme.body, touching = theme.contact;
+  const Vec3 contact_rim = rim_of(theme.contact);
+  const std::vector<Vec3> anywhere{ground, floor, sphere, touching};
+  std::vector<Use> uses = {
+      {"rim of a touching sphere on a resting one", contact_rim, contact_rim, {sphere, touching}},
+      {"touching sphere, with its rim", theme.contact, contact_rim, anywhere},
+      {"candidate", theme.candidate, rim_of(theme.candidate), anywhere},
+      {"selected sphere and block", theme.selected, rim_of(theme.selected), anywhere},
+      {"missed contact, on its casing", theme.missed, theme.missed, {ground}},
+      {"velocity and path", theme.text, ground, anywhere},
+      {"domain", theme.domain, theme.domain, {ground, floor}},
+      {"begin and end", theme.begin, theme.begin, {ground}},
+      {"idle thread", theme.idle, theme.idle, {ground}},
+      {"grid", theme.grid, theme.grid, {ground}},
+      {"number of a cell", theme.cell_text, theme.cell_text, cell_tints(theme)},
+      {"text", theme.text, theme.text, {ground, floor}},
+      {"pale text", blended(theme.text, 0.6f, ground), blended(theme.text, 0.6f, ground), {ground}},
+  };
+  for (int mark = 0; mark < 2 + kScaleColors; ++mark) {
+    const Vec3 fill = color_of(theme, mark);
+    uses.push_back({"number of a sphere", text_on(fill), text_on(fill), {fill}});
+  }
+  for (const Vec3& fill : {theme.begin, theme.candidate}) {
+    uses.push_back({"name of an endpoint", text_on(fill), text_on(fill), {fill}});
+  }
+  return uses;
+}
+
+/// The largest contrast to `ground` on a row of pixels.
+float most_contrast(const Image& image, int y, int from, int to, const Vec3& ground) {
+  float most = 1;
+  for (int x = from; x <= to; ++x) {
+    const uint8_t* pixel = image.pixel(x, y);
+    most = std::max(most, contrast(Vec3(pixel[0], pixel[1], pixel[2]) / 255.0f, ground));
+  }
+  return most;
+}
+
+Vec2 place(const FrameView& view, const Vec3& point, int size) {
+  const Vec4 clip = view.camera.projection() * view.camera.view() * Vec4(point, 1);
+  return Vec2(1 + clip.x / clip.w, 1 - clip.y / clip.w) / 2.0f * static_cast<float>(size);
+}
+
+}  // namespace
+
+TEST_CASE("contrast is 1 for equal colours, 21 for black on white, and the same in both orders") {
+  CHECK(contrast(rgb(0x8FA9C4), rgb(0x8FA9C4)) == Approx(1));
+  CHECK(contrast(rgb(0x000000), rgb(0xFFFFFF)) == Approx(21));
+  CHECK(contrast(rgb(0xFFFFFF), rgb(0x000000)) == Approx(21));
+  CHECK(contrast(rgb(0x767676), rgb(0xFFFFFF)) == Approx(4.54).margin(0.01));  // the example of WCAG 2.1
+}
+
+TEST_CASE("every mark, or its rim, has a contrast of at least 3:1 to all that it is drawn on, in both themes") {
+  for (const Theme& theme : themes()) {
+    for (const Use& use : uses_of(theme)) {
+      for (const Vec3& ground : use.grounds) {
+        INFO(theme.name << ": " << use.mark << " on " << ground.r * 255 << ", " << ground.g * 255 << ", "
+                        << ground.b * 255);
+        CHECK(std::max(contrast(use.color, ground), contrast(use.rim, ground)) >= kMinContrast);
+      }
+      if (use.color != use.rim) CHECK(contrast(use.color, use.rim) >= kMinContrast);
+    }
+  }
+}
+
+TEST_CASE("a touching sphere differs from a resting one by a dark rim, in the plane and in space") {
+  constexpr int kSize = 300;
+  const std::vector<Sphere> flat{{{1.5f, 2.5f, 0}, 1}, {{3.5f, 2.5f, 0}, 1}};
+  const std::vector<Sphere> round{{{0.35f, 0.5f, 0.5f}, 0.15f}, {{0.65f, 0.5f, 0.5f}, 0.15f}};
+  for (const bool is_planar : {true, false}) {
+    for (const Theme& theme : themes()) {
+      INFO(is_planar << ", " << theme.name);
+      const DomainBox domain = is_planar ? kPlane : DomainBox();
+      Inspection inspection = inspect(is_planar ? flat : round, domain);
+      inspection.contacts = {{0, 1}};
+      const FrameView view = view_of(inspection, domain, 1);
+      const Image image = draw(view, kSize, kSize, {theme});
+      const auto left = inspection.bodies.position_of(0), radius = Vec3(inspection.bodies.radius_of(0), 0, 0);
+      const Vec2 centre = place(view, left, kSize), edge = place(view, left + radius, kSize);
+      const int y = static_cast<int>(centre.y), x = static_cast<int>(edge.x);
+      CHECK(most_contrast(image, y, x - 5, x + 1, theme.contact) >= kMinContrast);
+      CHECK(most_contrast(image, y, x - 5, x + 1, theme.body) >= kMinContrast);
+    }
+  }
+}
+
+TEST_CASE("the line of a candidate can be seen where it crosses another sphere") {
+  constexpr int kSize = 900;
+  for (const Theme& theme : themes()) {
+    Inspection inspection =
+        inspect({{{2.5f, 0.5f, 0}, 0.3f}, {{2.5f, 4.5f, 0}, 0.3f}, {{2.5f, 2.5f, 0}, 0.8f}}, kPlane);
+    inspection.candidates = {{0, 1}};
+    const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
+    const Image image = draw(view, kSize, kSize, {theme});
+    const Vec2 middle = place(view, {2.5f, 2.5f, 0}, kSize);
+    const int x = static_cast<int>(middle.x), y = static_cast<int>(middle.y);
+    CHECK(most_contrast(image, y, x - 5, x + 5, theme.body) >= kMinContrast);
+    const int above = static_cast<int>(place(view, {2.5f, 3.7f, 0}, kSize).y);
+    CHECK(most_contrast(image, above, x - 5, x + 5, theme.background) >= kMinContrast);
+  }
+}
+
+TEST_CASE("numbers are legible on the darkest and on the lightest colour of a scale") {
+  constexpr int kSize = 600;
+  for (const Theme& theme : themes()) {
+    const Inspection inspection = inspect({{{1.5f, 2.5f, 0}, 0.7f}, {{3.5f, 2.5f, 0}, 0.9f}}, kPlane);
+    FrameView view = view_of(inspection, kPlane, 1, {"labels"});
+    view.coloring = "size";
+    const Image image = draw(view, kSize, kSize, {theme});
+    const int marks[] = {static_cast<int>(scale_mark(0)), static_cast<int>(scale_mark(kScaleColors - 1))};
+    for (const int64_t body : {0, 1}) {
+      const Vec2 at = place(view, inspection.bodies.position_of(body), kSize);
+      const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
+      const Vec3 fill = color_of(theme, marks[body]);
+      CHECK(most_contrast(image, y, x - 8, x + 8, fill) >= 0.75f * contrast(text_on(fill), fill));
+    }
+  }
+}
+
+TEST_CASE("the domain can be told from the ground") {
+  constexpr int kSize = 900;
+  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.3f}}, kPlane);
+  for (const Theme& theme : themes()) {
+    const FrameView view = view_of(inspection, kPlane, 1);
+    const Image image = draw(view, kSize, kSize, {theme});
+    const Vec2 edge = place(view, {0, 2.5f, 0}, kSize);
+    const int x = static_cast<int>(edge.x), y = static_cast<int>(edge.y);
+    CHECK(most_contrast(image, y, x - 2, x + 2, theme.background) >= kMinContrast);
+  }
+}
