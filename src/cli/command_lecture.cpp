@@ -49,6 +49,7 @@ class LectureCommand {
     presenter.text_scale = text_scale_.value_or(presenter.text_scale);
     if (!export_.empty()) return write_handout(lecture, presenter);
     if (json_) return print_pages(presenter);
+    presenter.measures = true;
     catch_interrupts();
     Window window(size_, "Ballpit");
     try {

@@ -23,9 +23,13 @@ struct Input {
   std::vector<float> radius;
   Box<V> box;
 
-  Input(const BodySnapshot& bodies, const Domain& domain)
-      : radius(bodies.radius), box{narrow<V>(domain.min), narrow<V>(domain.max), domain.boundary} {
-    for (int64_t i = 0; i < bodies.count; ++i) position.push_back(narrow<V>(Vec3d(bodies.position_of(i))));
+  /// `distance` [m] moves all away from the origin, where floats are farther apart.
+  Input(const BodySnapshot& bodies, const Domain& domain, double distance)
+      : radius(bodies.radius),
+        box{narrow<V>(domain.min + distance), narrow<V>(domain.max + distance), domain.boundary} {
+    for (int64_t i = 0; i < bodies.count; ++i) {
+      position.push_back(narrow<V>(Vec3d(bodies.position_of(i)) + distance));
+    }
   }
 
   int count() const { return static_cast<int>(position.size()); }
@@ -102,28 +106,44 @@ RecordedRun run_sort_and_sweep(const Input<V>& input, const Settings& settings) 
 }
 
 template <class V>
-RecordedRun run_linked_cell(KernelName name, const Input<V>& input, const Settings& settings,
-                            const Interleaving& interleaving, const Mistakes& mistakes) {
+RecordedRun run_linked_cell(KernelName name, const Input<V>& input, const Input<V>& inserted, const Settings& settings,
+                            const RunOptions& options) {
   Runner runner(name);
   const BroadPhaseParameters<V> parameters = input.parameters(settings);
   const Scalar<V> largest = parameters.largest_radius();
   const Grid<V> grid = make_grid(parameters, SizeClass<V>{largest, parameters.count}, V(2 * largest), false);
-  runner.run().grid = describe_grid(grid);
+  GridInspection seen = describe_grid(grid);
+  std::vector<Vec3> places;
+  for (const V& p : inserted.position) {
+    Vec3 place(0.0f);
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      place[axis] = float(p[axis] - grid.origin[axis]) * float(grid.inverse_edge[axis]);
+    }
+    places.push_back(place);
+  }
+  for (int axis = 0; axis < kDimensions<V>; ++axis) seen.origin[axis] -= static_cast<float>(options.distance);
+  runner.run().grid = seen;
+  runner.run().places = places;
+  runner.run().truncates = options.mistakes.truncates;
   std::vector<int> head(static_cast<size_t>(grid.size()), kUnset), next(input.position.size(), kUnset);
   runner.name("head", head);
   const LinkedCell<V, RecordedMemory> kernels{
-      runner.name("next", next), input.spheres(), {}, grid, span_of(head), span_of(next), mistakes};
+      runner.name("next", next), input.spheres(), {}, grid, span_of(head), span_of(next), options.mistakes};
+  LinkedCell<V, RecordedMemory> inserting = kernels;
+  inserting.spheres = inserted.spheres();
   runner.phase("clear", grid.size(), [&](int cell) { kernels.clear(cell); });
   const bool is_racing = name == KernelName::race;
   runner.phase(
-      "insert", input.count(), [&](int i) { is_racing ? kernels.insert_racing(i) : kernels.insert(i); }, interleaving);
+      "insert", input.count(), [&](int i) { is_racing ? inserting.insert_racing(i) : inserting.insert(i); },
+      options.interleaving);
   runner.phase("collide", input.count(), [&](int i) { kernels.collide(i); });
   return runner.finish();
 }
 
 template <class V>
-RecordedRun run_kernel(KernelName kernel, const Input<V>& input, const Settings& settings,
-                       const Interleaving& interleaving, const Mistakes& mistakes) {
+RecordedRun run_kernel(KernelName kernel, const BodySnapshot& bodies, const Domain& domain, const Settings& settings,
+                       const RunOptions& options) {
+  const Input<V> input(bodies, domain, options.distance);
   switch (kernel) {
     case KernelName::brute_force:
       return run_brute_force(input);
@@ -133,7 +153,8 @@ RecordedRun run_kernel(KernelName kernel, const Input<V>& input, const Settings&
     case KernelName::race:
       break;
   }
-  return run_linked_cell(kernel, input, settings, interleaving, mistakes);
+  if (options.inserted == nullptr) return run_linked_cell(kernel, input, input, settings, options);
+  return run_linked_cell(kernel, input, Input<V>(*options.inserted, domain, options.distance), settings, options);
 }
 
 }  // namespace
@@ -146,12 +167,12 @@ const Phase& RecordedRun::phase_at(size_t cursor) const {
 }
 
 RecordedRun record_kernel(KernelName kernel, const BodySnapshot& bodies, const Domain& domain, const Settings& settings,
-                          const Interleaving& interleaving, const Mistakes& mistakes) {
+                          const RunOptions& options) {
   if (bodies.count > kMaxRecorded) {
     throw UserError("kernel", std::to_string(bodies.count) + " spheres", "at most " + std::to_string(kMaxRecorded));
   }
-  if (domain.dimensions == 2) return run_kernel(kernel, Input<Vec2>(bodies, domain), settings, interleaving, mistakes);
-  return run_kernel(kernel, Input<Vec3>(bodies, domain), settings, interleaving, mistakes);
+  if (domain.dimensions == 2) return run_kernel<Vec2>(kernel, bodies, domain, settings, options);
+  return run_kernel<Vec3>(kernel, bodies, domain, settings, options);
 }
 
 std::vector<std::string_view> phases_of(KernelName kernel) {

@@ -44,18 +44,27 @@ struct RecordedRun {
   Record record;
   std::vector<Phase> phases;
   std::optional<GridInspection> grid;  ///< without lists
-  int axis = -1;                       ///< of sort and sweep
-  std::vector<Pair> found;             ///< in canonical order; a pair that was found twice comes twice
+  std::vector<Vec3> places;  ///< linked cells: of the spheres when they were inserted, in cells from the origin
+  bool truncates = false;    ///< Mistakes::truncates
+  int axis = -1;             ///< of sort and sweep
+  std::vector<Pair> found;   ///< in canonical order; a pair that was found twice comes twice
   int64_t tests = 0;
 
   /// The phase of the operation that follows the first `cursor` ones; the last phase at the end.
   const Phase& phase_at(size_t cursor) const;
 };
 
-/// Runs a kernel. `interleaving` is that of the phase which inserts particles. Throws UserError for more than
-/// kMaxRecorded spheres.
+/// How a kernel is run.
+struct RunOptions {
+  Interleaving interleaving{};             ///< of the phase that inserts particles
+  Mistakes mistakes{};                     ///< of linked cells
+  double distance = 0;                     ///< [m] of the spheres from the origin, along each axis, in single precision
+  const BodySnapshot* inserted = nullptr;  ///< linked cells: the spheres as they are inserted, if they move afterwards
+};
+
+/// Runs a kernel. Throws UserError for more than kMaxRecorded spheres.
 RecordedRun record_kernel(KernelName kernel, const BodySnapshot& bodies, const Domain& domain, const Settings& settings,
-                          const Interleaving& interleaving = {}, const Mistakes& mistakes = {});
+                          const RunOptions& options = {});
 
 /// The names of a kernel's phases, in their order.
 std::vector<std::string_view> phases_of(KernelName kernel);

@@ -93,6 +93,7 @@ void draw_page(const PageView& page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), width = static_cast<float>(sheet.width());
   const float title = sheet.size_of("0", TextSize::title).y + kPad * u;
+  sheet.box({0, 0}, {width, title}, painter.ground());  // spheres may fly this high
   const bool fits = sheet.size_of(page.title, TextSize::title).x <= width - 2 * kMargin * u;
   sheet.text({kMargin * u, kPad * u / 2}, kUpperLeft, painter.ink(), page.title,
              fits ? TextSize::title : TextSize::small);

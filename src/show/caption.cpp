@@ -2,10 +2,14 @@
 #include "show/caption.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "core/numbers.h"
+#include "measure/machine.h"
 #include "measure/statistics.h"
 
 namespace ballpit {
@@ -53,9 +57,28 @@ double longest_leap(const PageState& state) {
   return longest;
 }
 
+/// Three digits, or a whole number with its thousands apart.
+std::string figure(double value) {
+  constexpr double kLarge = 1000;
+  return value >= kLarge ? grouped(std::llround(value)) : three_digits(value);
+}
+
 std::string times_fewer(const PageState& state) {
   if (state.report.candidates == 0) return "";
-  return three_digits(double(pairs_of(state.report.count)) / double(state.report.candidates));
+  return figure(double(pairs_of(state.report.count)) / double(state.report.candidates));
+}
+
+/// Pairs that the kernel finds although they do not touch.
+std::string invented_contacts(const PageState& state) {
+  if (state.run == nullptr || state.cursor < state.run->record.operations.size()) return "";
+  std::vector<Pair> found = state.inspection.contacts;
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  const auto missed = static_cast<int64_t>(state.inspection.missed.size());
+  return grouped(static_cast<int64_t>(found.size()) - (state.contacts - missed));
+}
+
+std::string this_machine(const PageState& state) {
+  return state.race ? describe_machine()["cpu"].get<std::string>() : "";
 }
 
 }  // namespace
@@ -71,10 +94,8 @@ const std::vector<Placeholder>& placeholder_table() {
       {"contacts", "contacts found, with a kernel those up to the cursor", contacts_found},
       {"missed", "contacts that the method misses",
        [](const PageState& s) { return grouped(static_cast<int64_t>(s.inspection.missed.size())); }},
-      {"all", "contacts that there are",
-       [](const PageState& s) {
-         return grouped(s.report.contacts + static_cast<int64_t>(s.inspection.missed.size()));
-       }},
+      {"all", "contacts that there are", [](const PageState& s) { return grouped(s.contacts); }},
+      {"invented", "pairs that the kernel finds although they do not touch", invented_contacts},
       {"cells", "cells of the grid",
        [](const PageState& s) -> std::string {
          if (s.inspection.grids.empty()) return "";
@@ -95,16 +116,29 @@ const std::vector<Placeholder>& placeholder_table() {
          return count_operations(s, is_move);
        }},
       {"lost", "spheres that are in no list after the kernel", lost_particles},
+      {"lost_by_threads", "spheres that are lost when real threads race",
+       [](const PageState& s) { return s.race ? grouped(s.race->lost) : ""; }},
+      {"racing", "spheres that they insert", [](const PageState&) { return grouped(kRacing); }},
+      {"threads", "their number", [](const PageState& s) { return s.race ? grouped(s.race->threads) : ""; }},
+      {"machine", "their processor", this_machine},
       {"busy", "share of lanes that are busy, in percent",
        [](const PageState& s) -> std::string {
          const std::optional<double> share = profile_work(s.inspection.work).simd_efficiency;
-         return share ? three_digits(100 * *share) : "";
+         return share ? figure(100 * *share) : "";
+       }},
+      {"steps", "entries of lists that all threads read together",
+       [](const PageState& s) -> std::string {
+         const std::vector<int>& work = s.inspection.work;
+         return work.empty() ? "" : grouped(std::accumulate(work.begin(), work.end(), int64_t{0}));
        }},
       {"overlap", "largest overlap, in percent of a radius",
-       [](const PageState& s) { return three_digits(100 * s.report.max_overlap); }},
+       [](const PageState& s) { return figure(100 * s.report.max_overlap); }},
       {"leap", "longest path in a step, in diameters of its sphere",
-       [](const PageState& s) { return three_digits(longest_leap(s)); }},
-      {"time", "simulated seconds", [](const PageState& s) { return three_digits(s.report.time); }},
+       [](const PageState& s) { return figure(longest_leap(s)); }},
+      {"searches", "searches for contacts in a simulated second",
+       [](const PageState& s) { return grouped(std::llround(1 / s.step)); }},
+      {"energy", "energy, in percent of that at the start", [](const PageState& s) { return figure(100 * s.energy); }},
+      {"time", "simulated seconds", [](const PageState& s) { return figure(s.report.time); }},
   };
   return table;
 }
@@ -121,12 +155,20 @@ std::string unknown_placeholder(std::string_view text) {
   return "";
 }
 
-std::string fill_caption(std::string_view text, const PageState& state) {
+std::string in_language(std::string number, Language language) {
+  if (language == Language::german) std::replace(number.begin(), number.end(), '.', ',');
+  return number;
+}
+
+std::string fill_caption(std::string_view text, const PageState& state, const Figures& stored) {
   std::string result(text);
   for (const Placeholder& placeholder : placeholder_table()) {
     const std::string name = fmt::format("{{{}}}", placeholder.name);
     for (size_t at = result.find(name); at != std::string::npos; at = result.find(name, at)) {
-      const std::string figure = placeholder.figure(state);
+      std::string figure = in_language(placeholder.figure(state), state.language);
+      if (const auto kept = stored.find(placeholder.name); figure.empty() && kept != stored.end()) {
+        figure = kept->second;
+      }
       result.replace(at, name.size(), figure.empty() ? "?" : figure);
     }
   }

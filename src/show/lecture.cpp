@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/file.h"
+#include "core/numbers.h"
 #include "lecture_text.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
 constexpr int64_t kMaxSlide = 999;
+constexpr double kFar = 1 << 20;  // [m] from the origin, where floats are 1/8 m apart
 
 LocalText read_text(const TableReader& reader, std::string_view key) {
   return {reader.text(key).value_or(""), reader.text(std::string(key) + "_de").value_or("")};
@@ -140,6 +142,28 @@ void read_kernel(const TableReader& reader, Page& page) {
     page.stops.push_back(read_stop(reader, text, *page.kernel));
 }
 
+/// Numbers or texts, by the names of placeholders.
+Figures read_stored(const TableReader& reader) {
+  Figures figures;
+  const toml::node* node = reader.table().get("stored");
+  if (node == nullptr) return figures;
+  if (!node->is_table()) throw reader.error("stored", describe(*node), "figures by their names");
+  for (const auto& [key, value] : *node->as_table()) {
+    const std::vector<std::string> known = names_in(placeholder_table());
+    const std::string name(key.str());
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw reader.error("stored", ballpit::quoted(name), join(known));
+    if (const std::optional<int64_t> number = whole_number(value)) {
+      figures[name] = grouped(*number);
+    } else if (value.is_string()) {
+      figures[name] = value.as_string()->get();
+    } else {
+      throw reader.error("stored", describe(value), "whole numbers or texts");
+    }
+  }
+  return figures;
+}
+
 /// A scene's path is relative to the lecture's file.
 std::string read_scene_name(const TableReader& reader, const std::filesystem::path& folder) {
   const std::optional<std::string> scene = reader.text("scene");
@@ -170,15 +194,20 @@ Page read_page(const TableReader& reader, const std::filesystem::path& folder) {
   page.view.selected = reader.integer("select", 0, kLargestCount).value_or(-1);
   read_camera(reader, page.view);
   read_kernel(reader, page);
+  page.stored = read_stored(reader);
   return page;
 }
 
 }  // namespace
 
-lecture::Mistakes mistakes_of(PageMistake mistake) {
-  return {.truncates = mistake == PageMistake::int_for_floor,
-          .forgets_wrap = mistake == PageMistake::no_wrap,
-          .tests_twice = mistake == PageMistake::both_halves};
+lecture::RunOptions run_options(PageMistake mistake, const lecture::Interleaving& interleaving,
+                                const BodySnapshot& start) {
+  return {.interleaving = interleaving,
+          .mistakes = {.truncates = mistake == PageMistake::int_for_floor,
+                       .forgets_wrap = mistake == PageMistake::no_wrap,
+                       .tests_twice = mistake == PageMistake::both_halves},
+          .distance = mistake == PageMistake::far_from_origin ? kFar : 0,
+          .inserted = mistake == PageMistake::stale_lists ? &start : nullptr};
 }
 
 Lecture parse_lecture(std::string_view text, std::string_view file_name, const std::filesystem::path& folder) {
@@ -187,10 +216,10 @@ Lecture parse_lecture(std::string_view text, std::string_view file_name, const s
   Lecture lecture;
   lecture.title = read_text(root, "title");
   for (const toml::table* page : root.tables("page")) {
-    const TableReader reader =
-        root.nested(*page, "[[page]]",
-                    {"id", "slides", "title", "title_de", "caption", "caption_de", "notes", "notes_de", "scene", "time",
-                     "options", "overlays", "color", "select", "camera", "kernel", "interleaving", "mistake", "stops"});
+    const TableReader reader = root.nested(
+        *page, "[[page]]", {"id",       "slides", "title",        "title_de", "caption",  "caption_de", "notes",
+                            "notes_de", "scene",  "time",         "options",  "overlays", "color",      "select",
+                            "camera",   "kernel", "interleaving", "mistake",  "stops",    "stored"});
     lecture.pages.push_back(read_page(reader, folder));
     const auto is_same = [&](const Page& other) { return other.id == lecture.pages.back().id; };
     if (std::count_if(lecture.pages.begin(), lecture.pages.end(), is_same) > 1) {

@@ -11,6 +11,7 @@
 //     interleaving = [6, 6, 2, 2]
 //     stops = ["clear", "insert 6"]       where its cursor stops: after a phase, after a thread's part of it, or after
 //                                         the first operations of that: "insert 6 1"
+//     stored = { machine = "…" }          figures that differ from run to run, as a handout shows them
 //
 // docs/lecture.md lists all keys. A mistake is a UserError with file, line and key.
 #pragma once
@@ -24,6 +25,7 @@
 #include "lecture/recorded_run.h"
 #include "methods/choices.h"
 #include "scene/input_error.h"
+#include "show/caption.h"
 #include "show/options.h"
 #include "show/view.h"
 
@@ -35,12 +37,15 @@ struct LocalText {
   const std::string& in(Language language) const { return language == Language::german && !de.empty() ? de : en; }
 };
 
-/// A mistake that a page makes on purpose (lecture::Mistakes).
-enum class PageMistake { none, int_for_floor, no_wrap, both_halves };
+/// A mistake that a page makes on purpose: of its kernel (lecture::Mistakes), or of what the kernel is given.
+enum class PageMistake { none, int_for_floor, no_wrap, both_halves, far_from_origin, stale_lists };
 template <>
-inline constexpr auto kNames<PageMistake> = in_order("none", "int-for-floor", "no-wrap", "both-halves");
+inline constexpr auto kNames<PageMistake> = in_order("none", "int-for-floor", "no-wrap", "both-halves",
+                                                     "far-from-origin", "stale-lists");
 
-lecture::Mistakes mistakes_of(PageMistake mistake);
+/// `start`: the spheres at the start of the scene, which stale lists hold.
+lecture::RunOptions run_options(PageMistake mistake, const lecture::Interleaving& interleaving,
+                                const BodySnapshot& start);
 
 inline constexpr std::string_view kStart = "start";  ///< the stop before the first operation
 
@@ -63,7 +68,8 @@ struct Page {
   lecture::Interleaving interleaving;
   PageMistake mistake = PageMistake::none;
   std::vector<PageStop> stops;
-  Place place;  ///< in the file, for errors
+  Figures stored;  ///< by their names, where nothing is measured: in a handout
+  Place place;     ///< in the file, for errors
 };
 
 struct Lecture {

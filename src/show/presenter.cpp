@@ -54,11 +54,13 @@ Presenter::Presenter(const Lecture& lecture, Language its_language) : language(i
 
 void Presenter::open() {
   run_.reset();
+  race_.reset();
   failure_.clear();
   stops_ = {0};
   cursor_ = 0;
   try {
     demo_ = std::make_unique<Demo>(page().scene, page().options);
+    start_ = demo_->session.world().inspect().bodies;
     demo_->session.advance_to(page().time, [] { return false; });
     demo_->view = page().view;
     if (page().kernel) record();
@@ -74,7 +76,7 @@ void Presenter::open() {
 
 void Presenter::record() {
   run_ = lecture::record_kernel(*page().kernel, demo_->session.world().inspect().bodies, demo_->session.scene().domain,
-                                demo_->session.settings(), page().interleaving, mistakes_of(page().mistake));
+                                demo_->session.settings(), run_options(page().mistake, page().interleaving, start_));
   if (page().stops.empty()) return;
   stops_.clear();
   for (const PageStop& stop : page().stops) stops_.push_back(stop.phase == kStart ? 0 : place_of(*run_, stop, page()));
@@ -128,12 +130,19 @@ std::string Presenter::caption() {
   if (!failure_.empty()) return failure_;
   const Inspection& seen = inspect();
   const Settings& settings = demo_->session.settings();
-  return fill_caption(page().caption.in(language),
-                      {demo_->report(), seen, run(), cursor_, settings.dt / settings.substeps});
+  const std::string& text = page().caption.in(language);
+  const bool shows_race = text.find("{lost_by_threads}") != std::string::npos;
+  if (measures && shows_race && !race_) race_ = lecture::race_on_threads(kRacing);
+  const Report& report = demo_->report();
+  const double energy = 1 + double(demo_->history().back().energy_drift);
+  return fill_caption(
+      text, {report, seen, all_contacts_, run(), cursor_, settings.dt / settings.substeps, energy, race_, language},
+      page().stored);
 }
 
 const Inspection& Presenter::inspect() {
   inspection_ = demo_->inspection();
+  all_contacts_ = static_cast<int64_t>(inspection_.contacts.size() + inspection_.missed.size());
   if (run_) show_record(inspection_);
   return inspection_;
 }
@@ -190,7 +199,7 @@ PageView Presenter::describe_page() {
   view.walks = run_->phase_at(cursor_ > 0 ? cursor_ - 1 : 0).name == "sweep";
   if (cursor_ == 0) return view;
   view.line = shown.line - code.first;
-  view.step = text_of(*run_, cursor_ - 1, inspection_.bodies, language);
+  view.step = text_of(*run_, cursor_ - 1, language);
   if (shown.array < 0) return view;
   view.touched_array = run_->record.arrays[static_cast<size_t>(shown.array)].name;
   view.touched_index = shown.index;

@@ -42,6 +42,7 @@ class Presenter {
 
   Language language;
   bool is_blank = false;
+  bool measures = false;  ///< figures that differ from run to run; if not, pages show those stored in their file
   float text_scale = kTextScale;  ///< of the scene's text
 
   Demo& demo() { return *demo_; }
@@ -69,6 +70,9 @@ class Presenter {
   std::unique_ptr<Demo> demo_;
   std::optional<lecture::RecordedRun> run_;
   std::vector<size_t> stops_;
+  std::optional<lecture::RealRace> race_;
+  BodySnapshot start_;        // the spheres before the page's time has passed
+  int64_t all_contacts_ = 0;  // of the spheres that are shown
   size_t cursor_ = 0;
   std::string failure_;
   Inspection inspection_;

@@ -2,10 +2,12 @@
 #include "show/record_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/numbers.h"
+#include "show/caption.h"
 
 namespace ballpit {
 
@@ -15,17 +17,22 @@ using lecture::Action;
 using lecture::Operation;
 using lecture::RecordedRun;
 
+/// With the sign for minus.
+std::string typeset(const std::string& number) { return number.starts_with('-') ? "−" + number.substr(1) : number; }
+
 /// The formula of slide 9 for a sphere: "⌊1.5⌋·5 + ⌊1.5⌋ = 6".
-std::string hash_text(const RecordedRun& run, const Operation& operation, const BodySnapshot& bodies) {
+std::string hash_text(const RecordedRun& run, const Operation& operation, Language language) {
   const GridInspection& grid = *run.grid;
-  const Vec3 place = (bodies.position_of(operation.thread) - grid.origin) / grid.edge;
-  std::string text =
-      fmt::format("⌊{}⌋·{} + ⌊{}⌋ = {}", three_digits(place.y), grid.cells.x, three_digits(place.x), operation.value);
-  if (bodies.dimensions == 3) {
-    text = fmt::format("(⌊{}⌋·{} + ⌊{}⌋)·{} + ⌊{}⌋ = {}", three_digits(place.z), grid.cells.y, three_digits(place.y),
-                       grid.cells.x, three_digits(place.x), operation.value);
-  }
-  return text;
+  const Vec3 place = run.places[static_cast<size_t>(operation.thread)];
+  const auto whole = [&](int axis) {
+    const float low = std::trunc(grid.origin[axis] / grid.edge[axis]);
+    const std::string number = typeset(in_language(three_digits(place[axis] + (run.truncates ? low : 0)), language));
+    return run.truncates ? fmt::format("(int({}) + {})", number, -low) : fmt::format("⌊{}⌋", number);
+  };
+  if (grid.cells.z > 1)
+    return fmt::format("({}·{} + {})·{} + {} = {}", whole(2), grid.cells.y, whole(1), grid.cells.x, whole(0),
+                       operation.value);
+  return fmt::format("{}·{} + {} = {}", whole(1), grid.cells.x, whole(0), operation.value);
 }
 
 /// "thread 3"; in the sweep "thread b1", by the entry of the sorted list.
@@ -40,11 +47,11 @@ std::string thread_text(const RecordedRun& run, size_t k) {
 }  // namespace
 
 std::string value_text(const RecordedRun& run, int value) {
-  if (run.axis < 0) return std::to_string(value);
+  if (run.axis < 0) return typeset(std::to_string(value));
   return fmt::format("{}{}", value % 2 == 0 ? 'b' : 'e', value / 2);
 }
 
-std::string text_of(const RecordedRun& run, size_t k, const BodySnapshot& bodies, Language language) {
+std::string text_of(const RecordedRun& run, size_t k, Language language) {
   const Operation& operation = run.record.operations[k];
   const bool is_german = language == Language::german;
   const std::string thread = (is_german ? "T" : "t") + thread_text(run, k).substr(1);
@@ -55,7 +62,7 @@ std::string text_of(const RecordedRun& run, size_t k, const BodySnapshot& bodies
   const std::string value = value_text(run, operation.value);
   switch (operation.action) {
     case Action::compute:
-      return fmt::format("{}: {} {}", thread, is_german ? "Zelle" : "cell", hash_text(run, operation, bodies));
+      return fmt::format("{}: {} {}", thread, is_german ? "Zelle" : "cell", hash_text(run, operation, language));
     case Action::load:
       return fmt::format("{} {} {}: {}", thread, is_german ? "liest" : "loads", element, value);
     case Action::store:

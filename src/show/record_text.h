@@ -16,7 +16,7 @@ namespace ballpit {
 std::string value_text(const lecture::RecordedRun& run, int value);
 
 /// What operation k does: "thread 2: atomicExch(&head[4], 2) returns 6".
-std::string text_of(const lecture::RecordedRun& run, size_t k, const BodySnapshot& bodies, Language language);
+std::string text_of(const lecture::RecordedRun& run, size_t k, Language language);
 
 /// The lines of a function, without their common indentation.
 struct CodeExcerpt {

@@ -151,7 +151,7 @@ TEST_CASE("render reports each overlay that has nothing to draw with a broad pha
         CHECK(outcome.json()["rendered"] == 2);
         return outcome.err;
       };
-      const std::string told = run({"--overlay", "grid,pairs,velocity,swept,labels,lists,intervals"});
+      const std::string told = run({"--overlay", "grid,pairs,velocity,swept,labels,lists,intervals,warps"});
       CHECK(std::count(told.begin(), told.end(), '\n') == std::ptrdiff_t(names.size()));
       for (const std::string& name : names)
         CHECK_THAT(told, Catch::Contains("note: --overlay " + name + ": this broad phase "));

@@ -87,7 +87,9 @@ TEST_CASE("pair searches on CUDA find the CPU's pairs by the CPU's candidates, b
   };
   const auto method =
       GENERATE(Method{"brute-force", "auto"}, Method{"sort-and-sweep", "auto"}, Method{"linked-cell", "dense"},
-               Method{"linked-cell", "hashed"}, Method{"sorted-grid", "dense"}, Method{"sorted-grid", "hashed"});
+               Method{"linked-cell", "hashed"}, Method{"sorted-grid", "dense"}, Method{"sorted-grid", "hashed"},
+               Method{"lecture/brute-force", "auto"}, Method{"lecture/sort-and-sweep", "auto"},
+               Method{"lecture/linked-cell", "auto"});
   Settings settings;
   settings.broadphase = named<BroadPhase>(method.name);
   settings.table = named<CellTable>(method.table);
@@ -97,6 +99,23 @@ TEST_CASE("pair searches on CUDA find the CPU's pairs by the CPU's candidates, b
     INFO(method.name << ", " << method.table << ", " << family.name);
     const size_t pairs = searches.find(Spheres(family.cloud));
     if (family.cloud.count > 1) CHECK(pairs > 0);
+  }
+}
+
+TEST_CASE("the slides' kernels on CUDA find the pairs that the fast methods find on the CPU") {
+  for (const std::string method : {"brute-force", "sort-and-sweep", "linked-cell"}) {
+    Settings fast, slides;
+    fast.broadphase = named<BroadPhase>(method);
+    slides.broadphase = named<BroadPhase>("lecture/" + method);
+    const auto on_cpu = cpu_backend().make_pair_search(fast);
+    const auto on_cuda = cuda_backend().make_pair_search(slides);
+    for (const Input& family : families()) {
+      INFO(method << ", " << family.name);
+      const Spheres spheres(family.cloud);
+      on_cpu->find(spheres.arrays());
+      on_cuda->find(spheres.arrays());
+      CHECK(on_cuda->pairs() == on_cpu->pairs());
+    }
   }
 }
 
@@ -164,7 +183,8 @@ TEST_CASE("a row of very many contacts is sorted on CUDA as on the CPU", "[sanit
   Spheres spheres({.count = 150, .smallest = 0.01, .largest = 0.02});
   spheres.position.insert(spheres.position.begin() + 20, Vec3(0.0f));
   spheres.radius.insert(spheres.radius.begin() + 20, 1.0f);
-  for (const std::string method : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid"}) {
+  for (const std::string method : {"brute-force", "sort-and-sweep", "linked-cell", "sorted-grid", "lecture/brute-force",
+                                   "lecture/sort-and-sweep", "lecture/linked-cell"}) {
     CAPTURE(method);
     Settings settings;
     settings.broadphase = named<BroadPhase>(method);

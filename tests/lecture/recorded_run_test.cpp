@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "lecture/real_race.h"
 #include "scene/read_scene.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
@@ -22,7 +23,17 @@ RecordedRun record(KernelName kernel, const Scene& scene, const Interleaving& in
                    const Mistakes& mistakes = {}, double cell_size = 1) {
   Settings settings;
   settings.cell_size = cell_size;
-  return record_kernel(kernel, snapshot_of(scene), scene.domain, settings, interleaving, mistakes);
+  return record_kernel(kernel, snapshot_of(scene), scene.domain, settings,
+                       {.interleaving = interleaving, .mistakes = mistakes});
+}
+
+/// Two spheres of radius 0.3 m in a square of 5 m, with cells of 0.6 m.
+Scene planar_pair(const Vec3d& a, const Vec3d& b) {
+  Scene scene;
+  scene.domain = {Vec3d(0.0), Vec3d(5.0), Boundary::walls, 2};
+  for (const Vec3d& p : {a, b}) add_sphere(scene, p, Vec3d(0.0), 0.3);
+  scene.physics.initial_overlap = 1;
+  return scene;
 }
 
 std::vector<std::string> lines_of(KernelName kernel) {
@@ -125,6 +136,51 @@ TEST_CASE("on slide 9, sphere 0 of the lecture's grid is hashed to cell 6") {
   REQUIRE(hashed != run.record.operations.end());
   CHECK(hashed->value == 6);
   CHECK(run.grid->cells == IVec3(5, 5, 1));
+}
+
+TEST_CASE("int() for floor misses contacts across the border of a domain around zero") {
+  const Scene scene = load_scene("lecture-zero");
+  const std::vector<Pair> expected = pairs_by_definition(scene);
+  REQUIRE(expected.size() == 3);
+  CHECK(record(KernelName::linked_cell, scene, {}, {}, 1.98).found == expected);
+  const RecordedRun wrong = record(KernelName::linked_cell, scene, {}, {.truncates = true}, 1.98);
+  CHECK(wrong.found == std::vector<Pair>{{4, 5}});
+  const std::vector<int> head = wrong.record.values_after(0, wrong.record.operations.size());
+  for (int k = 0; k < 4; ++k) {  // no sphere is in the first row or column
+    CHECK(head.at(static_cast<size_t>(k)) == -1);
+    CHECK(head.at(static_cast<size_t>(4 * k)) == -1);
+  }
+}
+
+TEST_CASE("far from the origin, positions in single precision miss contacts and invent others") {
+  const Scene scene = load_scene("lecture-contacts");
+  const BodySnapshot bodies = snapshot_of(scene);
+  const std::vector<Pair> expected = pairs_by_definition(scene);
+  const auto found_at = [&](double distance) {
+    return record_kernel(KernelName::linked_cell, bodies, scene.domain, {}, {.distance = distance}).found;
+  };
+  CHECK(found_at(0) == expected);
+  CHECK(found_at(64) == expected);
+  CHECK(found_at(1 << 20) == std::vector<Pair>{{0, 2}, {3, 5}, {14, 17}, {16, 18}});
+  CHECK(expected == std::vector<Pair>{{3, 5}, {9, 10}, {14, 17}, {16, 18}});
+}
+
+TEST_CASE("lists of an earlier moment miss contacts of spheres that have left their cells") {
+  Scene scene = planar_pair({0.5, 2.5, 0}, {4.5, 2.5, 0});
+  const BodySnapshot before = snapshot_of(scene);
+  scene.bodies.position[1].x = 0.9;
+  const auto found = [&](const BodySnapshot* inserted) {
+    return record_kernel(KernelName::linked_cell, snapshot_of(scene), scene.domain, {}, {.inserted = inserted}).found;
+  };
+  CHECK(found(nullptr) == std::vector<Pair>{{0, 1}});
+  CHECK(found(&before).empty());
+}
+
+TEST_CASE("real threads that race lose only spheres that they have inserted") {
+  const RealRace race = race_on_threads(100'000);
+  CHECK(race.threads >= 1);
+  CHECK(race.lost >= 0);
+  CHECK(race.lost < 100'000);
 }
 
 TEST_CASE("too many spheres to be stepped through are refused") {

@@ -111,3 +111,15 @@ TEST_CASE("golden: a cloud coloured by radius, speed and work, with legends, and
   cloud.work.clear();
   CHECK(compare_with_golden("color_lacking_dark", draw(view, 640, 360, {theme_named("dark"), 1})) == "");
 }
+
+TEST_CASE("a long name of a colouring ends with its scale, at the margin, however large the text is") {
+  Inspection cloud = inspect({{Vec3(0.5f), 0.1f}}, DomainBox{});
+  cloud.work = {3};
+  cloud.worker = {0};
+  FrameView view = view_of(cloud, DomainBox{}, 1.6f);
+  view.coloring = "work";
+  const Image image = draw(view, 640, 400, {.theme = themes().front(), .text_scale = 1.6f});
+  for (int y = 0; y < 60; ++y) {
+    for (int x = image.width - 6; x < image.width; ++x) REQUIRE(difference(image.pixel(x, y), Vec3(1)) < 8);
+  }
+}

@@ -116,6 +116,14 @@ TEST_CASE("golden: offsets and sorted bodies of a planar grid, and a hashed tabl
   CHECK(compare("places_plane", eight, kPlane, {"lists"}, "projector") == "");
 }
 
+TEST_CASE("golden: the lanes of two warps, one of them half empty, on both grounds") {
+  Inspection plane = stored("plane", kPlane, 1);
+  for (int t = 0; t < 48; ++t) plane.work.push_back(t % 5 == 0 ? 0 : 1 + t % 7);
+  CHECK(compare("warps_plane", plane, kPlane, {"warps"}, "projector") == "");
+  plane.work[7] = 60;
+  CHECK(compare("warps_plane_dark", plane, kPlane, {"warps"}, "dark") == "");
+}
+
 TEST_CASE("golden: the lengths of the lists of a cloud") {
   CHECK(compare("lists_cloud", stored("cloud", kBox, 0.125f), kBox, {"lists"}, "projector") == "");
 }

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "render/page_view.h"
 #include "render/painter.h"
 #include "tests/support/test_scenes.h"
 
@@ -50,6 +51,26 @@ TEST_CASE("a missed pair is a double vermillion line, with rings around both sph
   CHECK(nearest_difference(image, place(view, {2, 3.05f, 0}), kTheme.missed, 2) < 16);
   CHECK(nearest_difference(image, place(view, {3, 1.95f, 0}), kTheme.missed, 2) < 16);
   CHECK(nearest_difference(image, place(view, {2.5f, 4.8f, 0}), kTheme.missed, 4) > 60);
+}
+
+TEST_CASE("a lane is blue while its thread walks, and grey while it waits for the longest one of its warp") {
+  Inspection inspection = three();
+  inspection.work = std::vector<int>(64, 2);
+  inspection.work[0] = 10;
+  const FrameView view = view_of(inspection, kPlane, 1, {"warps"});
+  const Image image = draw(view, kSize, kSize);
+  const auto walks = [&](float x, float y) {
+    return nearest_difference(image, Vec2(x, y) * float(kSize), kTheme.begin, 1) < 16;
+  };
+  std::vector<float> lanes;  // from left to right, those of the first warp that are blue at a third of their height
+  for (int x = 0; x < kSize / 4; ++x) {
+    const float at = (static_cast<float>(x) + 0.5f) / kSize;
+    if (walks(at, 0.85f)) lanes.push_back(at);
+  }
+  REQUIRE_FALSE(lanes.empty());
+  CHECK(lanes.back() - lanes.front() < 0.015f);  // one lane
+  CHECK(walks(lanes.front() + 0.1f, 0.945f));
+  CHECK_FALSE(walks(lanes.front() + 0.1f, 0.85f));
 }
 
 TEST_CASE("a contact is a bold orange line with a dark core, a candidate apart a thin sky one") {
@@ -320,11 +341,12 @@ TEST_CASE("the table of overlays gives the reason if a broad phase lacks their d
     }
     return names;
   };
-  CHECK(lacks() == std::vector<std::string>{"grid", "lists", "intervals"});
+  CHECK(lacks() == std::vector<std::string>{"grid", "lists", "intervals", "warps"});
   add_endpoints(inspection, 0);
+  inspection.work = {1};
   CHECK(lacks() == std::vector<std::string>{"grid", "lists"});
   inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
-  CHECK(lacks() == std::vector<std::string>{"intervals"});
+  CHECK(lacks() == std::vector<std::string>{"intervals", "warps"});
 }
 
 TEST_CASE("notes and strips do not cover each other") {
@@ -359,4 +381,15 @@ TEST_CASE("thirty thousand candidates are only counted, but contacts are drawn")
   const FrameView view = view_of(inspection, kPlane, 1, {"pairs"});
   const Image image = draw(view, kSize, kSize);
   CHECK(nearest_difference(image, place(view, {2.5f, 2.5f, 0}), rim_of(kTheme.contact), 0) < 24);
+}
+
+TEST_CASE("a page's title is legible in front of spheres") {
+  const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 4}}, kPlane);
+  FrameView view = view_of(inspection, kPlane, 1);
+  PageView page;
+  page.title = ".";
+  view.page = &page;
+  const Image image = draw(view, kSize, kSize);
+  CHECK(difference(image.pixel(kSize / 2, 8), kTheme.background) < 40);
+  CHECK(difference(image.pixel(kSize / 2, 40), kTheme.background) > 60);
 }

@@ -37,6 +37,7 @@ camera = [90, 45, 2]
 kernel = "linked-cell"
 interleaving = [6, 6, 2, 2]
 mistake = "no-wrap"
+stored = { lost_by_threads = 1234, machine = "an abacus" }
 stops = ["start", "clear", "insert 6"]
 )");
   CHECK(lecture.title.in(Language::german) == "D");
@@ -58,6 +59,8 @@ stops = ["start", "clear", "insert 6"]
   CHECK(page.kernel == lecture::KernelName::linked_cell);
   CHECK(page.interleaving == std::vector<int>{6, 6, 2, 2});
   CHECK(page.mistake == PageMistake::no_wrap);
+  CHECK(page.stored.at("lost_by_threads") == "1\u2009234");
+  CHECK(page.stored.at("machine") == "an abacus");
   REQUIRE(page.stops.size() == 3);
   CHECK(page.stops[2].phase == "insert");
   CHECK(page.stops[2].thread == 6);
@@ -95,6 +98,10 @@ TEST_CASE("a mistake in a lecture is reported with file, line, key, what was fou
        "mine.toml:5: [[page]] interleaving: found 500, allowed integers, 0 to 499"},
       {page + "kernel = 'race'\nmistake = 'none at all'\n",
        "mine.toml:5: [[page]] mistake: found \"none at all\", allowed none, int-for-floor"},
+      {page + "stored = 3\n", "mine.toml:4: [[page]] stored: found 3, allowed figures by their names"},
+      {page + "stored = { many = 3 }\n", "mine.toml:4: [[page]] stored: found \"many\", allowed spheres, pairs"},
+      {page + "stored = { lost = [] }\n",
+       "mine.toml:4: [[page]] stored: found an array of 0 values, allowed whole numbers or texts"},
       {page + "title = \n", "mine.toml:4: found a syntax error"},
   }));
   INFO(row.text);
@@ -112,6 +119,8 @@ TEST_CASE("a scene in a file lies beside the lecture") {
 }
 
 TEST_CASE("the built-in lecture covers slides 2 to 17 in their order, in both languages") {
+  CHECK(built_in_lecture().pages.size() >= 32);
+  CHECK(built_in_lecture().pages.size() <= 40);
   std::set<int> slides;
   int latest = 0;
   for (const Page& page : built_in_lecture().pages) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "show/presenter.h"
 
+#include <functional>
 #include <map>
 #include <set>
 
@@ -70,27 +71,139 @@ TEST_CASE("every page opens, and its caption has all its figures, in both langua
   }
 }
 
-TEST_CASE("the pages' figures are those of the slides") {
-  const std::map<std::string, std::string> last{
+namespace {
+
+/// What the captions of the last stops say, on slides and beyond.
+const std::map<std::string, std::string>& expected_figures() {
+  static const std::map<std::string, std::string> figures{
+      {"poster", "2\u2009000 balls: 11\u2009072 tests in place of 1\u2009999\u2009000"},
       {"project", "3 spheres cast 6 marks"},
+      {"store", "6 entries"},
       {"sort", "Here 3 stores"},
       {"walk", "1 test in place of 3"},
       {"ends", "Of 6 threads only 3 walk"},
+      {"sweep-crowd", "34 tests in place of 190"},
       {"all-pairs", "20 spheres need 190 tests to find 4 contacts"},
       {"grid", "49 of 190 pairs"},
+      {"too-large", "190 of 190 tests"},
       {"too-small", "miss 4 of 4 contacts"},
       {"bound", "miss 0 of 4 contacts"},
       {"into-cells", "20 spheres are put into 25 cells"},
       {"hash", "= 6, one of 25 cells"},
+      {"insert-all", "85 operations for 20 spheres and 25 cells"},
       {"block", "make 49 tests and find 4 contacts"},
+      {"chains", "9 spheres in 9 lists"},
+      {"two-arrays", "9 entries in head, 9 in next"},
       {"clear", "9 threads store −1"},
+      {"first-insert", "head[4] = 6, next[6] = −1"},
+      {"second-insert", "head[4] = 2, next[2] = 6"},
       {"race", "1 particle is lost"},
+      {"race-on-threads", "of 1\u2009000\u2009000 particles are lost"},
       {"exchange", "0 particles are lost"},
+      {"sorted-grid", "25 cells is a range of one sorted array, with the same 49 candidates"},
+      {"warps-sweep", "47.8 % of the lanes"},
+      {"warps-shuffled", "61.2 % of the lanes"},
+      {"warps-sorted", "71.4 % of the lanes"},
+      {"int-for-floor", "2 of 3 contacts are missed"},
+      {"no-wrap", "3 contacts are missed"},
+      {"with-wrap", "0 contacts are missed and 4 found"},
+      {"both-halves", "98 tests and 8 contacts"},
+      {"far-from-origin", "1 of 4 contacts is missed, and 1 pair that is apart is found"},
+      {"stale-lists", "miss 1 of 1 contacts"},
+      {"bullet", "flies 4.17 diameters"},
+      {"swept", "0.021 s"},
+      {"unstable", "% of its energy after 1.00 s"},
+      {"stable", "% of the energy is left after 1.00 s"},
+      {"fast", "60 searches for contacts per second: spheres sink 32.8 % of a radius"},
+      {"accurate", "480 searches per second cost eight times as much, and leave 1.57 %"},
   };
-  for (const auto& [id, text] : last) {
-    INFO(id);
-    CHECK_THAT(captions_at_stops(id).back(), Catch::Contains(text));
+  return figures;
+}
+
+/// The number before " %".
+double percent_in(const std::string& caption) {
+  const size_t end = caption.find(" %"), begin = caption.rfind(' ', end - 1);
+  return std::stod(caption.substr(begin + 1, end - begin - 1));
+}
+
+/// The built-in lecture with another kernel or mistake on one page.
+Lecture with_page(const std::string& id, const std::function<void(Page&)>& change) {
+  Lecture lecture;
+  for (const Page& page : built_in_lecture().pages) {
+    if (page.id == id) lecture.pages.push_back(page);
   }
+  change(lecture.pages.at(0));
+  return lecture;
+}
+
+bool has_expected_figures(const Lecture& lecture) {
+  Presenter presenter(lecture, Language::english);
+  presenter.go_to_stop(presenter.stops().size() - 1);
+  return presenter.caption().find(expected_figures().at(presenter.page().id)) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("each page has the figures of its slide, or of what goes beyond") {
+  for (const Page& page : built_in_lecture().pages) {
+    INFO(page.id);
+    REQUIRE(expected_figures().contains(page.id));
+    CHECK_THAT(captions_at_stops(page.id).back(), Catch::Contains(expected_figures().at(page.id)));
+  }
+}
+
+TEST_CASE("a kernel that is broken on purpose changes the figures of its pages") {
+  struct Row {
+    const char* id;
+    PageMistake mistake;
+  };
+  for (const Row& row : {Row{"block", PageMistake::both_halves}, Row{"block", PageMistake::stale_lists},
+                         Row{"block", PageMistake::far_from_origin}, Row{"with-wrap", PageMistake::no_wrap},
+                         Row{"int-for-floor", PageMistake::none}}) {
+    INFO(row.id << ", " << name_of(row.mistake));
+    CHECK(has_expected_figures(with_page(row.id, [](Page&) {})));
+    const bool moves = row.mistake == PageMistake::stale_lists;
+    CHECK_FALSE(has_expected_figures(with_page(row.id, [&](Page& page) {
+      page.mistake = row.mistake;
+      if (moves) page.time = 2.4;
+    })));
+  }
+  const auto race = [](Page& page) {
+    page.kernel = lecture::KernelName::race;
+    page.interleaving = {6, 6, 6, 2, 2, 2, 3, 5, 5, 3, 3, 5};
+  };
+  CHECK_FALSE(has_expected_figures(with_page("exchange", race)));
+}
+
+TEST_CASE("too long a step adds energy to springs that should lose it; half the step does not") {
+  CHECK(percent_in(captions_at_stops("unstable").back()) > 150);
+  CHECK(percent_in(captions_at_stops("stable").back()) < 60);
+}
+
+TEST_CASE("German figures have decimal commas, and thin spaces between thousands") {
+  CHECK_THAT(at_page("warps-sweep", Language::german).caption(), Catch::Contains(" 47,8 % "));
+  CHECK_THAT(at_page("poster", Language::german).caption(),
+             Catch::Contains("11\u2009072 Tests statt 1\u2009999\u2009000"));
+  CHECK_THAT(at_page("swept", Language::german).caption(), Catch::Contains("0,021 s"));
+  Presenter hash = at_page("hash", Language::german);
+  hash.go_to_stop(1);
+  CHECK(hash.frame_view(1.5f).page->step == "Thread 0: Zelle ⌊1,50⌋·5 + ⌊1,50⌋ = 6");
+}
+
+TEST_CASE("int() for floor is in the formula of its page") {
+  Presenter page = at_page("int-for-floor");
+  CHECK(page.frame_view(1.5f).page->step == "thread 0: cell (int(0.400) + 2)·4 + (int(−1.80) + 2) = 9");
+}
+
+TEST_CASE("a page on real threads shows a stored run, or one that it measures in a window") {
+  Presenter presenter = at_page("race-on-threads");
+  const std::string stored = presenter.caption();
+  CHECK_THAT(stored, Catch::Contains("On 2 real threads (AMD EPYC), "));
+  CHECK(presenter.caption() == stored);
+  presenter.measures = true;
+  const std::string measured = presenter.caption();
+  CHECK(measured.find('?') == std::string::npos);
+  CHECK_THAT(measured, Catch::Contains("of 1\u2009000\u2009000 particles are lost"));
 }
 
 TEST_CASE("on slide 13 all cells become −1; on 14 and 15 particles 6 and 2 enter cell 4") {

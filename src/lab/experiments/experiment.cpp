@@ -42,9 +42,19 @@ std::vector<std::string> paragraphs_of(std::string_view name) {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> table = [] {
     std::vector<Experiment> all{
-        scaling_experiment(),   cell_size_experiment(),         density_experiment(),        size_ratio_experiment(),
-        axis_experiment(),      divergence_experiment(),        work_precision_experiment(), crossover_experiment(),
-        stability_experiment(), equation_of_state_experiment(), cooling_experiment(),        drift_experiment(),
+        scaling_experiment(),
+        cell_size_experiment(),
+        density_experiment(),
+        size_ratio_experiment(),
+        axis_experiment(),
+        divergence_experiment(),
+        tuning_experiment(),
+        work_precision_experiment(),
+        crossover_experiment(),
+        stability_experiment(),
+        equation_of_state_experiment(),
+        cooling_experiment(),
+        drift_experiment(),
     };
     std::ranges::transform(all, all.begin(), with_text);
     return all;

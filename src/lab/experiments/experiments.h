@@ -20,6 +20,7 @@ Experiment size_ratio_experiment();
 Experiment density_experiment();
 Experiment axis_experiment();
 Experiment divergence_experiment();
+Experiment tuning_experiment();
 Experiment crossover_experiment();
 Experiment cooling_experiment();
 Experiment drift_experiment();

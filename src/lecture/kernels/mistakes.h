@@ -2,13 +2,21 @@
 // Mistakes that students make with linked cells. Lectures switch them on and show the pairs that are missed or doubled.
 #pragma once
 
+#include <cmath>
+
 #include "core/host_device.h"
 #include "core/math.h"
 
 namespace ballpit::lecture {
 
+/// int(p / edge) − int(low / edge) for ⌊(p − low) / edge⌋: −0.5 and 0.5 are both in cell 0.
+template <class Real>
+HOST_DEVICE Real truncated(Real p, Real low, Real inverse_edge) {
+  return std::trunc(p * inverse_edge) - std::trunc(low * inverse_edge);
+}
+
 struct Mistakes {
-  bool truncates = false;  ///< int() for floor: −0.5 belongs to cell 0
+  bool truncates = false;     ///< int() for floor
   bool forgets_wrap = false;  ///< no cells beyond a periodic border
   bool tests_twice = false;   ///< both halves of a pair: (i, j), (j, i)
 

@@ -20,6 +20,10 @@ std::string lacks_intervals(const Inspection& inspection) {
   return inspection.axis < 0 ? "this broad phase sorts no intervals; choose sort-and-sweep" : "";
 }
 
+std::string lacks_warps(const Inspection& inspection) {
+  return inspection.work.empty() ? "this broad phase has no thread for each sphere" : "";
+}
+
 }  // namespace
 
 const std::vector<OverlayEntry>& overlay_table() {
@@ -31,6 +35,7 @@ const std::vector<OverlayEntry>& overlay_table() {
       {"labels", "Numbers", draw_labels},
       {"lists", "Lists", draw_lists, {}, lists_room, lacks_lists},
       {"intervals", "Intervals", draw_intervals, {.endpoints = true}, intervals_room, lacks_intervals},
+      {"warps", "Warps", draw_warps, {.work = true}, warps_room, lacks_warps},
   };
   return table;
 }

@@ -39,6 +39,7 @@ void draw_swept(const FrameView& view, Painter& painter);
 void draw_labels(const FrameView& view, Painter& painter);
 void draw_lists(const FrameView& view, Painter& painter);
 void draw_intervals(const FrameView& view, Painter& painter);
+void draw_warps(const FrameView& view, Painter& painter);
 
 /// Marks the selected sphere and its cells, if there is one; a part of the grid.
 void draw_selection(const FrameView& view, Painter& painter);
@@ -46,6 +47,7 @@ void draw_selection(const FrameView& view, Painter& painter);
 /// The parts of the picture's height that they fill.
 float lists_room(const Inspection& inspection, float text_scale);
 float intervals_room(const Inspection& inspection, float text_scale);
+float warps_room(const Inspection& inspection, float text_scale);
 
 /// The number of bodies in every cell: the length of its list.
 std::vector<int> count_per_cell(const GridInspection& grid);
