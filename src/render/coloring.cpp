@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/language.h"
 #include "render/painter.h"
 
 namespace ballpit {
@@ -23,8 +24,8 @@ Colored on_scale(const std::vector<float>& values, const char* unit, bool starts
     const float part = range > 0 ? (value - low) / range : 0.0f;
     result.marks.push_back(scale_mark(std::clamp(static_cast<int>(part * kScaleColors), 0, kScaleColors - 1)));
   }
-  result.low = fmt::format("{:.3g}{}", low, unit);
-  result.high = fmt::format("{:.3g}{}", *max, unit);
+  result.low = local_number(fmt::format("{:.3g}{}", low, unit));
+  result.high = local_number(fmt::format("{:.3g}{}", *max, unit));
   return result;
 }
 
@@ -137,13 +138,13 @@ void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter&
   const Rgba ink = to_rgba(painter.theme.text);
   if (!colored.lacking.empty()) {
     const Vec2 right(static_cast<float>(sheet.width()) - margin, margin);
-    sheet.text(right, kUpperRight, ink, coloring.label);
-    sheet.text(right + Vec2(0, sheet.size_of("0").y), kUpperRight, ink, colored.lacking, TextSize::small);
+    sheet.text(right, kUpperRight, ink, translated(coloring.label));
+    sheet.text(right + Vec2(0, sheet.size_of("0").y), kUpperRight, ink, translated(colored.lacking), TextSize::small);
     return;
   }
   const Vec2 corner(static_cast<float>(sheet.width()) - margin - kScaleColors * width,
                     margin + sheet.size_of("0").y + 6 * unit);
-  sheet.text(corner + Vec2(kScaleColors * width, -6 * unit), {1, 1}, ink, coloring.label);
+  sheet.text(corner + Vec2(kScaleColors * width, -6 * unit), {1, 1}, ink, translated(coloring.label));
   for (int k = 0; k < kScaleColors; ++k) {
     const Vec2 low = corner + Vec2(static_cast<float>(k) * width, 0);
     sheet.box(low, low + Vec2(width, height), to_rgba(color_of(painter.theme, static_cast<int>(scale_mark(k)))));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/painter.h"
 
+#include "core/language.h"
+
 namespace ballpit {
 
 namespace {
@@ -85,7 +87,7 @@ float Painter::take_strip(float height) {
 }
 
 std::string counted(int64_t number, const std::string& noun) {
-  return grouped(number) + " " + noun + (number == 1 ? "" : "s");
+  return grouped(number) + " " + translated(noun + (number == 1 ? "" : "s"));
 }
 
 }  // namespace ballpit

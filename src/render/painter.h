@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "core/language.h"
 #include "core/numbers.h"
 #include "render/body_buffer.h"
 #include "render/frame_view.h"
@@ -47,7 +48,7 @@ struct Painter {
 
   /// Adds a line to the legend in the upper left corner. All are drawn at last, in front of everything.
   void note(std::vector<NotePart> parts) { notes.push_back(std::move(parts)); }
-  void note(const std::string& text) { note({{Swatch::none, {}, text}}); }
+  void note(const std::string& text) { note({{Swatch::none, {}, translated(text)}}); }
   void draw_notes();
 
   /// Draws lines with a rim on both sides, which keeps them visible on spheres and on either ground. `width` and `rim`

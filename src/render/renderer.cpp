@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/language.h"
 #include "render/gl_context.h"
 #include "render/overlays/overlay.h"
 #include "render/page_view.h"
@@ -102,7 +103,7 @@ void draw_overlays(const FrameView& view, Painter& painter, bool before_bodies) 
   for (const OverlayEntry& entry : overlay_table()) {
     if (!view.shows(entry.name)) continue;
     const std::string lack = before_bodies ? "" : entry.lack(view.inspection);
-    if (!lack.empty()) painter.note(std::string(entry.label) + ": " + lack);
+    if (!lack.empty()) painter.note(translated(entry.label) + ": " + translated(lack));
     if (before_bodies == (entry.is_under_discs && view.domain.is_planar())) entry.draw(view, painter);
   }
 }

@@ -9,13 +9,9 @@
 #include <catch2/catch.hpp>
 #include <time.h>
 
-#include "core/language.h"
-#include "render/overlays/overlay.h"
-#include "scene/read_scene.h"
 #include "tests/support/desk.h"
 #include "tests/support/picture_compare.h"
-#include "window/lecture_window.h"
-#include "window/show_window.h"
+#include "window/window.h"
 
 using namespace ballpit;
 
@@ -359,24 +355,3 @@ TEST_CASE("a frame of the panel takes at most 4 ms of the processor") {
   CHECK(frames[15] < 4);
 }
 #endif
-
-TEST_CASE("German readers have a text for whatever a table shows") {
-  const auto check = [](std::string_view text) {
-    CAPTURE(text);
-    CHECK(has_german(text));
-  };
-  for (const OverlayEntry& overlay : overlay_table()) check(overlay.label);
-  for (const ColoringEntry& coloring : coloring_table()) check(coloring.label);
-  for (const Theme& theme : themes()) check(theme.label);
-  for (const Key& key : key_table()) check(key.help);
-  for (const WindowKey& key : window_keys()) check(key.help);
-  for (const PresenterKey& key : presenter_keys()) check(key.help);
-  for (const PlayedError& error : played_errors()) check(error.label);
-  for (const Method& method : methods()) {
-    if (method.family == Family::broadphase && !is_of_lecture(named<BroadPhase>(method.name))) check(method.label);
-  }
-  for (const SettingInfo& setting : setting_table()) {
-    if (setting.group != SettingGroup::run && setting.name != "broadphase") check(setting.help);
-  }
-  for (const SceneInfo& scene : built_in_scenes()) CHECK(scene.title_de != scene.title);
-}

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/language.h"
 #include "render/overlays/interval_list.h"
 
 namespace ballpit {
@@ -211,13 +212,13 @@ void draw_intervals(const FrameView& view, Painter& painter) {
     painter.sheet.line(axis.at(endpoints[walk.first].at), axis.at(endpoints[walk.last].at),
                        to_rgba(painter.theme.begin), 9 * u);
     const std::string body = std::to_string(walk.body);
-    painter.note({{Swatch::arrow, painter.theme.begin, "thread of b" + body + " walks to e" + body}});
+    painter.note({{Swatch::arrow, painter.theme.begin, phrase("thread of b{0} walks to e{0}", body)}});
     painter.note({{row ? Swatch::square : Swatch::none, painter.theme.candidate,
-                   "and tests " + counted(static_cast<int64_t>(walk.met.size()), "begin")}});
+                   phrase("and tests {}", counted(static_cast<int64_t>(walk.met.size()), "begin"))}});
   }
   if (!row) {
-    painter.note("Intervals: " + grouped(static_cast<int64_t>(endpoints.size())) +
-                 " entries are too many to draw the list; show fewer spheres");
+    painter.note(phrase("Intervals: {} entries are too many to draw the list; show fewer spheres",
+                        grouped(static_cast<int64_t>(endpoints.size()))));
   }
   if (has_labels) {
     for (const Endpoint& endpoint : endpoints) draw_bracket(endpoint, axis, painter);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with few
 // cells also the number of each cell: always in its lower left corner (slide 8), in front of spheres.
+#include "core/language.h"
 #include "render/body_buffer.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
@@ -154,8 +155,8 @@ void draw_labels(const FrameView& view, Painter& painter) {
   if (numbers.empty() && count > 0) {
     painter.note("Numbers: the spheres are too small in the picture; come closer or show fewer");
   } else if (static_cast<int64_t>(numbers.size()) < count) {
-    painter.note("Numbers: " + grouped(static_cast<int64_t>(numbers.size())) + " of " + grouped(count) +
-                 "; the other spheres are hidden or too small");
+    painter.note(phrase("Numbers: {} of {}; the other spheres are hidden or too small",
+                        grouped(static_cast<int64_t>(numbers.size())), grouped(count)));
   }
 }
 

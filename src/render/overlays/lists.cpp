@@ -31,6 +31,7 @@
 
 #include <fmt/format.h>
 
+#include "core/language.h"
 #include "lecture/record.h"
 #include "render/overlays/overlay.h"
 #include "render/page_view.h"
@@ -218,7 +219,8 @@ bool draw_arrays(const Arrays& arrays, const std::vector<int32_t>& keys, int64_t
     (arrays.is_sorted ? draw_range : draw_list)(arrays, box, {cells, bodies, lowest}, color, painter);
   }
   if (boxes < arrays.entries()) {
-    painter.note(fmt::format("Lists: {} of {} {}, those with spheres", boxes, arrays.entries(), arrays.entry_name()));
+    painter.note(
+        phrase("Lists: {} of {} {}, those with spheres", boxes, arrays.entries(), translated(arrays.entry_name())));
   }
   return true;
 }
@@ -239,8 +241,9 @@ void draw_histogram(const std::vector<GridInspection>& grids, Painter& painter) 
 
   const Arrays arrays = arrays_of(grids[0]);
   const std::string title =
-      (grids.size() > 1 ? fmt::format("{} grids: ", grids.size()) : std::string()) + arrays.entry_name();
-  const std::string subtitle = std::string("by the length of their ") + (arrays.is_sorted ? "range" : "list");
+      (grids.size() > 1 ? phrase("{} grids: ", grids.size()) : std::string()) + translated(arrays.entry_name());
+  const std::string subtitle =
+      translated(arrays.is_sorted ? "by the length of their range" : "by the length of their list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
   const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(subtitle, TextSize::small).x);

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "core/language.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
@@ -75,6 +76,16 @@ std::pair<Vec3, Vec3> between_surfaces(const BodySnapshot& bodies, const Pair& p
   return {a + (r - inside) * along, b - (s - inside) * along};
 }
 
+/// The point where the way from a sphere to an image beyond a periodic border leaves the domain.
+Vec3 up_to_border(const Vec3& from, const Vec3& to, const DomainBox& domain) {
+  float part = 1;
+  for (int axis = 0; domain.is_periodic && axis < domain.dimensions; ++axis) {
+    const float way = to[axis] - from[axis], room = (way > 0 ? domain.max : domain.min)[axis] - from[axis];
+    if (std::abs(way) > std::abs(room)) part = std::min(part, room / way);
+  }
+  return from + std::max(part, 0.0f) * (to - from);
+}
+
 void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& painter, const Projection& projection,
                 float scale) {
   const BodySnapshot& bodies = view.inspection.bodies;
@@ -82,20 +93,27 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
   const float crowd = is_planar ? 1 : std::sqrt(std::min(1.0f, kCrowd / static_cast<float>(apart.size() + 1)));
   std::vector<Line> lines;
   std::vector<std::pair<Vec3, Vec3>> picked;
-  for (const Pair& pair : apart) {
+  const auto add = [&](const Pair& pair) {
     const Vec3 centre = bodies.position_of(pair.i);
-    if (!projection.sees(centre) || !projection.sees(bodies.position_of(pair.j))) continue;
+    if (!projection.sees(centre) || !projection.sees(bodies.position_of(pair.j))) return;
     const float shortest = kShortest * painter.sheet.unit() / projection.length_at(centre, 1);
-    const auto [from, to] = between_surfaces(bodies, pair, view.domain, shortest);
+    const auto [from, end] = between_surfaces(bodies, pair, view.domain, shortest);
+    const Vec3 to = up_to_border(from, end, view.domain);
     if (pair.i == view.selected || pair.j == view.selected) {
       picked.emplace_back(from, to);
-      continue;
+      return;
     }
     const auto color_at = [&](const Vec3& point) {
       const float fade = is_planar ? 1 : fade_at(point, view.domain.min, view.domain.max, view.camera);
       return to_rgba(painter.theme.candidate, crowd * fade);
     };
     lines.push_back({from, color_at(from), to, color_at(to)});
+  };
+  for (const Pair& pair : apart) {
+    add(pair);
+    const bool is_across =
+        view.domain.is_periodic && nearest_image(bodies, pair, view.domain) != bodies.position_of(pair.j);
+    if (is_across) add({pair.j, pair.i});  // a line from each side to the border
   }
   const float width = is_planar ? 1 : scale;
   painter.draw_rimmed(lines, rim_of(painter.theme.candidate), width * kThin, width * kRim);
@@ -152,20 +170,20 @@ void draw_notes(const FrameView& view, size_t apart, Painter& painter) {
   const auto count = [](size_t n) { return static_cast<int64_t>(n); };
   if (view.left_out.missed) painter.note("Pairs: too many spheres to look for missed contacts");
   if (view.left_out.candidates) {
-    painter.note({{Swatch::none, {}, "too many candidates to draw; show fewer spheres"},
+    painter.note({{Swatch::none, {}, translated("too many candidates to draw; show fewer spheres")},
                   {Swatch::bold, theme.contact, counted(count(inspection.contacts.size()), "contact")}});
     return;
   }
   const bool too_many = apart > kMaxCandidates;
   painter.note({{Swatch::none, {}, counted(count(apart + inspection.contacts.size()), "candidate") + ":"},
                 {too_many ? Swatch::none : Swatch::line, theme.candidate,
-                 grouped(count(apart)) + (too_many ? " apart (too many to draw)" : " apart")},
+                 phrase(too_many ? "{} apart (too many to draw)" : "{} apart", grouped(count(apart)))},
                 {Swatch::bold, theme.contact, counted(count(inspection.contacts.size()), "contact")}});
   if (!inspection.missed.empty()) {
     const size_t missed = inspection.missed.size();
     painter.note({{Swatch::twice, theme.missed,
-                   counted(count(missed), "contact") + " missed" +
-                       (missed > kMaxRings ? ", " + grouped(count(kMaxRings)) + " of them drawn" : "")}});
+                   phrase(missed == 1 ? "{} contact missed" : "{} contacts missed", grouped(count(missed))) +
+                       (missed > kMaxRings ? phrase(", {} of them drawn", grouped(count(kMaxRings))) : "")}});
   }
 }
 

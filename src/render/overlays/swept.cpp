@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "core/language.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
@@ -88,7 +89,8 @@ void draw_swept(const FrameView& view, Painter& painter) {
   glDisable(GL_DEPTH_TEST);
   painter.draw_rimmed(paths.lines, painter.theme.background, kWidth, kRim);
   glEnable(GL_DEPTH_TEST);
-  painter.note({{Swatch::line, painter.theme.text, fmt::format("longest way in a step: {:.3g} diameters", longest)}});
+  painter.note({{Swatch::line, painter.theme.text,
+                 phrase("longest way in a step: {} diameters", local_number(fmt::format("{:.3g}", longest)))}});
 }
 
 }  // namespace ballpit

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/language.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
@@ -64,7 +65,8 @@ void draw_velocities(const FrameView& view, Painter& painter) {
     add_arrow(from, way, scale * kBarb * painter.sheet.unit() * pixel, view.camera, painter.ink(), lines);
   }
   painter.draw_rimmed(lines, painter.theme.background, scale * kWidth, scale * kRim);
-  painter.note({{Swatch::arrow, painter.theme.text, fmt::format("longest arrow: {:.3g} m/s", fastest(bodies))}});
+  painter.note({{Swatch::arrow, painter.theme.text,
+                 phrase("longest arrow: {} m/s", local_number(fmt::format("{:.3g}", fastest(bodies))))}});
 }
 
 }  // namespace ballpit

@@ -91,14 +91,14 @@ void draw_warps(const FrameView& view, Painter& painter) {
     const float left = kMargin * u + static_cast<float>(w) * (kLanes * lane + kGap * u);
     const WarpBox warp{{left, bottom}, lane, step, *std::max_element(lanes.begin(), lanes.end())};
     for (size_t k = 0; k < lanes.size(); ++k) draw_lane(warp, k, lanes[k], painter);
-    sheet.text({left + kLanes * lane / 2, bottom + kPad * u}, kTop, painter.ink(),
-               fmt::format(fmt::runtime(translated("warp {}: {} steps, {} % busy")), w, warp.longest,
-                           std::lround(100 * busy_share(lanes, warp.longest))),
-               TextSize::small);
+    sheet.text(
+        {left + kLanes * lane / 2, bottom + kPad * u}, kTop, painter.ink(),
+        phrase("warp {}: {} steps, {} % busy", w, warp.longest, std::lround(100 * busy_share(lanes, warp.longest))),
+        TextSize::small);
   }
   painter.note({{Swatch::square, painter.theme.begin, translated("walks")},
                 {Swatch::square, painter.theme.idle, translated("waits")}});
-  if (shown < all) painter.note(fmt::format(fmt::runtime(translated("the first {} of {} warps")), shown, all));
+  if (shown < all) painter.note(phrase("the first {} of {} warps", shown, all));
 }
 
 }  // namespace ballpit
