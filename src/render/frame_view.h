@@ -18,6 +18,7 @@ struct DomainBox {
   Vec3 max{1.0f};  ///< [m]
   int dimensions = 3;
   bool open_top = false;  ///< no ceiling: spheres may rise above max.y
+  bool is_periodic = false;
 
   bool is_planar() const { return dimensions == 2; }
   float longest_edge() const { return std::max({max.x - min.x, max.y - min.y, is_planar() ? 0 : max.z - min.z}); }

@@ -151,7 +151,8 @@ FrameView Demo::frame_view(float aspect, bool is_written) {
   wanted.state |= !is_written;
   const Inspection& seen = inspect(wanted);
   const Domain& domain = session.scene().domain;
-  const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top};
+  const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top,
+                      domain.boundary == Boundary::periodic};
   const Camera camera =
       leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, seen, view.text_scale));
   const auto step = static_cast<float>(session.settings().dt / session.settings().substeps);

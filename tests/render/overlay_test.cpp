@@ -210,6 +210,22 @@ TEST_CASE("the line of a candidate ends at the surfaces of both spheres") {
   for (const float x : {1.7f, 2.5f, 3.3f}) CHECK(is_drawn(x));
 }
 
+TEST_CASE("a candidate across a periodic border is a line that leaves the domain, not one through all of it") {
+  Inspection inspection = inspect({{{0.8f, 2.5f, 0}, 0.3f}, {{4.4f, 2.5f, 0}, 0.3f}}, kPlane);
+  inspection.candidates = {{0, 1}};
+  DomainBox periodic = kPlane;
+  periodic.is_periodic = true;
+  const FrameView view = view_of(inspection, periodic, 1, {"pairs"});
+  const Image image = draw(view, kSize, kSize), plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
+  const auto is_drawn = [&](float x) {
+    const Vec2 at = place(view, {x, 2.5f, 0});
+    return difference(image.pixel(int(at.x), int(at.y)), plain.pixel(int(at.x), int(at.y))) > 8;
+  };
+  CHECK(is_drawn(0.3f));
+  CHECK(is_drawn(-0.2f));
+  CHECK_FALSE(is_drawn(2.5f));
+}
+
 TEST_CASE("the candidates of the selected sphere and paths are visible through nearer spheres") {
   const DomainBox box;
   const auto visible = [&](const char* overlay, bool is_selected) {

@@ -26,15 +26,21 @@ constexpr float kCrowd = 300;  // of more candidates, each is fainter
 
 bool before(const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); }
 
-/// The image of the second sphere that touches the first; in a periodic domain it may lie beyond the border.
-Vec3 touching_image(const BodySnapshot& bodies, const Pair& pair, const DomainBox& domain) {
+/// The image of the second sphere that is nearest to the first; in a periodic domain it may lie beyond the border.
+Vec3 nearest_image(const BodySnapshot& bodies, const Pair& pair, const DomainBox& domain) {
   const Vec3 from = bodies.position_of(pair.i), size = domain.max - domain.min;
   Vec3 to = bodies.position_of(pair.j);
-  if (length(to - from) <= 1.1f * (bodies.radius_of(pair.i) + bodies.radius_of(pair.j))) return to;
   for (int axis = 0; axis < domain.dimensions; ++axis) {
     if (std::abs(to[axis] - from[axis]) > size[axis] / 2) to[axis] -= std::copysign(size[axis], to[axis] - from[axis]);
   }
   return to;
+}
+
+/// The image of the second sphere that touches the first.
+Vec3 touching_image(const BodySnapshot& bodies, const Pair& pair, const DomainBox& domain) {
+  const Vec3 from = bodies.position_of(pair.i), to = bodies.position_of(pair.j);
+  if (length(to - from) <= 1.1f * (bodies.radius_of(pair.i) + bodies.radius_of(pair.j))) return to;
+  return nearest_image(bodies, pair, domain);
 }
 
 /// The line of a contact, from the centre of i to `end`, in front of both spheres; longer by `beyond` [pixel] at both
@@ -57,8 +63,10 @@ Line lifted(const BodySnapshot& bodies, const Pair& pair, Vec3 end, const Projec
 }
 
 /// The part of the line of centres between the surfaces, [m]; a short one is extended into the spheres.
-std::pair<Vec3, Vec3> between_surfaces(const BodySnapshot& bodies, const Pair& pair, float shortest) {
-  const Vec3 a = bodies.position_of(pair.i), b = bodies.position_of(pair.j);
+std::pair<Vec3, Vec3> between_surfaces(const BodySnapshot& bodies, const Pair& pair, const DomainBox& domain,
+                                       float shortest) {
+  const Vec3 a = bodies.position_of(pair.i);
+  const Vec3 b = domain.is_periodic ? nearest_image(bodies, pair, domain) : bodies.position_of(pair.j);
   const float distance = length(b - a);
   if (!(distance > 0)) return {a, b};
   const float r = bodies.radius_of(pair.i), s = bodies.radius_of(pair.j);
@@ -78,7 +86,7 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
     const Vec3 centre = bodies.position_of(pair.i);
     if (!projection.sees(centre) || !projection.sees(bodies.position_of(pair.j))) continue;
     const float shortest = kShortest * painter.sheet.unit() / projection.length_at(centre, 1);
-    const auto [from, to] = between_surfaces(bodies, pair, shortest);
+    const auto [from, to] = between_surfaces(bodies, pair, view.domain, shortest);
     if (pair.i == view.selected || pair.j == view.selected) {
       picked.emplace_back(from, to);
       continue;
