@@ -92,7 +92,7 @@ void draw_warps(const FrameView& view, Painter& painter) {
     const WarpBox warp{{left, bottom}, lane, step, *std::max_element(lanes.begin(), lanes.end())};
     for (size_t k = 0; k < lanes.size(); ++k) draw_lane(warp, k, lanes[k], painter);
     sheet.text({left + kLanes * lane / 2, bottom + kPad * u}, kTop, painter.ink(),
-               fmt::format(fmt::runtime(translated("warp {}: {} steps, {} % busy")), w, warp.longest,
+               fmt::format(fmt::runtime(translated("{} steps, {} % busy")), warp.longest,
                            std::lround(100 * busy_share(lanes, warp.longest))),
                TextSize::small);
   }
