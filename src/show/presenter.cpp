@@ -51,6 +51,7 @@ Presenter::Presenter(const Lecture& lecture, Language its_language) : language(i
 
 void Presenter::open() {
   kernel_.reset();
+  race_.reset();
   failure_.clear();
   stops_ = {0};
   attempt([&] {

@@ -24,10 +24,9 @@ struct LinkedCell {
 
   // ⌊x⌋ along one axis, with x in cells (slide 9).
   HOST_DEVICE int floor(Scalar<V> p, int axis) const {
-    const auto low = grid.origin[axis], per = grid.inverse_edge[axis];
+    const auto x = (p - grid.origin[axis]) * grid.inverse_edge[axis];
     const auto n = Scalar<V>(grid.cells[axis]);
-    auto c = std::floor((p - low) * per);
-    if (mistakes.truncates) c = truncated(p, low, per);
+    auto c = mistakes.truncates ? to_int(p, grid, axis) : std::floor(x);
     if (grid.is_periodic) c -= n * std::floor(c / n);
     return c > 0 ? (c < n ? int(c) : grid.cells[axis] - 1) : 0;
   }

@@ -9,10 +9,11 @@
 
 namespace ballpit::lecture {
 
-/// int(p / edge) − int(low / edge) for ⌊(p − low) / edge⌋: −0.5 and 0.5 are both in cell 0.
-template <class Real>
-HOST_DEVICE Real truncated(Real p, Real low, Real inverse_edge) {
-  return std::trunc(p * inverse_edge) - std::trunc(low * inverse_edge);
+/// int(p / edge) − int(low / edge): −0.5 and 0.5 are in one cell.
+template <class Real, class Grid>
+HOST_DEVICE Real to_int(Real p, const Grid& grid, int axis) {
+  const Real per = grid.inverse_edge[axis];
+  return std::trunc(p * per) - std::trunc(grid.origin[axis] * per);
 }
 
 struct Mistakes {
