@@ -75,6 +75,29 @@ std::pair<Vec3, Vec3> between_surfaces(const BodySnapshot& bodies, const Pair& p
   return {a + (r - inside) * along, b - (s - inside) * along};
 }
 
+/// The end of a line from `from` to `to` that stops a little beyond the border of the domain.
+Vec3 cut_at_border(const Vec3& from, const Vec3& to, const DomainBox& domain) {
+  constexpr float kBeyond = 0.02f;  // of the domain's longest edge
+  float part = 1;
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    const float beyond = kBeyond * domain.longest_edge(), way = to[axis] - from[axis];
+    const float border = way > 0 ? domain.max[axis] + beyond : domain.min[axis] - beyond;
+    if (std::abs(way) > 0) part = std::min(part, std::max(0.0f, (border - from[axis]) / way));
+  }
+  return from + part * (to - from);
+}
+
+/// The line of a candidate; two lines if it crosses a periodic border.
+std::vector<std::pair<Vec3, Vec3>> lines_of(const FrameView& view, const Pair& pair, float shortest) {
+  const BodySnapshot& bodies = view.inspection.bodies;
+  const auto [from, to] = between_surfaces(bodies, pair, view.domain, shortest);
+  if (!view.domain.is_periodic || nearest_image(bodies, pair, view.domain) == bodies.position_of(pair.j)) {
+    return {{from, to}};
+  }
+  const auto [back_from, back_to] = between_surfaces(bodies, {pair.j, pair.i}, view.domain, shortest);
+  return {{from, cut_at_border(from, to, view.domain)}, {back_from, cut_at_border(back_from, back_to, view.domain)}};
+}
+
 void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& painter, const Projection& projection,
                 float scale) {
   const BodySnapshot& bodies = view.inspection.bodies;
@@ -86,16 +109,17 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
     const Vec3 centre = bodies.position_of(pair.i);
     if (!projection.sees(centre) || !projection.sees(bodies.position_of(pair.j))) continue;
     const float shortest = kShortest * painter.sheet.unit() / projection.length_at(centre, 1);
-    const auto [from, to] = between_surfaces(bodies, pair, view.domain, shortest);
-    if (pair.i == view.selected || pair.j == view.selected) {
-      picked.emplace_back(from, to);
-      continue;
+    for (const auto& [from, to] : lines_of(view, pair, shortest)) {
+      if (pair.i == view.selected || pair.j == view.selected) {
+        picked.emplace_back(from, to);
+        continue;
+      }
+      const auto color_at = [&](const Vec3& point) {
+        const float fade = is_planar ? 1 : fade_at(point, view.domain.min, view.domain.max, view.camera);
+        return to_rgba(painter.theme.candidate, crowd * fade);
+      };
+      lines.push_back({from, color_at(from), to, color_at(to)});
     }
-    const auto color_at = [&](const Vec3& point) {
-      const float fade = is_planar ? 1 : fade_at(point, view.domain.min, view.domain.max, view.camera);
-      return to_rgba(painter.theme.candidate, crowd * fade);
-    };
-    lines.push_back({from, color_at(from), to, color_at(to)});
   }
   const float width = is_planar ? 1 : scale;
   painter.draw_rimmed(lines, rim_of(painter.theme.candidate), width * kThin, width * kRim);
