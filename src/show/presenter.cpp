@@ -2,13 +2,12 @@
 #include "show/presenter.h"
 
 #include <algorithm>
-#include <iterator>
+#include <chrono>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "render/overlays/overlay.h"
-#include "show/record_text.h"
+#include "core/interrupt.h"
 
 namespace ballpit {
 
@@ -16,8 +15,6 @@ namespace {
 
 constexpr std::string_view kFallbackScene = "two-spheres";  // behind a page that fails
 
-using lecture::Action;
-using lecture::Operation;
 using lecture::Phase;
 using lecture::RecordedRun;
 
@@ -53,33 +50,58 @@ Presenter::Presenter(const Lecture& lecture, Language its_language) : language(i
 }
 
 void Presenter::open() {
-  run_.reset();
-  race_.reset();
+  kernel_.reset();
   failure_.clear();
   stops_ = {0};
-  cursor_ = 0;
-  try {
+  attempt([&] {
     demo_ = std::make_unique<Demo>(page().scene, page().options);
-    start_ = demo_->session.world().inspect().bodies;
-    demo_->session.advance_to(page().time, [] { return false; });
     demo_->view = page().view;
-    if (page().kernel) record();
+    start_ = demo_->session.world().inspect().bodies;
+  });
+  demo_->player.is_running = false;
+  is_ready_ = false;
+  prepare();
+}
+
+void Presenter::attempt(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::exception& error) {
     failure_ = error.what();
-    run_.reset();
+    kernel_.reset();
     stops_ = {0};
     demo_ = std::make_unique<Demo>(kFallbackScene, std::vector<GivenOption>{});
+    demo_->player.is_running = false;
   }
-  demo_->player.is_running = false;
-  cursor_ = stops_.front();
+}
+
+void Presenter::prepare() {
+  if (is_ready_) return;
+  const auto start = std::chrono::steady_clock::now();
+  const auto is_over = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > patience;
+  };
+  attempt([&] {
+    if (failure_.empty()) demo_->session.advance_to(page().time, is_over);
+    if (failure_.empty() && is_over()) return;
+    is_ready_ = true;
+    if (failure_.empty() && page().kernel) record();
+  });
+  is_ready_ |= !failure_.empty();
 }
 
 void Presenter::record() {
-  run_ = lecture::record_kernel(*page().kernel, demo_->session.world().inspect().bodies, demo_->session.scene().domain,
-                                demo_->session.settings(), run_options(page().mistake, page().interleaving, start_));
+  kernel_.emplace(lecture::record_kernel(*page().kernel, demo_->session.world().inspect().bodies,
+                                         demo_->session.scene().domain, demo_->session.settings(),
+                                         run_options(page().mistake, page().interleaving, start_)));
   if (page().stops.empty()) return;
   stops_.clear();
-  for (const PageStop& stop : page().stops) stops_.push_back(stop.phase == kStart ? 0 : place_of(*run_, stop, page()));
+  for (const PageStop& stop : page().stops) {
+    stops_.push_back(stop.phase == kStart ? 0 : place_of(kernel_->run(), stop, page()));
+  }
+  kernel_->go_to(stops_.front());
 }
 
 void Presenter::go_to(int number) {
@@ -87,47 +109,36 @@ void Presenter::go_to(int number) {
   open();
 }
 
-void Presenter::go_to_stop(size_t stop) { cursor_ = stops_[std::min(stop, stops_.size() - 1)]; }
+void Presenter::go_to_stop(size_t stop) {
+  if (kernel_) kernel_->go_to(stops_[std::min(stop, stops_.size() - 1)]);
+}
 
 void Presenter::next() {
-  const auto following = std::ranges::find_if(stops_, [&](size_t stop) { return stop > cursor_; });
+  const auto following = std::ranges::find_if(stops_, [&](size_t stop) { return stop > cursor(); });
   if (following != stops_.end()) {
-    cursor_ = *following;
+    kernel_->go_to(*following);
   } else if (number_ < count()) {
     go_to(number_ + 1);
   }
 }
 
 void Presenter::previous() {
-  if (number_ == 1) {
-    cursor_ = stops_.front();
-    return;
-  }
+  if (number_ == 1) return go_to_stop(0);
   go_to(number_ - 1);
-  cursor_ = stops_.back();
+  go_to_stop(stops_.size() - 1);
 }
 
 void Presenter::step(int operations) {
-  if (!run_) return;
-  const auto last = static_cast<int64_t>(run_->record.operations.size());
-  cursor_ = static_cast<size_t>(std::clamp<int64_t>(static_cast<int64_t>(cursor_) + operations, 0, last));
+  if (kernel_) kernel_->step(operations);
 }
 
 void Presenter::skip_phase(int phases) {
-  if (!run_) return;
-  if (phases > 0) {
-    cursor_ = run_->phase_at(cursor_).last;
-    return;
-  }
-  size_t before = 0;
-  for (const Phase& phase : run_->phases) {
-    if (phase.last < cursor_) before = phase.last;
-  }
-  cursor_ = before;
+  if (kernel_) kernel_->skip_phase(phases);
 }
 
 std::string Presenter::caption() {
   if (!failure_.empty()) return failure_;
+  if (!is_ready_) return "";
   const Inspection& seen = inspect();
   const Settings& settings = demo_->session.settings();
   const std::string& text = page().caption.in(language);
@@ -136,52 +147,15 @@ std::string Presenter::caption() {
   const Report& report = demo_->report();
   const double energy = 1 + double(demo_->history().back().energy_drift);
   return fill_caption(
-      text, {report, seen, all_contacts_, run(), cursor_, settings.dt / settings.substeps, energy, race_, language},
+      text, {report, seen, all_contacts_, run(), cursor(), settings.dt / settings.substeps, energy, race_, language},
       page().stored);
 }
 
 const Inspection& Presenter::inspect() {
   inspection_ = demo_->inspection();
   all_contacts_ = static_cast<int64_t>(inspection_.contacts.size() + inspection_.missed.size());
-  if (run_) show_record(inspection_);
+  if (kernel_) kernel_->show_in(inspection_);
   return inspection_;
-}
-
-/// What the kernel has built, tested and found up to the cursor.
-void Presenter::show_record(Inspection& seen) const {
-  const std::vector<Operation>& operations = run_->record.operations;
-  const std::vector<Pair> all = seen.contacts;  // found by the scene's own method
-  seen.contacts.clear();
-  seen.candidates.clear();
-  seen.missed.clear();
-  for (size_t k = 0; k < cursor_; ++k) {
-    if (operations[k].action != Action::test) continue;
-    const int i = static_cast<int>(operations[k].index), j = operations[k].other;
-    const Pair pair{std::min(i, j), std::max(i, j)};
-    seen.candidates.push_back(pair);
-    if (operations[k].value != 0) seen.contacts.push_back(pair);
-  }
-  std::ranges::sort(seen.candidates);
-  std::ranges::sort(seen.contacts);
-  if (cursor_ == operations.size()) {
-    std::ranges::set_difference(all, seen.contacts, std::back_inserter(seen.missed));
-  }
-  if (run_->grid) {
-    seen.grids = {*run_->grid};
-    seen.grids[0].head = run_->record.values_after(0, cursor_);
-    seen.grids[0].next = run_->record.values_after(1, cursor_);
-  }
-  if (run_->axis >= 0) {
-    seen.axis = run_->axis;
-    seen.endpoints.clear();
-    for (const int entry : run_->record.values_after(0, cursor_)) {
-      if (entry == lecture::kUnset) continue;
-      const int i = entry / 2;
-      const bool is_end = entry % 2 == 1;
-      const float reach = seen.bodies.radius_of(i);
-      seen.endpoints.push_back({seen.bodies.position_of(i)[run_->axis] + (is_end ? reach : -reach), i, is_end});
-    }
-  }
 }
 
 PageView Presenter::describe_page() {
@@ -191,37 +165,16 @@ PageView Presenter::describe_page() {
   view.title = title();
   view.caption = caption();
   view.slides = slides_text(page(), language);
-  if (!run_) return view;
-  const std::vector<Operation>& operations = run_->record.operations;
-  const Operation& shown = operations[cursor_ > 0 ? cursor_ - 1 : 0];  // done last, or the first one, which comes next
-  const CodeExcerpt code = function_at(lecture::kernel_source(run_->kernel), shown.line);
-  view.code = code.lines;
-  view.walks = run_->phase_at(cursor_ > 0 ? cursor_ - 1 : 0).name == "sweep";
-  if (cursor_ == 0) return view;
-  view.line = shown.line - code.first;
-  view.step = text_of(*run_, cursor_ - 1, language);
-  if (shown.array < 0) return view;
-  view.touched_array = run_->record.arrays[static_cast<size_t>(shown.array)].name;
-  view.touched_index = shown.index;
-  const bool is_changed = shown.action != Action::load && shown.old_value != lecture::kUnset;
-  if (is_changed) view.old_text = value_text(*run_, shown.old_value);
+  if (kernel_) kernel_->describe(view, language);
   return view;
 }
 
 FrameView Presenter::frame_view(float aspect) {
-  const FrameView whole = demo_->frame_view(aspect);
+  inspect();
   page_view_ = describe_page();
-  Room room = room_of(page_view_, text_scale, aspect);
-  room.below += room_below(whole.overlays, inspection_, text_scale);
-  const float part = aspect * room.width() / room.height();
-  const Camera camera = leave_room(camera_of(demo_->view, whole.domain, part), room, aspect);
-  int64_t selected = demo_->view.selected;
-  if (run_ && run_->axis >= 0 && cursor_ > 0 && page_view_.walks) {  // the sphere whose thread walks
-    const Operation& shown = run_->record.operations[cursor_ - 1];
-    selected = run_->record.values_after(0, cursor_)[static_cast<size_t>(shown.thread)] / 2;
-  }
-  return {inspection_, whole.domain,   camera, whole.overlays, selected,           whole.coloring,
-          whole.step,  whole.left_out, false,  &page_view_,    whole.typical_speed};
+  FrameView view = frame_with_page(*demo_, inspection_, page_view_, aspect, text_scale);
+  if (const int64_t walker = kernel_ ? kernel_->walker() : -1; walker >= 0) view.selected = walker;
+  return view;
 }
 
 }  // namespace ballpit

@@ -8,13 +8,15 @@
 // those of the record up to the cursor.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "render/page_view.h"
 #include "show/caption.h"
-#include "show/demo.h"
+#include "show/kernel_cursor.h"
 #include "show/lecture.h"
 
 namespace ballpit {
@@ -46,8 +48,14 @@ class Presenter {
   float text_scale = kTextScale;  ///< of the scene's text
 
   Demo& demo() { return *demo_; }
-  const lecture::RecordedRun* run() const { return run_ ? &*run_ : nullptr; }
-  size_t cursor() const { return cursor_; }
+  const lecture::RecordedRun* run() const { return kernel_ ? &kernel_->run() : nullptr; }
+  size_t cursor() const { return kernel_ ? kernel_->at() : 0; }
+
+  /// [s] for which go_to() computes at most. Until a page is ready it shows its scene at an earlier moment, without a
+  /// caption; each prepare() computes on.
+  double patience = std::numeric_limits<double>::infinity();
+  bool is_ready() const { return is_ready_; }
+  void prepare();
 
   /// Why the page cannot be shown; empty if it can.
   const std::string& failure() const { return failure_; }
@@ -60,20 +68,20 @@ class Presenter {
 
  private:
   void open();
+  void attempt(const std::function<void()>& action);  ///< an error becomes the page's failure
   void record();
   const Inspection& inspect();
-  void show_record(Inspection& seen) const;
   PageView describe_page();
 
   const Lecture& lecture_;
   int number_ = 1;
   std::unique_ptr<Demo> demo_;
-  std::optional<lecture::RecordedRun> run_;
+  std::optional<KernelCursor> kernel_;
   std::vector<size_t> stops_;
   std::optional<lecture::RealRace> race_;
   BodySnapshot start_;        // the spheres before the page's time has passed
   int64_t all_contacts_ = 0;  // of the spheres that are shown
-  size_t cursor_ = 0;
+  bool is_ready_ = false;
   std::string failure_;
   Inspection inspection_;
   PageView page_view_;

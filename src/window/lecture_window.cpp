@@ -46,6 +46,8 @@ LectureWindow::LectureWindow(Window& its_window, Presenter& its_presenter)
       presenter(its_presenter),
       renderer_(window.size().width, window.size().height),
       panel_(renderer_.sheet()) {
+  constexpr double kPatience = 0.1;  // [s] a page shows its first picture soon
+  presenter.patience = kPatience;
   panel_.is_shown = false;
   for (const PresenterKey& key : presenter_keys()) {
     std::function<void()> act;  // a button each, but one only for keys that do the same
@@ -68,7 +70,7 @@ void LectureWindow::change_language() {
 }
 
 void LectureWindow::move_cursor(int direction) {
-  is_shift_down_ ? presenter.skip_phase(direction) : presenter.step(direction);
+  is_shift_down() ? presenter.skip_phase(direction) : presenter.step(direction);
 }
 
 void LectureWindow::go_to_typed_page() {
@@ -90,10 +92,15 @@ void LectureWindow::press(int code) {
   presenter.demo().touch();
 }
 
+void LectureWindow::advance(double elapsed) {
+  if (presenter.is_ready()) return SceneWindow::advance(elapsed);
+  presenter.prepare();
+  presenter.demo().touch();
+}
+
 void LectureWindow::draw(const WindowEvents& events, float elapsed) {
-  for (const int shift : {GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT}) {
-    if (const auto key = events.keys.find(shift); key != events.keys.end()) is_shift_down_ = key->second;
-  }
+  if (!presenter.is_ready() && still_ == presenter.number()) return;
+  still_ = presenter.is_ready() ? 0 : presenter.number();
   const auto [width, height] = window.size();
   if (renderer_.width() != width || renderer_.height() != height) renderer_.resize(width, height);
   renderer_.set_options(

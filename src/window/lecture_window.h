@@ -48,7 +48,8 @@ class LectureWindow final : public SceneWindow {
   void draw(const WindowEvents& events, float elapsed) override;
   std::string title() override;
   int left() const override { return width_beside(panel_, window.size(), ui_scale()); }
-  bool is_busy() const override { return panel_.is_hinting(); }
+  bool is_busy() const override { return panel_.is_hinting() || !presenter.is_ready(); }
+  void advance(double elapsed) override;
   bool takes_mouse() const override { return panel_.has_mouse(); }
   bool takes_keyboard() const override { return panel_.has_keyboard(); }
 
@@ -58,7 +59,7 @@ class LectureWindow final : public SceneWindow {
   Renderer renderer_;
   Panel panel_;
   int typed_ = 0;
-  bool is_shift_down_ = false;
+  int still_ = 0;  // the page that is not ready, but whose picture is shown
 };
 
 }  // namespace ballpit

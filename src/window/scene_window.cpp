@@ -52,6 +52,7 @@ void SceneWindow::run() {
 }
 
 void SceneWindow::handle(const WindowEvents& events) {
+  is_shift_down_ = events.is_shift_down;
   if (!takes_keyboard()) {
     for (const int code : events.pressed) press(code);
   }

@@ -39,6 +39,7 @@ class SceneWindow {
   virtual bool takes_keyboard() const { return false; }
 
   void stop() { is_stopped_ = true; }
+  bool is_shift_down() const { return is_shift_down_; }
 
   static constexpr double kFrame = 1.0 / 60;  // [s]
 
@@ -49,7 +50,7 @@ class SceneWindow {
   void pick(Vec2 at);
 
   Vec2 mouse_{0.0f}, pressed_at_{0.0f};
-  bool is_turning_ = false, is_settling_ = true, is_stopped_ = false;
+  bool is_turning_ = false, is_settling_ = true, is_stopped_ = false, is_shift_down_ = false;
   Demo::Version drawn_;
   Clock::time_point titled_{};
 };

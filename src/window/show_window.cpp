@@ -16,7 +16,10 @@ std::span<const WindowKey> window_keys() {
       WindowKey{GLFW_KEY_S, "S", "save a picture", [](ShowWindow& w) { w.save_picture(); }},
       WindowKey{GLFW_KEY_F11, "F11", "full screen", [](ShowWindow& w) { w.toggle_full_screen(); }},
       WindowKey{GLFW_KEY_F, "F", "full screen", [](ShowWindow& w) { w.toggle_full_screen(); }},
-      WindowKey{GLFW_KEY_ESCAPE, "Esc", "leave full screen", [](ShowWindow& w) { w.leave_full_screen(); }},
+      WindowKey{GLFW_KEY_RIGHT, "→", "step through the slide's kernel, with Shift by phases",
+                [](ShowWindow& w) { w.move_cursor(1); }},
+      WindowKey{GLFW_KEY_LEFT, "←", "the same, back", [](ShowWindow& w) { w.move_cursor(-1); }},
+      WindowKey{GLFW_KEY_ESCAPE, "Esc", "leave the kernel, then full screen", [](ShowWindow& w) { w.leave(); }},
       WindowKey{GLFW_KEY_TAB, "Tab", "hide the panel, or show it", [](ShowWindow& w) { w.toggle_panel(); }},
   };
   return kKeys;
@@ -27,11 +30,18 @@ ShowWindow::ShowWindow(Window& its_window, Demo& demo)
       demo_(demo),
       drawing_(window.size().width, window.size().height, {}),
       panel_(drawing_.renderer().sheet()),
-      saver_(demo) {
+      saver_(demo),
+      stepping_(demo) {
   for (const Key& key : key_table()) panel_.keys.push_back({std::string(key.name), std::string(key.help)});
   for (const WindowKey& key : window_keys()) panel_.keys.push_back({std::string(key.name), std::string(key.help)});
   demo_.player.is_running = false;  // until somebody looks
   panel_.hint(translated("Space: play     click: pick a sphere     F1: all keys"));
+}
+
+void ShowWindow::leave() { stepping_.cursor() ? stepping_.end() : window.set_full_screen(false); }
+
+void ShowWindow::move_cursor(int direction) {
+  is_shift_down() ? stepping_.skip_phase(direction) : stepping_.move(direction);
 }
 
 void ShowWindow::press(int code) {
@@ -50,7 +60,12 @@ void ShowWindow::draw(const WindowEvents& events, float elapsed) {
   Renderer& renderer = drawing_.renderer();
   const auto [width, height] = window.size();
   if (renderer.width() != width || renderer.height() != height) renderer.resize(width, height);
-  drawing_.draw(demo_, {.left = left()});
+  if (stepping_.cursor()) {
+    renderer.set_options({.theme = theme_named(demo_.view.theme), .left = left(), .text_scale = demo_.view.text_scale});
+    renderer.draw(stepping_.frame_view(static_cast<float>(width - left()) / static_cast<float>(height)));
+  } else {
+    drawing_.draw(demo_, {.left = left()});
+  }
   panel_.density = window.density();
   panel_.is_filming = saver_.is_filming();
   if (events.was_released) panel_.end_hint();

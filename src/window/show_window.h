@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "show/stepping.h"
 #include "window/panel.h"
 #include "window/saver.h"
 #include "window/scene_window.h"
@@ -30,12 +31,15 @@ class ShowWindow final : public SceneWindow {
 
   void save_picture() { saver_.save_picture(window.size()); }
   void toggle_full_screen() { window.set_full_screen(!window.is_full_screen()); }
-  void leave_full_screen() { window.set_full_screen(false); }
+  void leave();  ///< the kernel's steps, then full screen
+  void move_cursor(int direction);
   void toggle_panel() override { panel_.is_shown = !panel_.is_shown; }
 
  private:
   Demo& demo() override { return demo_; }
-  FrameView frame_view(float aspect) override { return demo_.frame_view(aspect); }
+  FrameView frame_view(float aspect) override {
+    return stepping_.cursor() ? stepping_.frame_view(aspect) : demo_.frame_view(aspect);
+  }
   bool is_busy() const override { return saver_.is_filming() || panel_.is_hinting(); }
   bool takes_mouse() const override { return panel_.has_mouse(); }
   bool takes_keyboard() const override { return panel_.has_keyboard(); }
@@ -50,6 +54,7 @@ class ShowWindow final : public SceneWindow {
   DemoRenderer drawing_;
   Panel panel_;
   Saver saver_;
+  Stepping stepping_;
 };
 
 }  // namespace ballpit

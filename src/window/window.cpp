@@ -89,6 +89,7 @@ void Window::listen() {
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { changed(w).wheel += static_cast<float>(y); });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
     WindowEvents& events = changed(w);
+    if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) events.is_shift_down = action != GLFW_RELEASE;
     if (action != GLFW_REPEAT) events.keys[key] = action == GLFW_PRESS;
     if (action != GLFW_RELEASE) events.pressed.push_back(key);
   });
@@ -108,7 +109,7 @@ Vec2 Window::to_pixels(double x, double y) const {
 bool Window::is_to_close() const { return glfwWindowShouldClose(window_) != 0; }
 
 const WindowEvents& Window::poll(double seconds) {
-  events_ = {.mouse = events_.mouse, .is_mouse_down = events_.is_mouse_down};
+  events_ = {.mouse = events_.mouse, .is_mouse_down = events_.is_mouse_down, .is_shift_down = events_.is_shift_down};
   if (seconds > 0) {
     glfwWaitEventsTimeout(seconds);
   } else {

@@ -317,3 +317,32 @@ TEST_CASE("a page whose scene is missing says why, and the other pages still wor
   CHECK(presenter.failure().empty());
   CHECK(presenter.caption() == "20");
 }
+
+TEST_CASE("a page that takes long to compute is shown before it is ready, and looks the same in the end") {
+  const Lecture lecture = parse_lecture(R"(title = "x"
+[[page]]
+id = "first"
+title = "First"
+caption = "{spheres}"
+scene = "two-spheres"
+[[page]]
+id = "long"
+title = "Long"
+caption = "{time} s"
+scene = "bouncing-balls"
+time = 0.5
+)",
+                                        "long.toml");
+  Presenter presenter(lecture, Language::english);
+  presenter.patience = 0.001;
+  presenter.go_to(2);
+  REQUIRE_FALSE(presenter.is_ready());
+  CHECK(presenter.caption().empty());
+  CHECK(presenter.frame_view(1.5f).page->title == "Long");
+  while (!presenter.is_ready()) presenter.prepare();
+  CHECK(presenter.caption() == "0.500 s");
+  Presenter patient(lecture, Language::english);
+  patient.go_to(2);
+  REQUIRE(patient.is_ready());
+  CHECK(patient.demo().report().state_hash == presenter.demo().report().state_hash);
+}

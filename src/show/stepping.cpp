@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "show/stepping.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ballpit {
+
+namespace {
+
+using lecture::KernelName;
+
+struct SteppedMethod {
+  BroadPhase method;
+  KernelName kernel;
+};
+
+/// The slides' kernel of a broad phase; none if they have none.
+std::optional<KernelName> kernel_of(BroadPhase method) {
+  static constexpr std::array kMethods{
+      SteppedMethod{BroadPhase::brute_force, KernelName::brute_force},
+      SteppedMethod{BroadPhase::lecture_brute_force, KernelName::brute_force},
+      SteppedMethod{BroadPhase::sort_and_sweep, KernelName::sort_and_sweep},
+      SteppedMethod{BroadPhase::lecture_sort_and_sweep, KernelName::sort_and_sweep},
+      SteppedMethod{BroadPhase::linked_cell, KernelName::linked_cell},
+      SteppedMethod{BroadPhase::lecture_linked_cell, KernelName::linked_cell},
+  };
+  const auto found = std::ranges::find(kMethods, method, &SteppedMethod::method);
+  return found == kMethods.end() ? std::nullopt : std::optional(found->kernel);
+}
+
+}  // namespace
+
+const KernelCursor* Stepping::cursor() {
+  const bool is_same = demo_.worlds() == world_ && demo_.session.world().steps() == step_ &&
+                       demo_.session.settings().broadphase == method_;
+  if (!is_same) end();
+  return cursor_ ? &*cursor_ : nullptr;
+}
+
+bool Stepping::begin() {
+  if (cursor()) return true;
+  demo_.player.is_running = false;
+  method_ = demo_.session.settings().broadphase;
+  world_ = demo_.worlds();
+  step_ = demo_.session.world().steps();
+  const std::optional<KernelName> kernel = kernel_of(method_);
+  if (!kernel) {
+    demo_.say(
+        fmt::format("the slides have no kernel of {} to step through; brute force, sort and sweep and linked cell have",
+                    name_of(method_)));
+    return false;
+  }
+  try {
+    cursor_.emplace(lecture::record_kernel(*kernel, demo_.session.world().inspect().bodies,
+                                           demo_.session.scene().domain, demo_.session.settings()));
+  } catch (const std::exception& error) {
+    demo_.say(error.what());
+    return false;
+  }
+  return true;
+}
+
+void Stepping::move(int operations) {
+  if (begin()) cursor_->step(operations);
+  demo_.touch();
+}
+
+void Stepping::skip_phase(int phases) {
+  if (begin()) cursor_->skip_phase(phases);
+  demo_.touch();
+}
+
+FrameView Stepping::frame_view(float aspect) {
+  inspection_ = demo_.inspection();
+  cursor_->show_in(inspection_);
+  page_ = {};
+  cursor_->describe(page_, language());
+  page_.caption = page_.step;
+  FrameView view = frame_with_page(demo_, inspection_, page_, aspect, demo_.view.text_scale);
+  if (const int64_t walker = cursor_->walker(); walker >= 0) view.selected = walker;
+  return view;
+}
+
+}  // namespace ballpit
