@@ -65,12 +65,12 @@ TEST_CASE("a lane is blue while its thread walks, and grey while it waits for th
   std::vector<float> lanes;  // from left to right, those of the first warp that are blue at a third of their height
   for (int x = 0; x < kSize / 4; ++x) {
     const float at = (static_cast<float>(x) + 0.5f) / kSize;
-    if (walks(at, 0.85f)) lanes.push_back(at);
+    if (walks(at, 0.82f)) lanes.push_back(at);
   }
   REQUIRE_FALSE(lanes.empty());
   CHECK(lanes.back() - lanes.front() < 0.015f);  // one lane
-  CHECK(walks(lanes.front() + 0.1f, 0.945f));
-  CHECK_FALSE(walks(lanes.front() + 0.1f, 0.85f));
+  CHECK(walks(lanes.front() + 0.1f, 0.9f));
+  CHECK_FALSE(walks(lanes.front() + 0.1f, 0.82f));
 }
 
 TEST_CASE("a contact is a bold orange line with a dark core, a candidate apart a thin sky one") {
