@@ -5,9 +5,9 @@
 //     o━━━━━━━o   contact: bold, orange with a dark core, from centre to centre
 //     ◎═══════◎   contact that the method missed: double, vermillion, a ring around both
 //
-// In space, candidates are hidden by nearer spheres and fade with depth, and more so the more there are. Contacts are in
-// front of their own two spheres. Missed contacts, and the candidates of the selected sphere, are in front of everything.
-// Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
+// In space, candidates are hidden by nearer spheres and fade with depth, and more so the more there are. Contacts are
+// in front of their own two spheres. Missed contacts, and the candidates of the selected sphere, are in front of
+// everything. Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
 #include <cmath>
 #include <iterator>
 #include <tuple>
@@ -22,7 +22,8 @@ namespace {
 constexpr float kThin = 3, kBold = 7, kEdge = 4, kRim = 2, kGap = 5, kDouble = 4, kRing = 5, kCasing = 2.5f;
 constexpr float kShortest = 14;  // of a candidate's line, so that it is visible between spheres that almost touch
 constexpr size_t kMaxRings = 2000;
-constexpr float kCrowd = 300;  // of more candidates, each is fainter
+constexpr float kCrowd = 300;    // of more candidates in space, each is fainter
+constexpr float kManyFlat = 60;  // of more candidates in the plane, each is thinner
 
 bool before(const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); }
 
@@ -121,7 +122,8 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
       lines.push_back({from, color_at(from), to, color_at(to)});
     }
   }
-  const float width = is_planar ? 1 : scale;
+  const float many = std::sqrt(kManyFlat / static_cast<float>(apart.size() + 1));
+  const float width = is_planar ? std::clamp(many, 0.5f, 1.0f) : scale;
   painter.draw_rimmed(lines, rim_of(painter.theme.candidate), width * kThin, width * kRim);
   const float u = painter.sheet.unit();
   for (const auto& [from, to] : picked) {
