@@ -82,7 +82,7 @@ class LectureCommand {
         const std::string id =
             presenter.stops().size() == 1 ? presenter.page().id : fmt::format("{}-{}", presenter.page().id, stop + 1);
         pictures.push_back({id, presenter.title(), presenter.caption(), presenter.page().notes.in(language()),
-                            encode_png(renderer.read_pixels())});
+                            encode_png(renderer.read_pixels(), {}, true)});
       }
       write_file(folder / picture_name(number), pictures.back().png);
       progress.show(number);

@@ -13,8 +13,8 @@
 namespace ballpit {
 
 /// The bytes of a PNG file. A key that is not empty describes what the picture shows; it is stored in a text chunk and
-/// changes no pixel.
-std::string encode_png(const Image& image, std::string_view key = {});
+/// changes no pixel. `is_small`: takes several times as long for a smaller file.
+std::string encode_png(const Image& image, std::string_view key = {}, bool is_small = false);
 
 /// Writes a single picture. Throws RunError naming the path.
 void write_png(const std::filesystem::path& path, const Image& image);
