@@ -135,16 +135,15 @@ void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter&
   if (colored.low.empty() && colored.lacking.empty()) return;
   Sheet& sheet = painter.sheet;
   const float unit = sheet.unit(), width = 18 * unit, height = 26 * unit, margin = 24 * unit;
+  const float line = sheet.size_of("0", TextSize::small).y, top = margin + (painter.note_left > 0 ? 0 : painter.noted);
   const Rgba ink = to_rgba(painter.theme.text);
+  const Vec2 right(static_cast<float>(sheet.width()) - margin, top);
+  sheet.text(right, kUpperRight, ink, translated(coloring.label), TextSize::small);
   if (!colored.lacking.empty()) {
-    const Vec2 right(static_cast<float>(sheet.width()) - margin, margin);
-    sheet.text(right, kUpperRight, ink, translated(coloring.label));
-    sheet.text(right + Vec2(0, sheet.size_of("0").y), kUpperRight, ink, translated(colored.lacking), TextSize::small);
+    sheet.text(right + Vec2(0, line), kUpperRight, ink, translated(colored.lacking), TextSize::small);
     return;
   }
-  const Vec2 corner(static_cast<float>(sheet.width()) - margin - kScaleColors * width,
-                    margin + sheet.size_of("0").y + 6 * unit);
-  sheet.text(corner + Vec2(kScaleColors * width, -6 * unit), {1, 1}, ink, translated(coloring.label));
+  const Vec2 corner = right + Vec2(-kScaleColors * width, line + 4 * unit);
   for (int k = 0; k < kScaleColors; ++k) {
     const Vec2 low = corner + Vec2(static_cast<float>(k) * width, 0);
     sheet.box(low, low + Vec2(width, height), to_rgba(color_of(painter.theme, static_cast<int>(scale_mark(k)))));

@@ -28,7 +28,8 @@ inline float contrast(const Vec3& a, const Vec3& b) {
 /// The colour that is seen where a translucent one lies over another.
 inline Vec3 blended(const Vec3& color, float opacity, const Vec3& ground) { return glm::mix(ground, color, opacity); }
 
-/// The dark rim of a mark that is itself too similar to spheres or to a white ground: one of the two is visible on each.
+/// The dark rim of a mark that is itself too similar to spheres or to a white ground: one of the two is visible on
+/// each.
 inline Vec3 rim_of(const Vec3& color) { return 0.4f * color; }
 
 }  // namespace ballpit

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether marks can be told from what they are drawn on: computed from the colours of the themes, and measured in pictures.
+// Whether marks can be told from what they are drawn on: computed from the colours of the themes, and measured in
+// pictures.
 #include "render/contrast.h"
 
 #include <catch2/catch.hpp>

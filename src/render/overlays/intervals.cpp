@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shows sort and sweep (slides 2 to 4): the axis beside the scene, the begin and end of each sphere on it, and the sorted
-// list.
+// Shows sort and sweep (slides 2 to 4): the axis beside the scene, the begin and end of each sphere on it, and the
+// sorted list.
 //
 //          ( 0 )  ( 1 )
 //          ⋮   ⋮  ⋮   ⋮                dotted: from a sphere's ends to the axis

@@ -18,15 +18,15 @@
 //     bodies  │  4 │  0 │  7 │
 //              └───────┘
 //
-// A hashed grid has the slots of a table instead of cells, and cells share slots. So each body has its key below it, the
-// index of its cell, by which the search tells the cells of a slot apart:
+// A hashed grid has the slots of a table instead of cells, and cells share slots. So each body has its key below it,
+// the index of its cell, by which the search tells the cells of a slot apart:
 //
 //               0    1    2
 //     next    │ −1 │ −1 │  0 │              bodies 2 and 0 share a slot, but not a cell
 //     cell    │  7 │  3 │ 19 │
 //
-// Of many cells or slots, only the occupied ones are shown. If they or the bodies do not fit in a row, a histogram shows
-// the lengths of the lists or ranges instead.
+// Of many cells or slots, only the occupied ones are shown. If they or the bodies do not fit in a row, a histogram
+// shows the lengths of the lists or ranges instead.
 #include <numeric>
 
 #include <fmt/format.h>

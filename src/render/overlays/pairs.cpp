@@ -5,9 +5,9 @@
 //     o━━━━━━━o   contact: bold, orange with a dark core, from centre to centre
 //     ◎═══════◎   contact that the method missed: double, vermillion, a ring around both
 //
-// In space, candidates are hidden by nearer spheres and fade with depth, and more so the more there are. Contacts are in
-// front of their own two spheres. Missed contacts, and the candidates of the selected sphere, are in front of everything.
-// Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
+// In space, candidates are hidden by nearer spheres and fade with depth, and more so the more there are. Contacts are
+// in front of their own two spheres. Missed contacts, and the candidates of the selected sphere, are in front of
+// everything. Cost: proportional to the number of pairs. More than kMaxCandidates candidates are only counted.
 #include <cmath>
 #include <iterator>
 #include <tuple>
@@ -23,7 +23,8 @@ namespace {
 constexpr float kThin = 3, kBold = 7, kEdge = 4, kRim = 2, kGap = 5, kDouble = 4, kRing = 5, kCasing = 2.5f;
 constexpr float kShortest = 14;  // of a candidate's line, so that it is visible between spheres that almost touch
 constexpr size_t kMaxRings = 2000;
-constexpr float kCrowd = 300;  // of more candidates, each is fainter
+constexpr float kCrowd = 300;    // of more candidates in space, each is fainter
+constexpr float kManyFlat = 60;  // of more candidates in the plane, each is thinner
 
 bool before(const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); }
 
@@ -76,14 +77,27 @@ std::pair<Vec3, Vec3> between_surfaces(const BodySnapshot& bodies, const Pair& p
   return {a + (r - inside) * along, b - (s - inside) * along};
 }
 
-/// The point where the way from a sphere to an image beyond a periodic border leaves the domain.
-Vec3 up_to_border(const Vec3& from, const Vec3& to, const DomainBox& domain) {
+/// The end of a line from `from` to `to` that stops a little beyond the border of the domain.
+Vec3 cut_at_border(const Vec3& from, const Vec3& to, const DomainBox& domain) {
+  constexpr float kBeyond = 0.02f;  // of the domain's longest edge
   float part = 1;
-  for (int axis = 0; domain.is_periodic && axis < domain.dimensions; ++axis) {
-    const float way = to[axis] - from[axis], room = (way > 0 ? domain.max : domain.min)[axis] - from[axis];
-    if (std::abs(way) > std::abs(room)) part = std::min(part, room / way);
+  for (int axis = 0; axis < domain.dimensions; ++axis) {
+    const float beyond = kBeyond * domain.longest_edge(), way = to[axis] - from[axis];
+    const float border = way > 0 ? domain.max[axis] + beyond : domain.min[axis] - beyond;
+    if (std::abs(way) > 0) part = std::min(part, std::max(0.0f, (border - from[axis]) / way));
   }
-  return from + std::max(part, 0.0f) * (to - from);
+  return from + part * (to - from);
+}
+
+/// The line of a candidate; two lines if it crosses a periodic border.
+std::vector<std::pair<Vec3, Vec3>> lines_of(const FrameView& view, const Pair& pair, float shortest) {
+  const BodySnapshot& bodies = view.inspection.bodies;
+  const auto [from, to] = between_surfaces(bodies, pair, view.domain, shortest);
+  if (!view.domain.is_periodic || nearest_image(bodies, pair, view.domain) == bodies.position_of(pair.j)) {
+    return {{from, to}};
+  }
+  const auto [back_from, back_to] = between_surfaces(bodies, {pair.j, pair.i}, view.domain, shortest);
+  return {{from, cut_at_border(from, to, view.domain)}, {back_from, cut_at_border(back_from, back_to, view.domain)}};
 }
 
 void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& painter, const Projection& projection,
@@ -97,25 +111,19 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
     const Vec3 centre = bodies.position_of(pair.i);
     if (!projection.sees(centre) || !projection.sees(bodies.position_of(pair.j))) return;
     const float shortest = kShortest * painter.sheet.unit() / projection.length_at(centre, 1);
-    const auto [from, end] = between_surfaces(bodies, pair, view.domain, shortest);
-    const Vec3 to = up_to_border(from, end, view.domain);
-    if (pair.i == view.selected || pair.j == view.selected) {
-      picked.emplace_back(from, to);
-      return;
+    for (const auto& [from, to] : lines_of(view, pair, shortest)) {
+      if (pair.i == view.selected || pair.j == view.selected) {
+        picked.emplace_back(from, to);
+        continue;
+      }
+      const auto color_at = [&](const Vec3& point) {
+        const float fade = is_planar ? 1 : fade_at(point, view.domain.min, view.domain.max, view.camera);
+        return to_rgba(painter.theme.candidate, crowd * fade);
+      };
+      lines.push_back({from, color_at(from), to, color_at(to)});
     }
-    const auto color_at = [&](const Vec3& point) {
-      const float fade = is_planar ? 1 : fade_at(point, view.domain.min, view.domain.max, view.camera);
-      return to_rgba(painter.theme.candidate, crowd * fade);
-    };
-    lines.push_back({from, color_at(from), to, color_at(to)});
-  };
-  for (const Pair& pair : apart) {
-    add(pair);
-    const bool is_across =
-        view.domain.is_periodic && nearest_image(bodies, pair, view.domain) != bodies.position_of(pair.j);
-    if (is_across) add({pair.j, pair.i});  // a line from each side to the border
-  }
-  const float width = is_planar ? 1 : scale;
+  } const float many = std::sqrt(kManyFlat / static_cast<float>(apart.size() + 1));
+  const float width = is_planar ? std::clamp(many, 0.5f, 1.0f) : scale;
   painter.draw_rimmed(lines, rim_of(painter.theme.candidate), width * kThin, width * kRim);
   const float u = painter.sheet.unit();
   for (const auto& [from, to] : picked) {

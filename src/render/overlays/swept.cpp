@@ -5,8 +5,8 @@
 //     ( o )· · · · · · · · ·( )     two sides, tinted between them, and a ring at the end
 //       ╰────────────────────╯
 //
-// Paths are the subject, so they shine through spheres that hide them. A search finds contacts at both ends of the path; only swept contacts are found in between. The velocity is the present
-// one: forces during the step are ignored.
+// Paths are the subject, so they shine through spheres that hide them. A search finds contacts at both ends of the
+// path; only swept contacts are found in between. The velocity is the present one: forces during the step are ignored.
 #include <cmath>
 #include <numbers>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Draws an arrow along each velocity, from the centre of the sphere. The arrow of the fastest sphere is a twelfth of the
-// picture's height, and a note gives its speed. If all spheres are slow, arrows are shorter; spheres that hardly move,
-// such as those of a heap at rest, have none.
+// Draws an arrow along each velocity, from the centre of the sphere. The arrow of the fastest sphere is a twelfth of
+// the picture's height, and a note gives its speed. If all spheres are slow, arrows are shorter; spheres that hardly
+// move, such as those of a heap at rest, have none.
 #include <cmath>
 
 #include <fmt/format.h>

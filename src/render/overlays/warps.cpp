@@ -22,7 +22,7 @@ namespace ballpit {
 namespace {
 
 constexpr size_t kMaxWarps = 4, kLanes = 32;  // of a warp, on NVIDIA GPUs
-constexpr float kRoom = 0.3f;                 // of the picture's height, for the lanes
+constexpr float kRoom = 0.27f;                // of the picture's height, for the lanes
 // [1/1080 of the picture's height]
 constexpr float kMargin = 24, kGap = 30, kPad = 8;
 constexpr float kSmallest = 10;  // steps that are lower than this are drawn as one bar
@@ -67,7 +67,7 @@ float busy_share(const std::vector<int>& lanes, int longest) {
 }  // namespace
 
 float warps_room(const Inspection& inspection, float text_scale) {
-  return inspection.work.empty() ? 0 : kRoom + 0.035f * text_scale;
+  return inspection.work.empty() ? 0 : kRoom + (2 * line_height(TextSize::small, text_scale) + kPad) / 1080;
 }
 
 void draw_warps(const FrameView& view, Painter& painter) {
@@ -77,7 +77,7 @@ void draw_warps(const FrameView& view, Painter& painter) {
   const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y;
   const size_t all = (work.size() + kLanes - 1) / kLanes, shown = std::min(all, kMaxWarps);
   const float height = kRoom * static_cast<float>(sheet.height()) - 2 * kPad * u;
-  const float bottom = painter.take_strip(height + line + 3 * kPad * u) + kPad * u + height;
+  const float bottom = painter.take_strip(height + 2 * line + 3 * kPad * u) + kPad * u + height;
   const float lane = ((static_cast<float>(sheet.width()) - 2 * kMargin * u + kGap * u) / kMaxWarps - kGap * u) /
                      static_cast<float>(kLanes);
   std::vector<int> first = work;
@@ -91,10 +91,14 @@ void draw_warps(const FrameView& view, Painter& painter) {
     const float left = kMargin * u + static_cast<float>(w) * (kLanes * lane + kGap * u);
     const WarpBox warp{{left, bottom}, lane, step, *std::max_element(lanes.begin(), lanes.end())};
     for (size_t k = 0; k < lanes.size(); ++k) draw_lane(warp, k, lanes[k], painter);
-    sheet.text(
-        {left + kLanes * lane / 2, bottom + kPad * u}, kTop, painter.ink(),
-        phrase("warp {}: {} steps, {} % busy", w, warp.longest, std::lround(100 * busy_share(lanes, warp.longest))),
-        TextSize::small);
+    const std::string text =
+        phrase("warp {}: {} steps, {} % busy", w, warp.longest, std::lround(100 * busy_share(lanes, warp.longest)));
+    const size_t comma = std::min(text.find(", "), text.size());  // the share is in a line of its own
+    const Vec2 foot(left + kLanes * lane / 2, bottom + kPad * u);
+    sheet.text(foot, kTop, painter.ink(), text.substr(0, comma), TextSize::small);
+    if (comma < text.size()) {
+      sheet.text(foot + Vec2(0, line), kTop, painter.ink(), text.substr(comma + 2), TextSize::small);
+    }
   }
   painter.note({{Swatch::square, painter.theme.begin, translated("walks")},
                 {Swatch::square, painter.theme.idle, translated("waits")}});
