@@ -107,9 +107,9 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
   const float crowd = is_planar ? 1 : std::sqrt(std::min(1.0f, kCrowd / static_cast<float>(apart.size() + 1)));
   std::vector<Line> lines;
   std::vector<std::pair<Vec3, Vec3>> picked;
-  const auto add = [&](const Pair& pair) {
+  for (const Pair& pair : apart) {
     const Vec3 centre = bodies.position_of(pair.i);
-    if (!projection.sees(centre) || !projection.sees(bodies.position_of(pair.j))) return;
+    if (!projection.sees(centre) || !projection.sees(bodies.position_of(pair.j))) continue;
     const float shortest = kShortest * painter.sheet.unit() / projection.length_at(centre, 1);
     for (const auto& [from, to] : lines_of(view, pair, shortest)) {
       if (pair.i == view.selected || pair.j == view.selected) {
@@ -122,7 +122,8 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
       };
       lines.push_back({from, color_at(from), to, color_at(to)});
     }
-  } const float many = std::sqrt(kManyFlat / static_cast<float>(apart.size() + 1));
+  }
+  const float many = std::sqrt(kManyFlat / static_cast<float>(apart.size() + 1));
   const float width = is_planar ? std::clamp(many, 0.5f, 1.0f) : scale;
   painter.draw_rimmed(lines, rim_of(painter.theme.candidate), width * kThin, width * kRim);
   const float u = painter.sheet.unit();
