@@ -166,6 +166,7 @@ PageView Presenter::describe_page() {
   view.title = title();
   view.caption = caption();
   view.slides = slides_text(page(), language);
+  view.walks = demo_->view.selected >= 0;
   if (kernel_) kernel_->describe(view, language);
   return view;
 }

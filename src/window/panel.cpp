@@ -28,6 +28,7 @@ void style_for(const Theme& theme, float unit) {
   is_dark ? ImGui::StyleColorsDark() : ImGui::StyleColorsLight();
   style.Colors[ImGuiCol_WindowBg] = im(is_dark ? theme.background * 1.25f : Vec3(0.965f));
   style.Colors[ImGuiCol_Text] = im(theme.text);
+  style.Colors[ImGuiCol_TextDisabled] = im(theme.text, 0.7f);
   for (const ImGuiCol accent : {ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive,
                                 ImGuiCol_PlotHistogram, ImGuiCol_PlotLines}) {
     style.Colors[accent] = im(theme.grid);
@@ -119,7 +120,19 @@ std::vector<std::string> items_of_all_tabs(Panel& panel, const std::function<voi
   return {names.begin(), names.end()};
 }
 
-float Panel::item_width() { return 0.58f * ImGui::GetContentRegionAvail().x; }
+std::string Panel::place_label(const std::string& name, const std::string& label) {
+  constexpr float kPart = 0.58f;  // of the width is the item's
+  const std::string text = translated(label);
+  const float width = ImGui::GetContentRegionAvail().x,
+              room = (1 - kPart) * width - ImGui::GetStyle().ItemInnerSpacing.x;
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) {
+    ImGui::SetNextItemWidth(kPart * width);
+    return text + "##" + name;
+  }
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::SetNextItemWidth(-1);
+  return "##" + name;
+}
 
 void Panel::note(const std::string& name) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -238,8 +251,7 @@ bool Panel::button(const std::string& name, const std::string& label) {
 /// A drop-down list; `entries` calls entry() for each entry.
 void Panel::combo(const std::string& name, const std::string& label, const std::string& current,
                   const std::function<void()>& entries) {
-  ImGui::SetNextItemWidth(item_width());
-  const std::string title = translated(label) + "##" + name;
+  const std::string title = place_label(name, label);
   const bool is_open = ImGui::BeginCombo(title.c_str(), current.c_str(), ImGuiComboFlags_HeightLarge);
   note(name);
   if (!is_open) return;

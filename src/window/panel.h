@@ -108,7 +108,9 @@ class Panel {
   static constexpr float kFade = 1, kHintTime = 12;  // [s]
 
   void note(const std::string& name);
-  static float item_width();  ///< [pixel] the label has the rest
+  /// Leaves room for the label of the next item at its right, or writes it above where it is too long. Returns the
+  /// item's title for ImGui.
+  static std::string place_label(const std::string& name, const std::string& label);
   void heading(const char* title);
   bool button(const std::string& name, const std::string& label);
   void combo(const std::string& name, const std::string& label, const std::string& current,

@@ -43,8 +43,11 @@ void Panel::draw_time(Demo& demo) {
   }
   ImGui::SameLine();
   if (button("step", ">")) demo.step();
+  const std::string time = fmt::format("t = {} s", local_number(fmt::format("{:.3f}", demo.session.time())));
   ImGui::SameLine();
-  ImGui::Text("t = %s s", local_number(fmt::format("{:.3f}", demo.session.time())).c_str());
+  if (ImGui::CalcTextSize(time.c_str()).x > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
+  ImGui::TextUnformatted(time.c_str());
+  note("time");
   auto moment = static_cast<int>(demo.timeline->step_now());
   ImGui::SetNextItemWidth(-1);
   const int first = static_cast<int>(demo.timeline->first());
@@ -79,8 +82,12 @@ void Panel::draw_broad_phases(Demo& demo) {
     radio(method, translated(method.label));
     const std::optional<BroadPhase> of_lecture = find_named<BroadPhase>("lecture/" + std::string(method.name));
     if (!of_lecture) continue;
-    ImGui::SameLine(0.55f * ImGui::GetWindowContentRegionMax().x);
-    radio(find_method(*of_lecture), translated("as on the slides"));
+    const std::string label = translated("as on the slides");
+    const float needed =
+        ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label.c_str()).x;
+    const float right = ImGui::GetWindowContentRegionMax().x, at = std::min(0.55f * right, right - needed);
+    if (at > ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x) ImGui::SameLine(at);
+    radio(find_method(*of_lecture), label);
   }
 }
 

@@ -62,11 +62,10 @@ std::string shown_value(const SettingInfo& info, double value, const BodyShape& 
 
 /// Returns true whenever the value changes: while the slider is dragged, or once a number was typed into it.
 bool Panel::slider(const std::string& name, const std::string& label, float& value, const SliderLook& look) {
-  const std::string title = translated(label) + "##" + name;
+  const std::string title = place_label(name, label);
+  const float width = ImGui::CalcItemWidth();
   const auto edited = edited_.find(name);
   float shown = edited != edited_.end() ? edited->second : value;
-  const float width = item_width();
-  ImGui::SetNextItemWidth(width);
   const bool is_typed = ImGui::GetIO().KeyCtrl || ImGui::TempInputIsActive(ImGui::GetID(title.c_str()));
   const ImGuiSliderFlags flags = look.is_log ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
   const std::string format = is_typed ? "%.6g" : look.shown;
@@ -125,8 +124,7 @@ void Panel::number_setting(Demo& demo, const SettingInfo& info) {
   } else {
     std::string& text = typed_[name];
     if (text.empty()) text = info.get(demo.session.settings());
-    ImGui::SetNextItemWidth(item_width());
-    const std::string title = translated(name) + "##" + name;
+    const std::string title = place_label(name, name);
     const bool is_entered = ImGui::InputText(title.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
     note(name);
     if (is_entered) demo.set(name, text);

@@ -355,3 +355,23 @@ TEST_CASE("a frame of the panel takes at most 4 ms of the processor") {
   CHECK(frames[15] < 4);
 }
 #endif
+
+TEST_CASE("no label of the panel is cut off, at any scale") {
+  for (const float scale : {0.5f, 1.0f, 2.0f, 3.0f}) {
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
+      Desk desk("lecture-grid", width, height);
+      desk.demo.view.ui_scale = scale;
+      const auto right = float(Panel::width_in(width, height, scale));
+      for (const PanelTab tab : kPanelTabs) {
+        desk.panel.open(tab);
+        desk.rest();
+        desk.rest();
+        for (const auto& [name, rect] : desk.panel.items()) {
+          if (name == "card" || name.starts_with("tab ")) continue;
+          CAPTURE(scale, width, name);
+          CHECK(rect.high.x <= right);
+        }
+      }
+    }
+  }
+}
