@@ -238,12 +238,10 @@ void draw_histogram(const std::vector<GridInspection>& grids, Painter& painter) 
   const bool is_cut = counts.back() > 0;
   while (counts.size() > 1 && counts.back() == 0) counts.pop_back();
   const auto most = static_cast<float>(*std::max_element(counts.begin(), counts.end()));
-
   const Arrays arrays = arrays_of(grids[0]);
   const std::string title =
       (grids.size() > 1 ? phrase("{} grids: ", grids.size()) : std::string()) + translated(arrays.entry_name());
-  const std::string subtitle =
-      translated(arrays.is_sorted ? "by the length of their range" : "by the length of their list");
+  const std::string subtitle = translated(arrays.is_sorted ? "by length of their range" : "by length of their list");
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
   const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(subtitle, TextSize::small).x);
