@@ -88,12 +88,6 @@ void Panel::draw_numbers(Demo& demo) {
   row("contacts", grouped(report.contacts));
   if (demo.view.shows("pairs")) row("missed", grouped(static_cast<int64_t>(demo.inspection().missed.size())));
   row("by", report.broadphase + ", " + demo.session.backend());
-  double sum = 0;
-  for (const Stage& stage : report.stages) sum += stage.seconds;
-  for (const Stage& stage : report.stages) {
-    const auto part = static_cast<float>(stage.seconds / std::max(sum, 1e-12));
-    if (part >= 0.05f) ImGui::ProgressBar(part, {ImGui::GetContentRegionAvail().x, 0}, stage.name.c_str());
-  }
   heading("Accuracy");
   const std::vector<Moment>& history = demo.history();
   const Moment& now = history.back();
@@ -105,6 +99,13 @@ void Panel::draw_numbers(Demo& demo) {
   row("momentum", with_unit(length(report.momentum)) + " kg·m/s");
   heading("Speed against accuracy");
   draw_trade_off(demo);
+  heading("Stages of a step");
+  double sum = 0;
+  for (const Stage& stage : report.stages) sum += stage.seconds;
+  for (const Stage& stage : report.stages) {
+    const auto part = static_cast<float>(stage.seconds / std::max(sum, 1e-12));
+    if (part >= 0.05f) ImGui::ProgressBar(part, {ImGui::GetContentRegionAvail().x, 0}, stage.name.c_str());
+  }
 }
 
 /// A point for each trial, filled for the present one, and the front as a line.
