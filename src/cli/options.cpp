@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/options.h"
 
+#include "core/language.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {

@@ -40,8 +40,8 @@ std::string translated(std::string_view english) {
 
 bool has_german(std::string_view english) { return german().contains(english); }
 
-std::string local_number(std::string text) {
-  if (current == Language::german) std::ranges::replace(text, '.', ',');
+std::string local_number(std::string text, Language spoken) {
+  if (spoken == Language::german) std::ranges::replace(text, '.', ',');
   return text;
 }
 

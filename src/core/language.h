@@ -28,7 +28,7 @@ std::string phrase(std::string_view english, const Args&... args) {
   return fmt::format(fmt::runtime(translated(english)), args...);
 }
 
-/// A number's text with the decimal sign of the language set.
-std::string local_number(std::string text);
+/// A number's text with the decimal sign of a language.
+std::string local_number(std::string text, Language spoken = language());
 
 }  // namespace ballpit

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/language.h"
 
 namespace ballpit {
 
@@ -83,6 +82,7 @@ enum class BackendName { automatic, cpu, cuda };
 template <>
 inline constexpr auto kNames<BackendName> = in_order("auto", "cpu", "cuda");
 
+enum class Language;  // core/language.h
 template <>
 inline constexpr auto kNames<Language> = in_order("en", "de");
 

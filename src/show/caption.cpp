@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/language.h"
 #include "core/numbers.h"
 #include "measure/machine.h"
 #include "measure/statistics.h"
@@ -155,17 +156,12 @@ std::string unknown_placeholder(std::string_view text) {
   return "";
 }
 
-std::string in_language(std::string number, Language language) {
-  if (language == Language::german) std::replace(number.begin(), number.end(), '.', ',');
-  return number;
-}
-
 std::string fill_caption(std::string_view text, const PageState& state, const Figures& stored) {
   std::string result(text);
   for (const Placeholder& placeholder : placeholder_table()) {
     const std::string name = fmt::format("{{{}}}", placeholder.name);
     for (size_t at = result.find(name); at != std::string::npos; at = result.find(name, at)) {
-      std::string figure = in_language(placeholder.figure(state), state.language);
+      std::string figure = local_number(placeholder.figure(state), state.language);
       if (const auto kept = stored.find(placeholder.name); figure.empty() && kept != stored.end()) {
         figure = kept->second;
       }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/language.h"
 #include "lecture/real_race.h"
 #include "lecture/recorded_run.h"
 #include "methods/choices.h"
@@ -46,9 +47,6 @@ std::string unknown_placeholder(std::string_view text);
 
 /// The spheres that race on threads for {lost_by_threads}.
 inline constexpr int64_t kRacing = 1'000'000;
-
-/// A number as the language writes it: "1.5", "1,5".
-std::string in_language(std::string number, Language language);
 
 /// `text` with the figures of `state`; where the page lacks the data, those stored, or "?".
 std::string fill_caption(std::string_view text, const PageState& state, const Figures& stored = {});

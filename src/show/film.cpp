@@ -4,6 +4,7 @@
 #include <array>
 #include <sstream>
 
+#include "core/language.h"
 #include "core/numbers.h"
 #include "export/png.h"
 

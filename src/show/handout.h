@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/language.h"
 #include "methods/choices.h"
 
 namespace ballpit {

@@ -22,6 +22,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/language.h"
 #include "lecture/recorded_run.h"
 #include "methods/choices.h"
 #include "scene/input_error.h"

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/language.h"
 #include "core/numbers.h"
-#include "show/caption.h"
 
 namespace ballpit {
 
@@ -26,7 +26,7 @@ std::string hash_text(const RecordedRun& run, const Operation& operation, Langua
   const Vec3 place = run.places[static_cast<size_t>(operation.thread)];
   const auto whole = [&](int axis) {
     const float low = std::trunc(grid.origin[axis] / grid.edge[axis]);
-    const std::string number = typeset(in_language(three_digits(place[axis] + (run.truncates ? low : 0)), language));
+    const std::string number = typeset(local_number(three_digits(place[axis] + (run.truncates ? low : 0)), language));
     return run.truncates ? fmt::format("(int({}) + {})", number, -low) : fmt::format("⌊{}⌋", number);
   };
   if (grid.cells.z > 1)

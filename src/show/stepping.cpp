@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/language.h"
+
 namespace ballpit {
 
 namespace {
