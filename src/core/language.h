@@ -6,8 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include <fmt/format.h>
-
 namespace ballpit {
 
 enum class Language { english, german };
@@ -21,12 +19,6 @@ std::string translated(std::string_view english);
 
 /// Whether the table has a German text for it; for tests.
 bool has_german(std::string_view english);
-
-/// The same with arguments: phrase("{} of {} spheres", 3, 5).
-template <class... Args>
-std::string phrase(std::string_view english, const Args&... args) {
-  return fmt::format(fmt::runtime(translated(english)), args...);
-}
 
 /// A number's text with the decimal sign of a language.
 std::string local_number(std::string text, Language spoken = language());

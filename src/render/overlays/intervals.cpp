@@ -16,7 +16,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/language.h"
+#include "core/phrase.h"
 #include "render/overlays/interval_list.h"
 
 namespace ballpit {

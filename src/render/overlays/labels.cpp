@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with
 // few cells also the number of each cell: always in its lower left corner (slide 8), in front of spheres.
-#include "core/language.h"
+#include "core/phrase.h"
 #include "render/body_buffer.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"

@@ -31,7 +31,7 @@
 
 #include <fmt/format.h>
 
-#include "core/language.h"
+#include "core/phrase.h"
 #include "lecture/record.h"
 #include "render/overlays/overlay.h"
 #include "render/page_view.h"

@@ -12,7 +12,7 @@
 #include <iterator>
 #include <tuple>
 
-#include "core/language.h"
+#include "core/phrase.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {

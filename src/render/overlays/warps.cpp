@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "core/language.h"
+#include "core/phrase.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
