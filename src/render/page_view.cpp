@@ -39,7 +39,10 @@ std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, 
 void draw_code(const PageView& page, float top, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), width = kCodeWidth * static_cast<float>(sheet.width());
-  const float line = sheet.size_of("0", TextSize::code).y * kCodeSpacing,
+  float widest = 1;
+  for (const std::string& text : page.code) widest = std::max(widest, sheet.size_of(text, TextSize::code).x);
+  const float scale = std::min(1.0f, (width - (kMargin + 2 * kPad) * u) / widest);  // smaller beside a panel
+  const float line = scale * sheet.size_of("0", TextSize::code).y * kCodeSpacing,
               left = static_cast<float>(sheet.width()) - width;
   const Vec2 corner(left, top);
   const float height = line * static_cast<float>(page.code.size()) + 2 * kPad * u;
@@ -51,7 +54,7 @@ void draw_code(const PageView& page, float top, Painter& painter) {
       sheet.box({left, y}, {left + width - kMargin * u, y + line}, to_rgba(painter.theme.selected, 0.35f));
     }
     sheet.text({left + kPad * u, y + line / 2}, kLeft, painter.ink(is_current ? 1 : 0.75f), page.code[k],
-               TextSize::code);
+               TextSize::code, scale);
   }
   float y = top + height + kPad * u;
   for (const std::string& text : wrap_text(sheet, page.step, width - 2 * kMargin * u, TextSize::small)) {

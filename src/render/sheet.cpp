@@ -182,11 +182,11 @@ Vec2 Sheet::size_of(std::string_view text, TextSize size) const {
   return {extent.x, extent.y};
 }
 
-void Sheet::text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size) {
-  const Vec2 corner = at - Vec2(anchor.x, anchor.y) * size_of(text, size);
+void Sheet::text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size, float scale) {
+  const Vec2 corner = at - Vec2(anchor.x, anchor.y) * scale * size_of(text, size);
   const ImFont* font = this->font(size);
-  list_->AddText(font, font->FontSize * font->Scale, {std::round(corner.x), std::round(corner.y)}, color, text.data(),
-                 text.data() + text.size());
+  list_->AddText(font, scale * font->FontSize * font->Scale, {std::round(corner.x), std::round(corner.y)}, color,
+                 text.data(), text.data() + text.size());
 }
 
 void Sheet::bordered_text(Vec2 at, Anchor anchor, Rgba color, Rgba border, std::string_view text, TextSize size) {

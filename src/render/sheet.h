@@ -55,7 +55,8 @@ class Sheet {
   float unit() const;                           ///< [pixel] 1/1080 of the height
 
   Vec2 size_of(std::string_view text, TextSize size = TextSize::normal) const;  ///< [pixel]
-  void text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size = TextSize::normal);
+  void text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size = TextSize::normal,
+            float scale = 1);
   /// With a border in another colour, so that it is legible over anything.
   void bordered_text(Vec2 at, Anchor anchor, Rgba color, Rgba border, std::string_view text, TextSize size);
 

@@ -19,6 +19,9 @@ class KernelCursor {
   size_t at() const { return at_; }  ///< the number of operations done
   size_t last() const { return run_.record.operations.size(); }
 
+  /// The phase of the operation before the cursor, or the first one.
+  const lecture::Phase& phase() const { return run_.phase_at(at_ > 0 ? at_ - 1 : 0); }
+
   void go_to(size_t place) { at_ = std::min(place, last()); }
   void step(int operations);
   void skip_phase(int phases);  ///< to the end of the phase, or to the end of the one before
@@ -34,7 +37,7 @@ class KernelCursor {
   int64_t walker() const;
 
  private:
-  bool is_walking() const { return run_.phase_at(at_ > 0 ? at_ - 1 : 0).name == "sweep"; }
+  bool is_walking() const { return phase().name == "sweep"; }
 
   lecture::RecordedRun run_;
   size_t at_ = 0;

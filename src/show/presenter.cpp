@@ -57,6 +57,7 @@ void Presenter::open() {
   attempt([&] {
     demo_ = std::make_unique<Demo>(page().scene, page().options);
     demo_->view = page().view;
+    demo_->view.text_scale = text_scale;
     start_ = demo_->session.world().inspect().bodies;
   });
   demo_->player.is_running = false;

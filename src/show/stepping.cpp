@@ -31,6 +31,20 @@ std::optional<KernelName> kernel_of(BroadPhase method) {
   return found == kMethods.end() ? std::nullopt : std::optional(found->kernel);
 }
 
+/// What shows a kernel's arrays and tests, whether or not it is switched on.
+std::vector<std::string_view> overlays_of(KernelName kernel) {
+  switch (kernel) {
+    case KernelName::brute_force:
+      return {"labels", "pairs"};
+    case KernelName::sort_and_sweep:
+      return {"intervals", "labels", "pairs"};
+    case KernelName::linked_cell:
+    case KernelName::race:
+      return {"grid", "labels", "lists", "pairs"};
+  }
+  return {};
+}
+
 }  // namespace
 
 const KernelCursor* Stepping::cursor() {
@@ -74,14 +88,20 @@ void Stepping::skip_phase(int phases) {
 }
 
 FrameView Stepping::frame_view(float aspect) {
+  View& view = demo_.view;
+  const std::vector<std::string> own = view.overlays;
+  for (const std::string_view overlay : overlays_of(cursor_->run().kernel)) {
+    if (!view.shows(overlay)) view.overlays.emplace_back(overlay);
+  }
   inspection_ = demo_.inspection();
   cursor_->show_in(inspection_);
   page_ = {};
   cursor_->describe(page_, language());
-  page_.caption = page_.step;
-  FrameView view = frame_with_page(demo_, inspection_, page_, aspect, demo_.view.text_scale);
-  if (const int64_t walker = cursor_->walker(); walker >= 0) view.selected = walker;
-  return view;
+  page_.title = fmt::format("{}: {}", name_of(cursor_->run().kernel), cursor_->phase().name);
+  FrameView frame = frame_with_page(demo_, inspection_, page_, aspect, view.text_scale);
+  if (const int64_t walker = cursor_->walker(); walker >= 0) frame.selected = walker;
+  view.overlays = own;
+  return frame;
 }
 
 }  // namespace ballpit

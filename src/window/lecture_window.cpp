@@ -107,7 +107,11 @@ void LectureWindow::draw(const WindowEvents& events, float elapsed) {
       {.theme = theme_named(presenter.demo().view.theme), .left = left(), .text_scale = presenter.text_scale});
   renderer_.draw(presenter.frame_view(static_cast<float>(width - left()) / static_cast<float>(height)));
   panel_.density = window.density();
+  panel_.top = room_of(PageView{}, presenter.text_scale, 1).above;
+  panel_.shows_card = presenter.demo().view.selected != presenter.page().view.selected;  // picked by a click
+  if (events.was_released) panel_.end_hint();
   panel_.draw(presenter.demo(), events.for_panel(elapsed));
+  presenter.text_scale = presenter.demo().view.text_scale;  // the panel's, for the next pages too
   renderer_.copy_to_window();
   window.show();
 }

@@ -151,7 +151,7 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   is_shown ? draw_panel(demo) : draw_handle();
-  draw_card(demo);
+  if (shows_card) draw_card(demo);
   draw_hint(input.elapsed);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -215,7 +215,11 @@ void Panel::draw_hint(float elapsed) {
   if (hint_left_ <= 0) return;
   const float beside = is_shown ? static_cast<float>(width_in(sheet_.picture_width(), sheet_.height(), 1)) : 0.0f;
   const auto width = static_cast<float>(sheet_.picture_width()), height = static_cast<float>(sheet_.height());
-  ImGui::SetNextWindowPos({0.5f * (beside + width), 0.97f * height}, ImGuiCond_Always, {0.5f, 1});
+  if (top > 0) {  // captions are below
+    ImGui::SetNextWindowPos({width - 12 * sheet_.unit(), top * height}, ImGuiCond_Always, {1, 0});
+  } else {
+    ImGui::SetNextWindowPos({0.5f * (beside + width), 0.97f * height}, ImGuiCond_Always, {0.5f, 1});
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, std::min(hint_left_ / kFade, 1.0f));
   ImGui::Begin("hint", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |

@@ -95,6 +95,8 @@ class Panel {
   bool is_filming = false;     ///< set by the caller
   PanelRequests requests;      ///< for the caller to handle and to clear
   std::vector<PanelKey> keys;  ///< set by the caller
+  bool shows_card = true;      ///< set by the caller, of the picked sphere
+  float top = 0;               ///< set by the caller: part of the height that the scene's title takes
 
   /// A line at the lower edge of the scene, which fades after some seconds.
   void hint(const std::string& text);

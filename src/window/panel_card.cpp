@@ -50,12 +50,13 @@ void Panel::draw_card(Demo& demo) {
   if (i >= inspection.bodies.count) return;
   const float beside = static_cast<float>(
                   width_beside(*this, {sheet_.picture_width(), sheet_.height()}, demo.view.ui_scale)),
-              width = static_cast<float>(sheet_.picture_width()), margin = 12 * sheet_.unit();
+              width = static_cast<float>(sheet_.picture_width()), margin = 12 * sheet_.unit(),
+              high = std::max(margin, top * static_cast<float>(sheet_.height()));
   const FrameView view = demo.frame_view((width - beside) / static_cast<float>(sheet_.height()));
   if (is_upper_right(view, i)) {
-    ImGui::SetNextWindowPos({beside + margin, margin});
+    ImGui::SetNextWindowPos({beside + margin, high});
   } else {
-    ImGui::SetNextWindowPos({width - margin, margin}, ImGuiCond_Always, {1, 0});
+    ImGui::SetNextWindowPos({width - margin, high}, ImGuiCond_Always, {1, 0});
   }
   ImGui::SetNextWindowSize({std::min(22 * ImGui::GetFontSize(), 0.5f * (width - beside)), 0});
   ImGui::Begin("card", nullptr,

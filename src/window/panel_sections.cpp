@@ -64,8 +64,15 @@ void Panel::draw_time(Demo& demo) {
              {.low = 0.01f, .high = 10, .is_log = true, .shown = local_number(reached), .snaps = {0.1f, 0.5f, 1, 2}})) {
     demo.player.speed = speed;
   }
+  float right = 0;  // of the button before, in the window
   for (const PanelKey& key : keys) {
-    if (key.act && button("key " + key.name, translated(key.help))) key.act();
+    if (!key.act) continue;
+    const std::string label = translated(key.help);
+    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float start = right + ImGui::GetStyle().ItemSpacing.x;
+    if (right > 0 && start + width <= ImGui::GetWindowContentRegionMax().x) ImGui::SameLine();
+    if (button("key " + key.name, label)) key.act();
+    right = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
   }
 }
 

@@ -63,3 +63,14 @@ TEST_CASE("where there is no kernel to step through, a line says why") {
   CHECK_FALSE(in_crowd.cursor());
   CHECK_THAT(crowd.message(), Catch::Contains("500"));
 }
+
+TEST_CASE("stepping shows the arrays of the kernel, and leaves the view as it was") {
+  Demo demo = demo_of("lecture-contacts", "linked-cell");
+  demo.view.overlays = {"velocity"};
+  Stepping stepping(demo);
+  stepping.move(1);
+  const FrameView frame = stepping.frame_view(1.5f);
+  for (const char* overlay : {"grid", "labels", "lists", "pairs", "velocity"}) CHECK(frame.shows(overlay));
+  CHECK(frame.page->title == "linked-cell: clear");
+  CHECK(demo.view.overlays == std::vector<std::string>{"velocity"});
+}
