@@ -11,6 +11,9 @@ namespace ballpit {
 /// The number of threads for `--threads`: 0 stands for one per core.
 int thread_count(int threads);
 
+/// "AMD EPYC 9354": the first processor that Linux lists.
+std::string cpu_model();
+
 /// CPU, cores, CUDA device if there is one, compiler, build type, version.
 nlohmann::ordered_json describe_machine();
 

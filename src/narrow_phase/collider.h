@@ -49,40 +49,7 @@ class Collider {
   }
 
   /// Starts anew, in the memory held. `choice` names a broad phase; `skin` is a fraction of each radius.
-  void plan(BroadPhaseChoice choice, BroadPhaseParameters<V> parameters, double skin) {
-    choice_ = std::move(choice);
-    planned_ = parameters_ = std::move(parameters);
-    list_.plan(skin, 2 * rounding_guard(box()));
-    for (SizeClass<V>& spheres : planned_.classes) spheres.largest *= list_.factor();
-    switch (choice_.method) {
-      case BroadPhase::brute_force:
-        use<BruteForce<V, Exec>>();
-        break;
-      case BroadPhase::sort_and_sweep:
-        use<SortAndSweep<V, Exec>>();
-        break;
-      case BroadPhase::linked_cell:
-        use<LinkedCell<V, Exec>>();
-        break;
-      case BroadPhase::sorted_grid:
-        use<SortedGrid<V, Exec>>();
-        break;
-      case BroadPhase::lecture_brute_force:
-        use<lecture::BruteForceMethod<V, Exec>>();
-        break;
-      case BroadPhase::lecture_sort_and_sweep:
-        use<lecture::SortAndSweepMethod<V, Exec>>();
-        break;
-      case BroadPhase::lecture_linked_cell:
-        use<lecture::LinkedCellMethod<V, Exec>>();
-        break;
-      case BroadPhase::automatic:
-        throw std::logic_error("a broad phase is chosen before");
-    }
-    source_ = Source::none;
-    linked_search_ = -1;
-    searches_ = 0;
-  }
+  void plan(BroadPhaseChoice choice, BroadPhaseParameters<V> parameters, double skin);
 
   /// Call after changing positions.
   void moved() {
@@ -147,18 +114,7 @@ class Collider {
   bool shows_all_inside(Exec& exec, const BodiesView<V>& bodies) { return list_.shows_all_inside(exec, bodies, box()); }
 
   /// Pairs tested to find the contacts, without those tested for the candidate list.
-  int64_t tests(Exec& exec) const {
-    if (source_ == Source::list) return list_.candidates().pairs.size();
-    return std::visit(
-        [&](auto& method) {
-          if constexpr (lecture::FindsPairs<decltype(method)>) {
-            return method.tests(exec);
-          } else {
-            return search_.template tests<decltype(method.candidates())>(exec);
-          }
-        },
-        broad_phase_);
-  }
+  int64_t tests(Exec& exec) const;
 
   int64_t searches() const { return searches_; }  ///< by the broad phase since plan()
   const BroadPhaseChoice& choice() const { return choice_; }
@@ -166,22 +122,13 @@ class Collider {
   const Box<V>& box() const { return parameters_.box; }
 
   /// The broad phase, prepared for these positions also where the candidate list made that unnecessary.
-  AnyBroadPhase& prepared(Exec& exec, const BodiesView<V>& bodies) {
-    if (list_.is_used()) {
-      if (source_ == Source::broad_phase) test_candidates(exec);  // before its structure changes
-      std::visit([&](auto& method) { method.prepare(exec, list_.grown(exec, bodies)); }, broad_phase_);
-    }
-    return broad_phase_;
-  }
+  AnyBroadPhase& prepared(Exec& exec, const BodiesView<V>& bodies);
 
   /// The broad phase as the last search has left it, and what each of its list-walking threads has tested.
   const AnyBroadPhase& broad_phase() const { return broad_phase_; }
   Span<const int> tested() const { return search_.tested(); }
 
-  int64_t bytes() const {
-    return std::visit([](auto& method) { return method.bytes(); }, broad_phase_) + search_.bytes() +
-           list_filter_.bytes() + rows_.bytes() + list_.bytes();
-  }
+  int64_t bytes() const;
 
  private:
   /// Where the candidates of the present positions are.
@@ -208,10 +155,7 @@ class Collider {
     return state != ListState::off;
   }
 
-  void prepare(Exec& exec, const BodiesView<V>& bodies) {
-    ++searches_;
-    std::visit([&](auto& method) { method.prepare(exec, bodies); }, broad_phase_);
-  }
+  void prepare(Exec& exec, const BodiesView<V>& bodies);
 
   void test_candidates(Exec& exec) {
     if (is_tested_) return;
@@ -223,17 +167,7 @@ class Collider {
     }
   }
 
-  void test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
-    std::visit(
-        [&](auto& method) {
-          if constexpr (lecture::FindsPairs<decltype(method)>) {
-            put_into_rows(exec, method.find(exec, bodies), bodies.size(), rows);
-          } else {
-            search_.find(exec, method.candidates(), bodies, box(), rows);
-          }
-        },
-        broad_phase_);
-  }
+  void test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows);
 
   BroadPhaseChoice choice_;
   BroadPhaseParameters<V> parameters_, planned_;  // without and with skins
@@ -251,5 +185,92 @@ class Collider {
   int64_t linked_search_ = -1;  // the search whose pairs near_ lists
   int64_t searches_ = 0;
 };
+
+// What visits the broad phase is defined outside of the class. Within it, each file that uses a Collider would compile
+// every search again, in order to inline it.
+
+template <class V, class Exec>
+void Collider<V, Exec>::plan(BroadPhaseChoice choice, BroadPhaseParameters<V> parameters, double skin) {
+  choice_ = std::move(choice);
+  planned_ = parameters_ = std::move(parameters);
+  list_.plan(skin, 2 * rounding_guard(box()));
+  for (SizeClass<V>& spheres : planned_.classes) spheres.largest *= list_.factor();
+  switch (choice_.method) {
+    case BroadPhase::brute_force:
+      use<BruteForce<V, Exec>>();
+      break;
+    case BroadPhase::sort_and_sweep:
+      use<SortAndSweep<V, Exec>>();
+      break;
+    case BroadPhase::linked_cell:
+      use<LinkedCell<V, Exec>>();
+      break;
+    case BroadPhase::sorted_grid:
+      use<SortedGrid<V, Exec>>();
+      break;
+    case BroadPhase::lecture_brute_force:
+      use<lecture::BruteForceMethod<V, Exec>>();
+      break;
+    case BroadPhase::lecture_sort_and_sweep:
+      use<lecture::SortAndSweepMethod<V, Exec>>();
+      break;
+    case BroadPhase::lecture_linked_cell:
+      use<lecture::LinkedCellMethod<V, Exec>>();
+      break;
+    case BroadPhase::automatic:
+      throw std::logic_error("a broad phase is chosen before");
+  }
+  source_ = Source::none;
+  linked_search_ = -1;
+  searches_ = 0;
+}
+
+template <class V, class Exec>
+int64_t Collider<V, Exec>::tests(Exec& exec) const {
+  if (source_ == Source::list) return list_.candidates().pairs.size();
+  return std::visit(
+      [&](auto& method) {
+        if constexpr (lecture::FindsPairs<decltype(method)>) {
+          return method.tests(exec);
+        } else {
+          return search_.template tests<decltype(method.candidates())>(exec);
+        }
+      },
+      broad_phase_);
+}
+
+template <class V, class Exec>
+auto Collider<V, Exec>::prepared(Exec& exec, const BodiesView<V>& bodies) -> AnyBroadPhase& {
+  if (list_.is_used()) {
+    if (source_ == Source::broad_phase) test_candidates(exec);  // before its structure changes
+    std::visit([&](auto& method) { method.prepare(exec, list_.grown(exec, bodies)); }, broad_phase_);
+  }
+  return broad_phase_;
+}
+
+template <class V, class Exec>
+int64_t Collider<V, Exec>::bytes() const {
+  return std::visit([](auto& method) { return method.bytes(); }, broad_phase_) + search_.bytes() +
+         list_filter_.bytes() + rows_.bytes() + list_.bytes();
+}
+
+template <class V, class Exec>
+void Collider<V, Exec>::prepare(Exec& exec, const BodiesView<V>& bodies) {
+  ++searches_;
+  std::visit([&](auto& method) { method.prepare(exec, bodies); }, broad_phase_);
+}
+
+template <class V, class Exec>
+void Collider<V, Exec>::test_broad_phase(Exec& exec, const BodiesView<V>& bodies, ContactRows<Exec>& rows) {
+  std::visit(
+      [&](auto& method) {
+        if constexpr (lecture::FindsPairs<decltype(method)>) {
+          put_into_rows(exec, method.find(exec, bodies), bodies.size(), rows);
+        } else {
+          search_.find(exec, method.candidates(), bodies, box(), rows);
+        }
+      },
+      broad_phase_);
+}
 
 }  // namespace ballpit
