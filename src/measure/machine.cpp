@@ -14,8 +14,6 @@
 
 namespace ballpit {
 
-namespace {}  // namespace
-
 int thread_count(int threads) {
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
