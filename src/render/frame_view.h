@@ -42,7 +42,7 @@ struct FrameView {
   Wanted left_out{};                  ///< data that overlays want, but that is too large to be in the inspection
   bool is_written = false;            ///< the world has written bodies and contact marks into the renderer's buffer
   const PageView* page = nullptr;     ///< of a lecture
-  float typical_speed = 0;            ///< [m/s] of the scene, by which slow spheres are told from fast ones; 0: unknown
+  float typical_speed = 0;            ///< [m/s] of the scene: much slower spheres count as at rest; 0: unknown
 };
 
 }  // namespace ballpit
