@@ -1,19 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# One experiment, or `all`, quick, from nothing to the report, and once more from what was kept:
-# lab_quick_test.sh PROGRAM NAME.
+# All experiments, quick, from nothing to the report, and once more from what was kept: lab_all_test.sh PROGRAM.
 set -euo pipefail
 program=$1
-experiment=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 fail() { echo "FAILED: $1"; exit 1; }
 
-"$program" lab "$experiment" --quick --out out
+"$program" lab all --quick --out out
 names=$(ls out/cache | sed 's/\.csv$//')
-[[ $experiment == all ]] && least=7 || least=1
-[[ $(wc -w <<< "$names") -ge $least ]] || fail "experiments: $names"
+[[ $(wc -w <<< "$names") -ge 7 ]] || fail "experiments: $names"
 for name in $names; do
   ls "out/$name"/*.csv "out/$name"/*.svg > /dev/null || fail "$name left no tables or no charts"
   grep -q "id=\"$name\"" out/report.html || fail "$name is not in the report"
@@ -21,5 +18,5 @@ done
 ! grep -qE 'class="answer">[^<]*\b(nan|inf)\b' out/report.html || fail "an answer without its number"
 
 cp -r out before
-"$program" lab "$experiment" --quick --out out > /dev/null
+"$program" lab all --quick --out out > /dev/null
 diff -r before out || fail "the second time is not the same"
