@@ -12,6 +12,7 @@
 #include "cli/progress.h"
 #include "core/file.h"
 #include "core/interrupt.h"
+#include "core/language.h"
 #include "lab/charts/gnuplot.h"
 #include "lab/report/experiment.h"
 #include "lab/report/report.h"
@@ -94,6 +95,7 @@ class LabCommand {
                       .is_required = true},
                      out_);
     command.add_flag("--quick", is_quick_, "fewer and smaller cases, each experiment in less than 90 seconds");
+    add_language(command);
     command.add_number({"--seed", "N", "start of the random numbers"}, seed_, Range{uint64_t{0}, uint64_t{INT64_MAX}});
   }
 
@@ -105,7 +107,7 @@ class LabCommand {
     announce();
     const std::vector<ReportSection> sections = run_all();
     for (const ReportSection& section : sections) {
-      std::cout << section.experiment->title << ": " << section.findings.answer << "\n";
+      std::cout << section.experiment->text().title << ": " << section.findings.answer << "\n";
     }
     std::cout << "Report: " << (folder_ / "report.html").string() << "\n";
   }
@@ -138,10 +140,11 @@ class LabCommand {
                             counted(static_cast<int64_t>(chosen_.size()), "experiment"), duration_text(seconds),
                             (folder_ / "cache").string()));
     if (!gnuplot_.empty()) return;
-    lack_ =
+    const std::string lack =
         "No charts: gnuplot is not on the PATH (Debian: gnuplot-nox). The same command draws them later, without "
         "measuring again.";
-    print_warnings({lack_});
+    lack_ = translated(lack);
+    print_warnings({lack});
   }
 
   /// Writes the report after each experiment, so that an interrupted run leaves what it has.
@@ -178,8 +181,8 @@ class LabCommand {
   void write_tables(const ReportSection& section, double load) const {
     const std::filesystem::path folder = folder_ / section.experiment->name;
     make_folder(folder);
-    std::vector<std::string> comments = circumstances();
-    comments.insert(comments.begin(), section.command);
+    std::vector<std::string> comments{section.command};
+    for (const auto& [name, value] : circumstances()) comments.push_back(name + ": " + value);
     if (load > 0) comments.push_back("load average while timing, own threads included: up to " + three_digits(load));
     for (const Table& table : section.findings.tables) {
       write_file(folder / (table.name + ".csv"), csv_of(table, comments));
@@ -189,7 +192,8 @@ class LabCommand {
   void draw_charts(ReportSection& section) const {
     if (gnuplot_.empty()) return;
     const std::filesystem::path folder = folder_ / section.experiment->name;
-    for (const Chart& chart : section.findings.charts) {
+    for (const Chart& found : section.findings.charts) {
+      const Chart chart = in_language_set(found);
       section.charts.push_back(
           {chart.name, chart.title, draw_svg(chart, Ground::light, gnuplot_), draw_svg(chart, Ground::dark, gnuplot_)});
       write_file(folder / (chart.name + ".svg"), section.charts.back().light);
@@ -198,13 +202,13 @@ class LabCommand {
   }
 
   std::string command_of(const Experiment& experiment) const {
-    return fmt::format("ballpit lab {} --out {}{}{}", experiment.name, out_, is_quick_ ? " --quick" : "",
+    return fmt::format("ballpit lab {} --out {}{}{}{}", experiment.name, out_, is_quick_ ? " --quick" : "",
+                       language() == Language::english ? "" : fmt::format(" --lang {}", name_of(language())),
                        seed_ == 1 ? "" : fmt::format(" --seed {}", seed_));
   }
 
-  std::vector<std::string> circumstances() const {
-    return {"machine: " + machine_line(), std::string("preset: ") + (is_quick_ ? "quick" : "full"),
-            fmt::format("seed: {}", seed_)};
+  std::vector<Circumstance> circumstances() const {
+    return {{"machine", machine_line()}, {"preset", is_quick_ ? "quick" : "full"}, {"seed", std::to_string(seed_)}};
   }
 
   std::string out_;

@@ -45,7 +45,7 @@ class LectureCommand {
     if (page_ > static_cast<int>(lecture.pages.size())) {
       throw UserError("--page", std::to_string(page_), fmt::format("1 to {}", lecture.pages.size()));
     }
-    Presenter presenter(lecture, language());
+    Presenter presenter(lecture);
     presenter.text_scale = text_scale_.value_or(presenter.text_scale);
     if (!export_.empty()) return write_handout(lecture, presenter);
     if (json_) return print_pages(presenter);
@@ -87,7 +87,7 @@ class LectureCommand {
       write_file(folder / picture_name(number), pictures.back().png);
       progress.show(number);
     }
-    write_file(folder / "index.html", handout_page(lecture.title.in(language()), language(), pictures));
+    write_file(folder / "index.html", handout_page(lecture.title.in(language()), pictures));
   }
 
   void print_pages(Presenter& presenter) {

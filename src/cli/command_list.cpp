@@ -84,9 +84,10 @@ Json json_of(std::span<const Backend> backends) {
                 {"estimator", observable.estimator}};
   });
   list["experiments"] = list_of(experiments(), [](const Experiment& experiment) {
+    const ExperimentText text = experiment.text();
     return Json{{"name", experiment.name},
-                {"title", experiment.title},
-                {"question", experiment.question},
+                {"title", text.title},
+                {"question", text.question},
                 {"quick_seconds", experiment.quick_seconds},
                 {"full_seconds", experiment.full_seconds}};
   });
@@ -128,7 +129,7 @@ std::string text_of(std::span<const Backend> backends) {
     add(observable.name, fmt::format("{}: {}", label_with_unit(observable), observable.estimator));
   }
   if (!experiments().empty()) text += "Experiments of lab\n";
-  for (const Experiment& experiment : experiments()) add(experiment.name, experiment.question);
+  for (const Experiment& experiment : experiments()) add(experiment.name, experiment.text().question);
   return text;
 }
 

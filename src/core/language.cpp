@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/language.h"
 
-#include <algorithm>
+#include <cctype>
 #include <functional>
 #include <map>
 
@@ -40,8 +40,11 @@ std::string translated(std::string_view english) {
 
 bool has_german(std::string_view english) { return german().contains(english); }
 
-std::string local_number(std::string text, Language spoken) {
-  if (spoken == Language::german) std::ranges::replace(text, '.', ',');
+std::string local_number(std::string text) {
+  if (current == Language::english) return text;
+  for (size_t k = 0; k + 1 < text.size(); ++k) {
+    if (text[k] == '.' && std::isdigit(static_cast<unsigned char>(text[k + 1])) != 0) text[k] = ',';
+  }
   return text;
 }
 

@@ -20,7 +20,7 @@ std::string translated(std::string_view english);
 /// Whether the table has a German text for it; for tests.
 bool has_german(std::string_view english);
 
-/// A number's text with the decimal sign of a language.
-std::string local_number(std::string text, Language spoken = language());
+/// A text whose numbers have the decimal sign of the language set: "2.5 s" becomes "2,5 s".
+std::string local_number(std::string text);
 
 }  // namespace ballpit

@@ -15,6 +15,8 @@ constexpr float kMargin = 24, kPad = 10;
 constexpr float kSlides = 260;         // of "Slides 2–4" with its margins, in a lecture
 constexpr float kCodeWidth = 0.47f;    // of the picture's width
 constexpr float kCodeSpacing = 1.12f;  // from one line of code to the next [its height]
+constexpr float kLegends = 3;          // lines below the code: what the step did, and legends
+constexpr float kLeastCode = 0.65f;    // [its full size] even where the legend then reaches beside the arrays
 constexpr float kMeanLetter = 0.43f;   // of a sentence [height of a line]
 
 /// The text in lines of at most `width` pixels, broken at blanks.
@@ -35,17 +37,20 @@ std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, 
   return lines;
 }
 
-/// The legend follows below.
+/// As large as it fits; the legend follows below.
 void draw_code(const PageView& page, float top, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), width = kCodeWidth * static_cast<float>(sheet.width());
   float widest = 1;
   for (const std::string& text : page.code) widest = std::max(widest, sheet.size_of(text, TextSize::code).x);
-  const float scale = std::min(1.0f, (width - (kMargin + 2 * kPad) * u) / widest);  // smaller beside a panel
-  const float line = scale * sheet.size_of("0", TextSize::code).y * kCodeSpacing,
-              left = static_cast<float>(sheet.width()) - width;
+  const float pitch = sheet.size_of("0", TextSize::code).y * kCodeSpacing, count = static_cast<float>(page.code.size());
+  const float free = (1 - page.below) * static_cast<float>(sheet.height()) - top -
+                     kLegends * sheet.size_of("0", TextSize::small).y - 4 * kPad * u;
+  const float scale =
+      std::min({1.0f, (width - (kMargin + 2 * kPad) * u) / widest, std::max(kLeastCode, free / (count * pitch))});
+  const float line = scale * pitch, left = static_cast<float>(sheet.width()) - width;
   const Vec2 corner(left, top);
-  const float height = line * static_cast<float>(page.code.size()) + 2 * kPad * u;
+  const float height = line * count + 2 * kPad * u;
   sheet.box(corner, {left + width - kMargin * u, top + height}, painter.ground(), 6 * u);
   for (size_t k = 0; k < page.code.size(); ++k) {
     const float y = top + kPad * u + static_cast<float>(k) * line;
@@ -101,6 +106,7 @@ void draw_page(const PageView& page, Painter& painter) {
   sheet.text({kMargin * u, kPad * u / 2}, kUpperLeft, painter.ink(), page.title,
              fits ? TextSize::title : TextSize::small);
   painter.noted = title;
+  painter.note_left = kPad * u;
   const float slides = page.slides.empty() ? 0 : sheet.size_of(page.slides, TextSize::small).x + 2 * kMargin * u;
   const std::vector<std::string> lines =
       wrap_text(sheet, page.caption, width - 2 * kMargin * u - slides, TextSize::normal);

@@ -34,7 +34,9 @@ struct PageView {
   int64_t touched_index = -1;
   std::string old_text;       ///< the element's value before the step, if that changed it
   bool walks = true;          ///< whether the intervals show a thread that walks
+  bool has_walked = false;    ///< whether they show all threads: the sweep is over
   bool has_no_scene = false;  ///< only text is shown: a page that failed to load
+  float below = 0;            ///< [of the picture's height] what caption and overlays take at the lower edge
 };
 
 /// The parts of a picture of this aspect that the page needs, beside what overlays take below.

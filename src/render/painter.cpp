@@ -31,6 +31,14 @@ void draw_swatch(Sheet& sheet, const NotePart& part, Vec2 at) {
     case Swatch::square:
       sheet.box(at + Vec2(8, -12) * u, at + Vec2(32, 12) * u, color);
       break;
+    case Swatch::pale:
+      sheet.box(at + Vec2(8, -12) * u, at + Vec2(32, 12) * u, to_rgba(part.color, kPale));
+      sheet.frame(at + Vec2(8, -12) * u, at + Vec2(32, 12) * u, color, 1.5f * u);
+      break;
+    case Swatch::stub:
+      sheet.line(at + Vec2(20, -12) * u, at + Vec2(20, 8) * u, color, 3 * u);
+      sheet.line(at + Vec2(10, 8) * u, at + Vec2(30, 8) * u, color, 3 * u);
+      break;
     case Swatch::twice:
       sheet.line(at - gap, end - gap, color, 4 * u);
       sheet.line(at + gap, end + gap, color, 4 * u);

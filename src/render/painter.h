@@ -25,7 +25,9 @@
 namespace ballpit {
 
 /// A sample in the legend of how something looks in the picture.
-enum class Swatch { none, line, bold, twice, arrow, square };
+enum class Swatch { none, line, bold, twice, arrow, square, pale, stub };
+
+inline constexpr float kPale = 0.25f;  ///< opacity of a pale area in a frame of its colour
 
 struct NotePart {
   Swatch swatch;

@@ -19,7 +19,7 @@ namespace ballpit {
 namespace {
 
 // In the order of TextSize: [pixel] at 1080 lines, and by which part of the text scale it grows.
-constexpr std::array<float, 5> kSizes{36, 40, 48, 22, 22}, kGrowth{0.42f, 0.75f, 0.42f, 0, 0};
+constexpr std::array<float, 5> kSizes{36, 40, 48, 22, 34}, kGrowth{0.42f, 0.75f, 0.42f, 0, 0};
 constexpr float kSmallest = 9;   // [pixel] smaller letters are not legible
 constexpr float kLargest = 128;  // [pixel] larger letters are magnified, to save memory
 constexpr float kFine = 64;      // [pixel] up to this size, letters are sampled twice horizontally

@@ -20,7 +20,7 @@ struct ImFont;
 
 namespace ballpit {
 
-/// At 1080 lines: 36, 40 and 48 pixels, 22 for the panel, and 22 for code, whose letters have equal widths; in
+/// At 1080 lines: 36, 40 and 48 pixels, 22 for the panel, and 34 for code, whose letters have equal widths; in
 /// proportion at other heights, at least 9. Digits and capitals are 0.6 times as high. Panel and scene have scales of
 /// their own: with 1.6, that of a lecture, the sizes are 45, 58 and 60. Captions grow most: numbers must still fit into
 /// boxes and cells.

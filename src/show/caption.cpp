@@ -158,7 +158,7 @@ std::string fill_caption(std::string_view text, const PageState& state, const Fi
   for (const Placeholder& placeholder : placeholder_table()) {
     const std::string name = fmt::format("{{{}}}", placeholder.name);
     for (size_t at = result.find(name); at != std::string::npos; at = result.find(name, at)) {
-      std::string figure = local_number(placeholder.figure(state), state.language);
+      std::string figure = local_number(placeholder.figure(state));
       if (const auto kept = stored.find(placeholder.name); figure.empty() && kept != stored.end()) {
         figure = kept->second;
       }

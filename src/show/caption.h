@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/language.h"
 #include "lecture/real_race.h"
 #include "lecture/recorded_run.h"
 #include "methods/choices.h"
@@ -27,7 +26,6 @@ struct PageState {
   double step = 0;                            ///< [s] until the next search
   double energy = 1;                          ///< of that at the start
   std::optional<lecture::RealRace> race{};    ///< if it was run
-  Language language = Language::english;
 };
 
 /// Figures by their names.

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include "core/file.h"
+#include "core/language.h"
 #include "handout_text.h"
+#include "methods/choices.h"
 
 namespace ballpit {
 
@@ -34,11 +36,11 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string section_of(const HandoutPicture& picture, Language language) {
+std::string section_of(const HandoutPicture& picture) {
   std::string notes;
   if (!picture.notes.empty()) {
-    notes = fmt::format("<details><summary>{}</summary><p>{}</p></details>\n",
-                        language == Language::german ? "Notizen" : "Notes", escaped(picture.notes));
+    notes =
+        fmt::format("<details><summary>{}</summary><p>{}</p></details>\n", translated("Notes"), escaped(picture.notes));
   }
   return fmt::format(
       "<section id=\"{}\">\n<h2>{}</h2>\n<img alt=\"{}\" src=\"data:image/png;base64,{}\">\n<p>{}</p>\n{}</section>\n",
@@ -53,11 +55,11 @@ void replace(std::string& text, std::string_view name, std::string_view value) {
 
 }  // namespace
 
-std::string handout_page(std::string_view title, Language language, const std::vector<HandoutPicture>& pictures) {
+std::string handout_page(std::string_view title, const std::vector<HandoutPicture>& pictures) {
   std::string sections;
-  for (const HandoutPicture& picture : pictures) sections += section_of(picture, language);
+  for (const HandoutPicture& picture : pictures) sections += section_of(picture);
   std::string page(handout_text().front().text);
-  replace(page, "{lang}", name_of(language));
+  replace(page, "{lang}", name_of(language()));
   replace(page, "{title}", escaped(title));
   replace(page, "{pages}", sections);
   return page;

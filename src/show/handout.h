@@ -6,9 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/language.h"
-#include "methods/choices.h"
-
 namespace ballpit {
 
 /// A picture of the handout, with what belongs to it.
@@ -20,7 +17,7 @@ struct HandoutPicture {
 
 /// The whole page: pictures with alternative texts, and notes that open on request. Arrow keys and touch step through
 /// it, and it prints a picture per sheet.
-std::string handout_page(std::string_view title, Language language, const std::vector<HandoutPicture>& pictures);
+std::string handout_page(std::string_view title, const std::vector<HandoutPicture>& pictures);
 
 /// In the alphabet of RFC 4648, with padding.
 std::string base64(std::string_view bytes);

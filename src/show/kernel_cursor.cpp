@@ -63,15 +63,16 @@ void KernelCursor::show_in(Inspection& seen) const {
   }
 }
 
-void KernelCursor::describe(PageView& page, Language language) const {
+void KernelCursor::describe(PageView& page) const {
   const std::vector<Operation>& operations = run_.record.operations;
   const Operation& shown = operations[at_ > 0 ? at_ - 1 : 0];  // done last, or the first one, which comes next
   const CodeExcerpt code = function_at(lecture::kernel_source(run_.kernel), shown.line);
   page.code = code.lines;
   page.walks = is_walking();
+  page.has_walked = run_.axis >= 0 && at_ == last();
   if (at_ == 0) return;
   page.line = shown.line - code.first;
-  page.step = text_of(run_, at_ - 1, language);
+  page.step = text_of(run_, at_ - 1);
   if (shown.array < 0) return;
   page.touched_array = run_.record.arrays[static_cast<size_t>(shown.array)].name;
   page.touched_index = shown.index;
@@ -80,15 +81,16 @@ void KernelCursor::describe(PageView& page, Language language) const {
 }
 
 int64_t KernelCursor::walker() const {
-  if (run_.axis < 0 || at_ == 0 || !is_walking()) return -1;
+  if (run_.axis < 0 || at_ == 0 || at_ == last() || !is_walking()) return -1;
   const Operation& shown = run_.record.operations[at_ - 1];
   return run_.record.values_after(0, at_)[static_cast<size_t>(shown.thread)] / 2;
 }
 
-FrameView frame_with_page(Demo& demo, const Inspection& seen, const PageView& page, float aspect, float text_scale) {
+FrameView frame_with_page(Demo& demo, const Inspection& seen, PageView& page, float aspect, float text_scale) {
   const FrameView whole = demo.frame_view(aspect);
   Room room = room_of(page, text_scale, aspect);
   room.below += room_below(whole.overlays, seen, text_scale);
+  page.below = room.below;
   const float part = aspect * room.width() / room.height();
   const Camera camera = leave_room(camera_of(demo.view, whole.domain, part), room, aspect);
   return {seen,       whole.domain,   camera, whole.overlays, whole.selected,     whole.coloring,

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "lecture/recorded_run.h"
-#include "methods/choices.h"
 #include "render/page_view.h"
 #include "show/demo.h"
 
@@ -31,9 +30,9 @@ class KernelCursor {
   void show_in(Inspection& seen) const;
 
   /// The kernel's lines, and what the operation before the cursor did.
-  void describe(PageView& page, Language language) const;
+  void describe(PageView& page) const;
 
-  /// The sphere whose thread walks along the sorted list; −1 if none does.
+  /// The sphere whose thread walks along the sorted list; −1 before the sweep and after it.
   int64_t walker() const;
 
  private:
@@ -44,6 +43,6 @@ class KernelCursor {
 };
 
 /// The picture of a demonstration with a page's texts around it. `seen` and `page` must live until it is drawn.
-FrameView frame_with_page(Demo& demo, const Inspection& seen, const PageView& page, float aspect, float text_scale);
+FrameView frame_with_page(Demo& demo, const Inspection& seen, PageView& page, float aspect, float text_scale);
 
 }  // namespace ballpit

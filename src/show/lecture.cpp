@@ -30,12 +30,11 @@ LocalText read_text(const TableReader& reader, std::string_view key) {
 }
 
 /// Its placeholders must be known.
-LocalText read_caption(const TableReader& reader) {
-  const LocalText caption = read_text(reader, "caption");
-  for (const auto& [key, text] :
-       {std::pair<const char*, std::string>{"caption", caption.en}, {"caption_de", caption.de}}) {
+LocalText read_caption(const TableReader& reader, const std::string& key) {
+  const LocalText caption = read_text(reader, key);
+  for (const auto& [place, text] : {std::pair{key, caption.en}, {key + "_de", caption.de}}) {
     if (const std::string unknown = unknown_placeholder(text); !unknown.empty()) {
-      throw reader.error(key, unknown, join(names_in(placeholder_table())));
+      throw reader.error(place, unknown, join(names_in(placeholder_table())));
     }
   }
   return caption;
@@ -179,7 +178,8 @@ Page read_page(const TableReader& reader, const std::filesystem::path& folder) {
   page.id = *id;
   page.slides = read_integers(reader, "slides", kMaxSlide);
   page.title = read_text(reader, "title");
-  page.caption = read_caption(reader);
+  page.caption = read_caption(reader, "caption");
+  page.question = read_caption(reader, "question");
   page.notes = read_text(reader, "notes");
   page.scene = read_scene_name(reader, folder);
   page.time = reader.number("time", kNotNegative).value_or(0);
@@ -216,10 +216,11 @@ Lecture parse_lecture(std::string_view text, std::string_view file_name, const s
   Lecture lecture;
   lecture.title = read_text(root, "title");
   for (const toml::table* page : root.tables("page")) {
-    const TableReader reader = root.nested(
-        *page, "[[page]]", {"id",       "slides", "title",        "title_de", "caption",  "caption_de", "notes",
-                            "notes_de", "scene",  "time",         "options",  "overlays", "color",      "select",
-                            "camera",   "kernel", "interleaving", "mistake",  "stops",    "stored"});
+    const TableReader reader =
+        root.nested(*page, "[[page]]",
+                    {"id",           "slides",  "title",   "title_de", "caption",  "caption_de", "notes",  "notes_de",
+                     "scene",        "time",    "options", "overlays", "color",    "select",     "camera", "kernel",
+                     "interleaving", "mistake", "stops",   "stored",   "question", "question_de"});
     lecture.pages.push_back(read_page(reader, folder));
     const auto is_same = [&](const Page& other) { return other.id == lecture.pages.back().id; };
     if (std::count_if(lecture.pages.begin(), lecture.pages.end(), is_same) > 1) {

@@ -6,6 +6,7 @@
 //     slides = [14, 15]
 //     title = "Insert by exchanging"
 //     caption = "After {operations} operations 2 is before 6"    {names} are figures, counted when the page is shown
+//     question = "Which is before, 2 or 6?"                      in the caption's place until the last stop
 //     scene = "lecture-grid"
 //     kernel = "linked-cell"              the slide's kernel is run and recorded (lecture/recorded_run.h)
 //     interleaving = [6, 6, 2, 2]
@@ -61,6 +62,7 @@ struct Page {
   std::string id;
   std::vector<int> slides;  ///< of the lecture; none if the page goes beyond it
   LocalText title, caption, notes;
+  LocalText question;  ///< in the caption's place until the cursor is at the last stop; empty: none
   std::string scene;
   double time = 0;  ///< [s] of the scene
   std::vector<GivenOption> options;

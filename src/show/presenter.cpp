@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/interrupt.h"
+#include "core/phrase.h"
 
 namespace ballpit {
 
@@ -35,19 +36,16 @@ size_t place_of(const RecordedRun& run, const PageStop& stop, const Page& page) 
 }
 
 /// The slides that a page belongs to: "Slide 7", "Slides 2–4".
-std::string slides_text(const Page& page, Language language) {
+std::string slides_text(const Page& page) {
   if (page.slides.empty()) return "";
-  const bool is_german = language == Language::german;
   const auto [low, high] = std::ranges::minmax(page.slides);
-  if (low == high) return fmt::format("{} {}", is_german ? "Folie" : "Slide", low);
-  return fmt::format("{} {}–{}", is_german ? "Folien" : "Slides", low, high);
+  if (low == high) return phrase("Slide {}", low);
+  return phrase("Slides {}–{}", low, high);
 }
 
 }  // namespace
 
-Presenter::Presenter(const Lecture& lecture, Language its_language) : language(its_language), lecture_(lecture) {
-  open();
-}
+Presenter::Presenter(const Lecture& lecture) : lecture_(lecture) { open(); }
 
 void Presenter::open() {
   kernel_.reset();
@@ -138,19 +136,26 @@ void Presenter::skip_phase(int phases) {
   if (kernel_) kernel_->skip_phase(phases);
 }
 
+std::vector<std::string> Presenter::titles() const {
+  std::vector<std::string> titles;
+  for (const Page& each : lecture_.pages) titles.push_back(each.title.in(language()));
+  return titles;
+}
+
 std::string Presenter::caption() {
   if (!failure_.empty()) return failure_;
   if (!is_ready_) return "";
   const Inspection& seen = inspect();
   const Settings& settings = demo_->session.settings();
-  const std::string& text = page().caption.in(language);
+  const bool is_open = cursor() < stops_.back() && !page().question.en.empty();
+  const std::string& text = (is_open ? page().question : page().caption).in(language());
   const bool shows_race = text.find("{lost_by_threads}") != std::string::npos;
   if (measures && shows_race && !race_) race_ = lecture::race_on_threads(kRacing);
   const Report& report = demo_->report();
   const double energy = 1 + double(demo_->history().back().energy_drift);
-  return fill_caption(
-      text, {report, seen, all_contacts_, run(), cursor(), settings.dt / settings.substeps, energy, race_, language},
-      page().stored);
+  return fill_caption(text,
+                      {report, seen, all_contacts_, run(), cursor(), settings.dt / settings.substeps, energy, race_},
+                      page().stored);
 }
 
 const Inspection& Presenter::inspect() {
@@ -166,9 +171,9 @@ PageView Presenter::describe_page() {
   if (is_blank) return view;
   view.title = title();
   view.caption = caption();
-  view.slides = slides_text(page(), language);
+  view.slides = slides_text(page());
   view.walks = demo_->view.selected >= 0;
-  if (kernel_) kernel_->describe(view, language);
+  if (kernel_) kernel_->describe(view);
   return view;
 }
 

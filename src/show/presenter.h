@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gives a lecture: one page at a time, each in the state that its file describes, whatever was changed on the page
-// before.
+// Gives a lecture in the language set: one page at a time, each in the state that its file describes, whatever was
+// changed on the page before.
 //
 //     next() ──▶ the page's next stop, then the next page          step() ──▶ one operation of the page's kernel
 //
@@ -24,7 +24,7 @@ namespace ballpit {
 class Presenter {
  public:
   /// `lecture` must outlive the presenter. Starts with its first page.
-  Presenter(const Lecture& lecture, Language its_language);
+  explicit Presenter(const Lecture& lecture);
 
   static constexpr float kTextScale = 1.6f;
 
@@ -42,7 +42,6 @@ class Presenter {
   const std::vector<size_t>& stops() const { return stops_; }
   void go_to_stop(size_t stop);
 
-  Language language;
   bool is_blank = false;
   bool measures = false;  ///< figures that differ from run to run; if not, pages show those stored in their file
   float text_scale = kTextScale;  ///< of the scene's text
@@ -60,7 +59,8 @@ class Presenter {
   /// Why the page cannot be shown; empty if it can.
   const std::string& failure() const { return failure_; }
 
-  std::string title() const { return page().title.in(language); }
+  std::string title() const { return page().title.in(language()); }
+  std::vector<std::string> titles() const;  ///< of all pages
   std::string caption();
 
   /// The picture of the present state, valid until it changes.

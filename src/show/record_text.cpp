@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "core/language.h"
 #include "core/numbers.h"
+#include "core/phrase.h"
 
 namespace ballpit {
 
@@ -21,12 +21,12 @@ using lecture::RecordedRun;
 std::string typeset(const std::string& number) { return number.starts_with('-') ? "−" + number.substr(1) : number; }
 
 /// The formula of slide 9 for a sphere: "⌊1.5⌋·5 + ⌊1.5⌋ = 6".
-std::string hash_text(const RecordedRun& run, const Operation& operation, Language language) {
+std::string hash_text(const RecordedRun& run, const Operation& operation) {
   const GridInspection& grid = *run.grid;
   const Vec3 place = run.places[static_cast<size_t>(operation.thread)];
   const auto whole = [&](int axis) {
     const float low = std::trunc(grid.origin[axis] / grid.edge[axis]);
-    const std::string number = typeset(local_number(three_digits(place[axis] + (run.truncates ? low : 0)), language));
+    const std::string number = typeset(local_number(three_digits(place[axis] + (run.truncates ? low : 0))));
     return run.truncates ? fmt::format("(int({}) + {})", number, -low) : fmt::format("⌊{}⌋", number);
   };
   if (grid.cells.z > 1)
@@ -39,9 +39,9 @@ std::string hash_text(const RecordedRun& run, const Operation& operation, Langua
 std::string thread_text(const RecordedRun& run, size_t k) {
   const Operation& operation = run.record.operations[k];
   const lecture::Phase& phase = run.phase_at(k);
-  if (phase.name != "sweep") return fmt::format("thread {}", operation.thread);
+  if (phase.name != "sweep") return phrase("thread {}", operation.thread);
   const std::vector<int> list = run.record.values_after(0, phase.first);
-  return "thread " + value_text(run, list[static_cast<size_t>(operation.thread)]);
+  return phrase("thread {}", value_text(run, list[static_cast<size_t>(operation.thread)]));
 }
 
 }  // namespace
@@ -51,10 +51,9 @@ std::string value_text(const RecordedRun& run, int value) {
   return fmt::format("{}{}", value % 2 == 0 ? 'b' : 'e', value / 2);
 }
 
-std::string text_of(const RecordedRun& run, size_t k, Language language) {
+std::string text_of(const RecordedRun& run, size_t k) {
   const Operation& operation = run.record.operations[k];
-  const bool is_german = language == Language::german;
-  const std::string thread = (is_german ? "T" : "t") + thread_text(run, k).substr(1);
+  const std::string thread = thread_text(run, k);
   const std::string element =
       operation.array < 0
           ? ""
@@ -62,21 +61,18 @@ std::string text_of(const RecordedRun& run, size_t k, Language language) {
   const std::string value = value_text(run, operation.value);
   switch (operation.action) {
     case Action::compute:
-      return fmt::format("{}: {} {}", thread, is_german ? "Zelle" : "cell", hash_text(run, operation, language));
+      return phrase("{}: cell {}", thread, hash_text(run, operation));
     case Action::load:
-      return fmt::format("{} {} {}: {}", thread, is_german ? "liest" : "loads", element, value);
+      return phrase("{} loads {}: {}", thread, element, value);
     case Action::store:
-      return fmt::format("{} {} {} = {}", thread, is_german ? "speichert" : "stores", element, value);
+      return phrase("{} stores {} = {}", thread, element, value);
     case Action::exchange:
-      return fmt::format("{}: atomicExch(&{}, {}) {} {}", thread, element, value, is_german ? "liefert" : "returns",
-                         value_text(run, operation.old_value));
+      return phrase("{}: atomicExch(&{}, {}) returns {}", thread, element, value, value_text(run, operation.old_value));
     case Action::test:
       break;
   }
-  const char* const outcome =
-      operation.value != 0 ? (is_german ? "Kontakt" : "contact") : (is_german ? "getrennt" : "apart");
-  return fmt::format("{} {} {} {} {}: {}", thread, is_german ? "testet" : "tests", operation.index,
-                     is_german ? "und" : "and", operation.other, outcome);
+  const std::string outcome = translated(operation.value != 0 ? "contact" : "apart");
+  return phrase("{} tests {} and {}: {}", thread, operation.index, operation.other, outcome);
 }
 
 CodeExcerpt function_at(std::string_view source, int line) {

@@ -8,7 +8,6 @@
 
 #include "bodies/body_snapshot.h"
 #include "lecture/recorded_run.h"
-#include "methods/choices.h"
 
 namespace ballpit {
 
@@ -16,7 +15,7 @@ namespace ballpit {
 std::string value_text(const lecture::RecordedRun& run, int value);
 
 /// What operation k does: "thread 2: atomicExch(&head[4], 2) returns 6".
-std::string text_of(const lecture::RecordedRun& run, size_t k, Language language);
+std::string text_of(const lecture::RecordedRun& run, size_t k);
 
 /// The lines of a function, without their common indentation.
 struct CodeExcerpt {

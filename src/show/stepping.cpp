@@ -96,7 +96,7 @@ FrameView Stepping::frame_view(float aspect) {
   inspection_ = demo_.inspection();
   cursor_->show_in(inspection_);
   page_ = {};
-  cursor_->describe(page_, language());
+  cursor_->describe(page_);
   page_.title = fmt::format("{}: {}", name_of(cursor_->run().kernel), cursor_->phase().name);
   FrameView frame = frame_with_page(demo_, inspection_, page_, aspect, view.text_scale);
   if (const int64_t walker = cursor_->walker(); walker >= 0) frame.selected = walker;

@@ -65,8 +65,7 @@ void LectureWindow::show_keys() {
 }
 
 void LectureWindow::change_language() {
-  presenter.language = presenter.language == Language::german ? Language::english : Language::german;
-  set_language(presenter.language);
+  set_language(language() == Language::german ? Language::english : Language::german);
 }
 
 void LectureWindow::move_cursor(int direction) {
@@ -110,6 +109,7 @@ void LectureWindow::draw(const WindowEvents& events, float elapsed) {
   panel_.top = room_of(PageView{}, presenter.text_scale, 1).above;
   panel_.shows_card = presenter.demo().view.selected != presenter.page().view.selected;  // picked by a click
   if (events.was_released) panel_.end_hint();
+  panel_.pages = {presenter.titles(), presenter.number(), [this](int number) { presenter.go_to(number); }};
   panel_.draw(presenter.demo(), events.for_panel(elapsed));
   presenter.text_scale = presenter.demo().view.text_scale;  // the panel's, for the next pages too
   renderer_.copy_to_window();

@@ -48,7 +48,8 @@ class LectureWindow final : public SceneWindow {
   void draw(const WindowEvents& events, float elapsed) override;
   std::string title() override;
   int left() const override { return width_beside(panel_, window.size(), ui_scale()); }
-  bool is_busy() const override { return panel_.is_hinting() || !presenter.is_ready(); }
+  bool is_busy() const override { return !presenter.is_ready(); }
+  bool is_fading() const override { return panel_.is_fading(); }
   void advance(double elapsed) override;
   bool takes_mouse() const override { return panel_.has_mouse(); }
   bool takes_keyboard() const override { return panel_.has_keyboard(); }

@@ -150,7 +150,7 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   demo.report();  // so that the history has every moment, whichever tab is open
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  is_shown ? draw_panel(demo) : draw_handle();
+  is_shown ? draw_panel(demo) : draw_handle(input);
   if (shows_card) draw_card(demo);
   draw_hint(input.elapsed);
   ImGui::Render();
@@ -166,6 +166,7 @@ void Panel::draw_panel(Demo& demo) {
   ImGui::Begin("Ballpit", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  if (!pages.titles.empty()) draw_pages();
   draw_time(demo);
   const std::string& trouble = demo.player.failure().empty() ? demo.message() : demo.player.failure();
   if (!trouble.empty()) ImGui::TextWrapped("%s", trouble.c_str());
@@ -196,9 +197,13 @@ void Panel::draw_tabs(Demo& demo) {
   ImGui::EndTabBar();
 }
 
-/// The way back to a hidden panel for those who have only a mouse.
-void Panel::draw_handle() {
-  ImGui::SetNextWindowPos({0, 0});
+/// The way back to a hidden panel for those who have only a mouse. It is at the left edge, where a page has no text, and
+/// goes when the pointer rests.
+void Panel::draw_handle(const PanelInput& input) {
+  handle_left_ = input.mouse != pointer_ ? kHandleTime : handle_left_ - input.elapsed;
+  pointer_ = input.mouse;
+  if (handle_left_ <= 0) return;
+  ImGui::SetNextWindowPos({0, 0.45f * static_cast<float>(sheet_.height())}, ImGuiCond_Always, {0, 0.5f});
   ImGui::Begin("handle", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground);

@@ -67,6 +67,13 @@ struct PanelKey {
   std::function<void()> act{};
 };
 
+/// The pages of a lecture, for those who have no digits to type.
+struct PanelPages {
+  std::vector<std::string> titles;
+  int number = 0;  ///< of the page shown, from 1
+  std::function<void(int)> go_to;
+};
+
 enum class PanelTab { scene, method, numbers };
 inline constexpr PanelTab kPanelTabs[] = {PanelTab::scene, PanelTab::method, PanelTab::numbers};
 
@@ -90,24 +97,27 @@ class Panel {
   /// Scrolls to an item of the open tab in the next frame.
   void reveal(const std::string& name) { revealed_ = name; }
 
-  bool is_shown = true;        ///< else there is only a button that shows it again
+  bool is_shown = true;        ///< else there is only a button that shows it again, while the pointer moves
   float density = 1;           ///< set by the caller: pixels for one of an ordinary display
   bool is_filming = false;     ///< set by the caller
   PanelRequests requests;      ///< for the caller to handle and to clear
   std::vector<PanelKey> keys;  ///< set by the caller
+  PanelPages pages;            ///< set by the caller; none outside lectures
   bool shows_card = true;      ///< set by the caller, of the picked sphere
   float top = 0;               ///< set by the caller: part of the height that the scene's title takes
 
   /// A line at the lower edge of the scene, which fades after some seconds.
   void hint(const std::string& text);
   void end_hint() { hint_left_ = std::min(hint_left_, kFade); }
-  bool is_hinting() const { return hint_left_ > 0; }
+
+  /// Whether a hint, or the button of a hidden panel, is shown for some more time.
+  bool is_fading() const { return hint_left_ > 0 || (!is_shown && handle_left_ > 0); }
 
   /// All items of the last frame by name: "pause", "broadphase linked-cell", "overlay grid", …
   const std::map<std::string, ItemRect>& items() const { return items_; }
 
  private:
-  static constexpr float kFade = 1, kHintTime = 12;  // [s]
+  static constexpr float kFade = 1, kHintTime = 12, kHandleTime = 3;  // [s]
 
   void note(const std::string& name);
   /// Leaves room for the label of the next item at its right, or writes it above where it is too long. Returns the
@@ -139,7 +149,8 @@ class Panel {
   void draw_numbers(Demo& demo);
   void draw_trade_off(Demo& demo);
   void draw_keys(Demo& demo);
-  void draw_handle();
+  void draw_pages();
+  void draw_handle(const PanelInput& input);
   void draw_hint(float elapsed);
 
   void draw_card(Demo& demo);
@@ -153,7 +164,8 @@ class Panel {
   std::map<std::string, std::string> typed_;
   size_t charted_error_ = 0;  // of played_errors()
   std::string hint_;
-  float hint_left_ = 0;  // [s]
+  float hint_left_ = 0, handle_left_ = 0;  // [s]
+  Vec2 pointer_{-1e6f};
 };
 
 /// A setting's value as people write it: "4.17 ms".

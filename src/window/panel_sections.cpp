@@ -205,6 +205,19 @@ void Panel::draw_export() {
   if (button("film", translated(is_filming ? "stop" : "export frames"))) requests.film = true;
 }
 
+void Panel::draw_pages() {
+  const auto text_of = [&](int number) {
+    return std::to_string(number) + "  " + pages.titles[static_cast<size_t>(number - 1)];
+  };
+  int chosen = 0;
+  combo("page", "page", text_of(pages.number), [&] {
+    for (int number = 1; number <= static_cast<int>(pages.titles.size()); ++number) {
+      if (entry("page " + std::to_string(number), text_of(number), number == pages.number)) chosen = number;
+    }
+  });
+  if (chosen > 0) pages.go_to(chosen);
+}
+
 void Panel::draw_keys(Demo& demo) {
   heading("Keys");
   for (const PanelKey& key : keys) {

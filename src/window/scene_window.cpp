@@ -24,7 +24,8 @@ void sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<d
 void SceneWindow::run() {
   auto last = Clock::now();
   while (!window.is_to_close() && !was_interrupted() && !is_stopped_) {
-    const bool is_idle = drawn_ == demo().version() && !demo().player.is_running && !is_settling_ && !is_busy();
+    const bool is_idle =
+        drawn_ == demo().version() && !demo().player.is_running && !is_settling_ && !is_busy() && !is_fading();
     const WindowEvents& events = window.poll(is_idle ? kIdle : 0);
     const auto now = Clock::now();
     const double elapsed = seconds_between(last, now);
@@ -36,7 +37,7 @@ void SceneWindow::run() {
       sleep(kFrame);
       continue;
     }
-    if (events.any || drawn_ != demo().version() || is_settling_) {
+    if (events.any || drawn_ != demo().version() || is_settling_ || is_fading()) {
       const Demo::Version version = demo().version();
       draw(events, static_cast<float>(elapsed));
       is_settling_ = drawn_ != version || events.any;  // a panel shows the outcome of a click a frame later
@@ -47,7 +48,7 @@ void SceneWindow::run() {
       window.set_title(title());
     }
     const double left = kFrame - seconds_between(now, Clock::now());
-    if (demo().player.is_running && left > 0) sleep(left);
+    if ((demo().player.is_running || is_fading()) && left > 0) sleep(left);
   }
 }
 

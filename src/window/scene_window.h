@@ -33,7 +33,8 @@ class SceneWindow {
   virtual std::string title() = 0;                                   ///< asked once a second
   virtual void toggle_panel() = 0;
   virtual void advance(double elapsed) { demo().advance(elapsed, kFrame / 2); }
-  virtual bool is_busy() const { return false; }      ///< whether it draws on without events
+  virtual bool is_busy() const { return false; }      ///< whether it works on without events
+  virtual bool is_fading() const { return false; }    ///< whether the picture changes without events
   virtual int left() const { return 0; }              ///< [pixel] of the window's width beside the scene
   virtual bool takes_mouse() const { return false; }  ///< whether a panel does
   virtual bool takes_keyboard() const { return false; }

@@ -40,7 +40,8 @@ class ShowWindow final : public SceneWindow {
   FrameView frame_view(float aspect) override {
     return stepping_.cursor() ? stepping_.frame_view(aspect) : demo_.frame_view(aspect);
   }
-  bool is_busy() const override { return saver_.is_filming() || panel_.is_hinting(); }
+  bool is_busy() const override { return saver_.is_filming(); }
+  bool is_fading() const override { return panel_.is_fading(); }
   bool takes_mouse() const override { return panel_.has_mouse(); }
   bool takes_keyboard() const override { return panel_.has_keyboard(); }
   void advance(double elapsed) override { saver_.is_filming() ? saver_.advance() : SceneWindow::advance(elapsed); }

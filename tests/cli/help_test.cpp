@@ -138,7 +138,7 @@ TEST_CASE("list names for people what list --json names") {
     CHECK_THAT(outcome.out, Contains(std::string(observable.name)) && Contains(std::string(observable.estimator)));
   }
   for (const Experiment& experiment : experiments()) {
-    CHECK_THAT(outcome.out, Contains(std::string(experiment.name)) && Contains(std::string(experiment.question)));
+    CHECK_THAT(outcome.out, Contains(std::string(experiment.name)) && Contains(experiment.text().question));
   }
   CHECK_THAT(outcome.out, Contains("Pressure [Pa; in the plane N/m]: ") && Contains("Largest overlap: "));
 }

@@ -4,21 +4,13 @@
 #include <catch2/catch.hpp>
 
 #include "core/numbers.h"
+#include "tests/support/in_german.h"
 
 using namespace ballpit;
 
-namespace {
-
-struct German {
-  German() { set_language(Language::german); }
-  ~German() { set_language(Language::english); }
-};
-
-}  // namespace
-
 TEST_CASE("a text is in the language set, and stays English where the table lacks it") {
   CHECK(translated("Scene") == "Scene");
-  const German german;
+  const InGerman in_german;
   CHECK(translated("Scene") == "Szene");
   CHECK(translated("no such text") == "no such text");
 }
@@ -34,6 +26,8 @@ TEST_CASE("numbers for people have three digits, a prefix, and the decimal sign 
   CHECK(with_unit(1e-5) == "1.00 × 10⁻⁵");
   CHECK(with_unit(1.2e21, "J") == "1.20 × 10²¹ J");
   CHECK(with_unit(INFINITY, "J") == "inf J");
-  const German german;
+  CHECK(local_number("2.5") == "2.5");
+  const InGerman in_german;
   CHECK(with_unit(9.8e-6, "s") == "9,80 µs");
+  CHECK(local_number("2.5 of 1.25. Then .5") == "2,5 of 1,25. Then ,5");
 }

@@ -13,6 +13,7 @@
 #include "lab/experiments/accuracy.h"
 #include "lab/report/experiment.h"
 #include "lab/report/report.h"
+#include "tests/support/in_german.h"
 
 using namespace ballpit;
 using Catch::Contains;
@@ -35,7 +36,7 @@ TEST_CASE("every experiment has a unique name, a question, and times within the 
     INFO(experiment.name);
     CHECK(names.insert(experiment.name).second);
     CHECK(experiment.name != "all");
-    CHECK(experiment.question.back() == '?');
+    CHECK(experiment.text().question.back() == '?');
     CHECK(experiment.quick_seconds <= 90);
     CHECK(experiment.full_seconds <= 3600);
     CHECK(experiment.measurements(true) > 0);
@@ -51,19 +52,32 @@ TEST_CASE("every {name} in the text of an experiment is a value that is measured
     sources += read_file(file.path());
   }
   const std::regex place("\\{([^}]*)\\}");
-  for (const Experiment& experiment : experiments()) {
-    const std::string text = experiment.answer + experiment.see;
-    REQUIRE_FALSE(experiment.see.empty());
+  const auto names_in = [&](const std::string& text) {
+    std::multiset<std::string> names;
     for (std::sregex_iterator match(text.begin(), text.end(), place), end; match != end; ++match) {
-      CHECK_THAT(sources, Contains("{\"" + (*match)[1].str() + "\", "));
+      names.insert((*match)[1]);
     }
+    return names;
+  };
+  for (const Experiment& experiment : experiments()) {
+    const ExperimentText english = experiment.text();
+    REQUIRE_FALSE(english.see.empty());
+    for (const std::string& name : names_in(english.answer + english.see)) {
+      CHECK_THAT(sources, Contains("{\"" + name + "\", "));
+    }
+    const InGerman in_german;
+    const ExperimentText german = experiment.text();
+    CHECK(german.title != english.title);
+    CHECK(german.question.back() == '?');
+    CHECK(names_in(german.answer) == names_in(english.answer));
+    CHECK(names_in(german.see) == names_in(english.see));
   }
 }
 
 TEST_CASE("docs/lab.md lists every experiment with its question") {
   const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab.md");
   for (const Experiment& experiment : experiments()) {
-    CHECK_THAT(page, Contains("| `" + std::string(experiment.name) + "` | " + std::string(experiment.question) + " |"));
+    CHECK_THAT(page, Contains("| `" + std::string(experiment.name) + "` | " + experiment.text().question + " |"));
   }
 }
 
@@ -112,17 +126,17 @@ TEST_CASE("the report contains question, answer, charts, shown tables and comman
                               findings,
                               {{"work", "Work", "<svg>light</svg>", "<svg>dark</svg>"}},
                               "ballpit lab divergence --out here --quick"};
-  const std::string page = report_html({section}, {"machine: some"}, "No charts: because");
-  for (const std::string& text : {std::string(experiment.question), html_text(findings.answer), html_text(findings.see),
+  const std::string page = report_html({section}, {{"machine", "some"}}, "No charts: because");
+  for (const std::string& text : {experiment.text().question, html_text(findings.answer), html_text(findings.see),
                                   section.command, std::string("machine: some"), std::string("No charts: because"),
                                   svg_address("<svg>light</svg>"), svg_address("<svg>dark</svg>"),
                                   std::string("href=\"divergence/work.csv\""), std::string("SIMD efficiency [%]")}) {
     CHECK_THAT(page, Contains(text));
   }
   CHECK_THAT(page, !Contains("http") && !Contains("<script") && !Contains(" <&>"));
-  const std::string markdown = report_markdown({section}, {"machine: some"}, "No charts: because");
+  const std::string markdown = report_markdown({section}, {{"machine", "some"}}, "No charts: because");
   for (const std::string& text :
-       {std::string(experiment.question), std::string(" \\<\\&>**"), section.command, std::string("- machine: some\n"),
+       {experiment.text().question, std::string(" \\<\\&>**"), section.command, std::string("- machine: some\n"),
         std::string("**No charts: because**"), std::string("![Work](divergence/work.svg)"),
         std::string("| SIMD efficiency \\[%\\] |")}) {
     CHECK_THAT(markdown, Contains(text));
@@ -133,7 +147,7 @@ TEST_CASE("docs/lab contains the results of all full experiments, with their cha
   const std::string page = read_file(BALLPIT_SOURCE_DIR "/docs/lab/README.md");
   CHECK_THAT(page, Contains("preset: full") && !Contains("No charts"));
   for (const Experiment& experiment : experiments()) {
-    CHECK_THAT(page, Contains("## " + std::string(experiment.title) + "\n"));
+    CHECK_THAT(page, Contains("## " + experiment.text().title + "\n"));
     CHECK_THAT(page, Contains("](" + std::string(experiment.name) + "/"));
   }
   for (const Task& task : tasks()) CHECK_THAT(page, Contains("](work-precision/" + task.name + ".svg)"));

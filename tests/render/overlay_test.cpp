@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "render/overlays/interval_list.h"
 #include "render/page_view.h"
 #include "render/painter.h"
 #include "tests/support/test_scenes.h"
@@ -83,11 +84,11 @@ TEST_CASE("a contact is a bold orange line with a dark core, a candidate apart a
   CHECK(nearest_difference(image, place(view, {3.4f, 3.4f, 0}), kTheme.candidate, 4) > 60);
 }
 
-TEST_CASE("candidates apart are candidates without contacts, each once") {
+TEST_CASE("candidates apart are candidates without contacts, as often as they are tested") {
   Inspection inspection;
-  inspection.contacts = {{0, 2}, {1, 4}};
-  inspection.candidates = {{0, 1}, {0, 1}, {0, 2}, {1, 3}, {1, 4}};
-  CHECK(candidates_apart(inspection) == std::vector<Pair>{{0, 1}, {1, 3}});
+  inspection.contacts = {{0, 2}, {1, 4}, {1, 4}};
+  inspection.candidates = {{0, 1}, {0, 1}, {0, 2}, {1, 3}, {1, 4}, {1, 4}};
+  CHECK(candidates_apart(inspection) == std::vector<Pair>{{0, 1}, {0, 1}, {1, 3}});
 }
 
 TEST_CASE("a walk goes from a begin to its end and meets the begins between them") {
@@ -101,6 +102,22 @@ TEST_CASE("a walk goes from a begin to its end and meets the begins between them
   CHECK(shown_walk(list, -1).body == 0);  // the first with the most tests
   CHECK(shown_walk(list, 7).body == -1);
   CHECK(shown_walk({}, -1).body == -1);
+}
+
+TEST_CASE("a page shows no walk before the sweep, one during it, and all when it is over") {
+  const std::vector<Endpoint> list = {{0, 0, false}, {1, 1, false}, {2, 0, true},
+                                      {3, 2, false}, {4, 2, true},  {5, 1, true}};
+  PageView page;
+  page.walks = false;
+  CHECK(shown_walks(list, -1, &page).empty());
+  page.walks = true;
+  CHECK(shown_walks(list, 1, &page).size() == 1);
+  CHECK(shown_walks(list, -1, nullptr).size() == 1);
+  page.has_walked = true;
+  const std::vector<Walk> walks = shown_walks(list, -1, &page);
+  REQUIRE(walks.size() == 3);
+  CHECK(walks[1].met == std::vector<size_t>{3});
+  CHECK(shown_walks(list, 1, &page).size() == 1);
 }
 
 TEST_CASE("brackets are on the axis at the ends of intervals") {
@@ -223,6 +240,26 @@ TEST_CASE("the line of a candidate across a periodic border leaves the domain an
   };
   for (const float x : {0.3f, 4.85f}) CHECK(is_drawn(x));  // from both spheres to the border
   for (const float x : {-0.2f, 2.5f, 5.2f}) CHECK_FALSE(is_drawn(x));
+}
+
+TEST_CASE("contacts across a periodic border, found or missed, are drawn at both spheres") {
+  Inspection inspection = inspect({{{0.2f, 2.5f, 0}, 0.3f}, {{4.7f, 2.5f, 0}, 0.3f}}, kPlane);
+  DomainBox periodic = kPlane;
+  periodic.is_periodic = true;
+  const bool is_missed = GENERATE(false, true);
+  (is_missed ? inspection.missed : inspection.contacts) = {{0, 1}};
+  const FrameView view = view_of(inspection, periodic, 1, {"pairs"});
+  const Image image = draw(view, kSize, kSize), plain = draw(view_of(inspection, periodic, 1), kSize, kSize);
+  for (const float x : {-0.2f, 5.2f}) {  // beyond the border, where the other's image begins
+    const Vec2 at = place(view, {x, 2.5f, 0});
+    int largest = 0;
+    for (int y = -4; y <= 4; ++y) {
+      largest =
+          std::max(largest, difference(image.pixel(int(at.x), int(at.y) + y), plain.pixel(int(at.x), int(at.y) + y)));
+    }
+    CAPTURE(x);
+    CHECK(largest > 60);
+  }
 }
 
 TEST_CASE("the candidates of the selected sphere and paths are visible through nearer spheres") {

@@ -85,6 +85,39 @@ TEST_CASE("the number of a cell stays in its corner when a sphere comes there") 
   CHECK(length(Vec3(far.second - near.second)) <= 2);
 }
 
+TEST_CASE("on a page the number of a cell is in another corner where a sphere's number would hide it") {
+  const auto picture = [](bool has_number, bool has_page) {
+    Inspection inspection = inspect({{{0.2f, 0.25f, 0}, 0.3f}}, kPlane, 5);  // one cell
+    if (!has_number) inspection.grids.clear();
+    FrameView view = view_of(inspection, kPlane, 1, {"labels"});
+    const PageView page;
+    if (has_page) view.page = &page;
+    return draw(view, 600, 600);
+  };
+  const auto height = [&](bool has_page) { return changed(picture(true, has_page), picture(false, has_page)).first.y; };
+  CHECK(height(true) < 200);  // upper left; outside pages there is none, or it is below
+  CHECK(height(false) > 400);
+}
+
+TEST_CASE("a kernel's lines are as large as they fit, and never smaller than the panel's text") {
+  const auto line_of = [](int lines) {  // the height of the marked line
+    PageView page;
+    page.code.assign(static_cast<size_t>(lines), "load");
+    page.line = 0;
+    const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.3f}}, kPlane);
+    FrameView view = view_of(inspection, kPlane, 16.0f / 9);
+    PageView none = page;
+    none.line = -1;
+    view.page = &page;
+    const Image with = draw(view, 960, 540);
+    view.page = &none;
+    const auto [low, high] = changed(with, draw(view, 960, 540));
+    return high.y - low.y + 1;
+  };
+  CHECK(line_of(4) > 1.4 * line_of(60));
+  CHECK(line_of(60) >= 12);  // of 540; the panel has 11
+}
+
 TEST_CASE("a cell says how many spheres it holds as n = 2, and only where there are no numbers of spheres") {
   const auto drawn = [](int spheres, std::vector<std::string> overlays) {
     std::vector<Sphere> all;

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/in_german.h"
+
 using namespace ballpit;
 using Catch::Contains;
 
@@ -18,8 +20,8 @@ TEST_CASE("base64 has the test vectors of RFC 4648") {
 }
 
 TEST_CASE("a handout holds pictures, captions as alternative texts, and notes, and loads nothing") {
-  const std::string page =
-      handout_page("A & B", Language::german, {{"a-1", "T", "1 < 2", "N", "foo"}, {"b", "U", "C", "", "foo"}});
+  const InGerman in_german;
+  const std::string page = handout_page("A & B", {{"a-1", "T", "1 < 2", "N", "foo"}, {"b", "U", "C", "", "foo"}});
   CHECK_THAT(page, Contains("<html lang=\"de\">"));
   CHECK_THAT(page, Contains("<title>A &amp; B</title>"));
   CHECK_THAT(page, Contains("<section id=\"a-1\">"));

@@ -41,10 +41,10 @@ TEST_CASE("German readers have a text for whatever a table shows") {
   for (const SceneInfo& scene : built_in_scenes()) CHECK(scene.title_de != scene.title);
 }
 
-TEST_CASE("German readers have a text for each that the sources of picture and panel show") {
+TEST_CASE("German readers have a text for each that the sources of picture, panel and report show") {
   const std::regex shown(R"re((?:translated|phrase|note|row|heading|hint)\("([^"]+)")re");
   int texts = 0;
-  for (const char* folder : {"/src/render", "/src/window"}) {
+  for (const char* folder : {"/src/lab", "/src/render", "/src/show", "/src/window"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(BALLPIT_SOURCE_DIR + std::string(folder))) {
       if (!entry.is_regular_file() || entry.path().extension() != ".cpp") continue;
       const std::string source = read_file(entry.path());

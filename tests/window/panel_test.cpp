@@ -77,9 +77,36 @@ TEST_CASE("a hidden panel leaves a button that shows it again, and the whole pic
   desk.rest();
   CHECK(width_beside(desk.panel, {1280, 720}, 1) == 0);
   CHECK_FALSE(desk.panel.items().contains("pause"));
+  for (const float x : {300.0f, 301.0f}) desk.frame(PanelInput{.mouse = {x, 300}});
   desk.click_at(desk.panel.items().at("panel").middle());
   CHECK(desk.panel.is_shown);
   CHECK(desk.panel.items().contains("pause"));
+}
+
+TEST_CASE("the button of a hidden panel goes when the pointer rests, so that it covers no page") {
+  Desk desk;
+  desk.panel.is_shown = false;
+  desk.frame(PanelInput{.mouse = {300, 300}});
+  CHECK(desk.panel.items().contains("panel"));
+  CHECK(desk.panel.is_fading());
+  desk.frame(PanelInput{.mouse = {300, 300}, .elapsed = 5});
+  desk.frame(PanelInput{.mouse = {300, 300}});
+  CHECK_FALSE(desk.panel.items().contains("panel"));
+  CHECK_FALSE(desk.panel.is_fading());
+  desk.frame(PanelInput{.mouse = {310, 300}});
+  CHECK(desk.panel.items().contains("panel"));
+  const float middle = desk.panel.items().at("panel").middle().y / Desk::kHeight;
+  CHECK(middle > 0.2);  // below a page's title
+  CHECK(middle < 0.8);
+}
+
+TEST_CASE("a lecture's pages are in a list of the panel") {
+  Desk desk;
+  int chosen = 0;
+  desk.panel.pages = {{"First", "Second", "Third"}, 2, [&](int number) { chosen = number; }};
+  desk.click("page");
+  desk.click_at(desk.panel.items().at("page 3").middle());
+  CHECK(chosen == 3);
 }
 
 TEST_CASE("a hint goes after some seconds, or after the first act") {
@@ -93,7 +120,7 @@ TEST_CASE("a hint goes after some seconds, or after the first act") {
     desk.frame(PanelInput{.elapsed = 1.1f});
   }
   desk.frame(PanelInput{});
-  CHECK_FALSE(desk.panel.is_hinting());
+  CHECK_FALSE(desk.panel.is_fading());
   CHECK_FALSE(desk.panel.items().contains("hint"));
 }
 

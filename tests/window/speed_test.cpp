@@ -16,7 +16,7 @@ TEST_CASE("a page of up to 500 spheres is drawn within 200 ms, and a step of its
   constexpr float kAspect = float(kWidth) / float(kHeight);
   const GlContext context;
   Renderer renderer(kWidth, kHeight, {.theme = themes().front(), .text_scale = Presenter::kTextScale});
-  Presenter presenter(built_in_lecture(), Language::english);
+  Presenter presenter(built_in_lecture());
   const auto spent = [&](const auto& act) {  // [s] by two processors at most
     const std::clock_t start = std::clock();
     act();

@@ -151,7 +151,7 @@ TEST_CASE("two thousand keys at random end no lecture, and each leaves a picture
   GlContext context;
   Renderer renderer(480, 270);
   Panel panel(renderer.sheet());
-  Presenter presenter(built_in_lecture(), Language::english);
+  Presenter presenter(built_in_lecture());
   Random random(11);
   const auto below = [&](int count) { return std::min(int(random.uniform(0, count)), count - 1); };
   const std::array<std::function<void()>, 14> acts{
@@ -163,7 +163,7 @@ TEST_CASE("two thousand keys at random end no lecture, and each leaves a picture
       [&] { presenter.step(1); },
       [&] { presenter.skip_phase(below(2) == 0 ? 1 : -1); },
       [&] { presenter.is_blank = !presenter.is_blank; },
-      [&] { presenter.language = presenter.language == Language::german ? Language::english : Language::german; },
+      [&] { set_language(language() == Language::german ? Language::english : Language::german); },
       [&] { presenter.demo().player.is_running = !presenter.demo().player.is_running; },
       [&] { presenter.demo().view.selected = below(30) - 1; },
       [&] { presenter.demo().perform(key_table()[size_t(below(int(key_table().size())))]); },
@@ -184,6 +184,7 @@ TEST_CASE("two thousand keys at random end no lecture, and each leaves a picture
   presenter.go_to(1);
   CHECK(presenter.failure().empty());
   CHECK_FALSE(presenter.caption().empty());
+  set_language(Language::english);
 }
 
 TEST_CASE("three thousand acts at random end no demonstration, and none takes long") {

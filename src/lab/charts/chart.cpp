@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/language.h"
 #include "lab/charts/chart_script.h"
 
 namespace ballpit {
@@ -156,12 +157,13 @@ class ChartWriter {
   /// Explains the crosses once, beside the rightmost of them.
   void label_failed(double x) {
     const double place = script_.place_x(x) + kLabelGap;
-    const auto is_failed = [](const Label& label) { return label.text == "failed"; };
+    const std::string failed = translated("failed");
+    const auto is_failed = [&](const Label& label) { return label.text == failed; };
     const auto found = std::find_if(labels_.begin(), labels_.end(), is_failed);
     if (found != labels_.end()) {
       found->x = std::max(found->x, place);
     } else {
-      labels_.push_back({place, kPlotTop, "failed", text_color_of("failed", script_.ground())});
+      labels_.push_back({place, kPlotTop, failed, text_color_of("failed", script_.ground())});
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/language.h"
 #include "core/numbers.h"
 #include "lab/charts/chart.h"
 
@@ -28,10 +29,10 @@ std::string tick_text(double value) {
     const int power = static_cast<int>(std::floor(std::log10(size) + 1e-9));
     const double part = value / std::pow(10.0, power);
     if (std::fabs(part - 1) < 1e-6) return power_text(static_cast<int>(exponent));
-    return fmt::format("{:.3g}·{}", part, power_text(power));
+    return local_number(fmt::format("{:.3g}", part)) + "·" + power_text(power);
   }
   if (size > 9999) return grouped(static_cast<int64_t>(std::llround(value)));
-  return fmt::format("{:.5g}", size < 1e-12 ? 0.0 : value);
+  return local_number(fmt::format("{:.5g}", size < 1e-12 ? 0.0 : value));
 }
 
 std::vector<Tick> log_ticks(const AxisRange& range) {

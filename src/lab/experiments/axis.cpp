@@ -71,7 +71,7 @@ Chart sweep_chart(const WinnerPlan& plan, const std::vector<Sweep>& sweeps, int6
     return make_series(label, role, stroke, sweeps, to_point);
   };
   return {"candidates",
-          fmt::format("Candidates of sort and sweep, {} spheres", grouped(count)),
+          phrase("Candidates of sort and sweep, {} spheres", grouped(count)),
           plan.axis,
           Axis{"candidates a sphere", "", Scale::log},
           {series("", "theory", Stroke::line, [](const Sweep& s) { return s.expected_x; }),

@@ -89,7 +89,7 @@ Chart chart_of(const char* name, const std::string& title, const Axis& y, const 
 }
 
 Chart time_chart(const std::vector<Row>& rows, int64_t count) {
-  return chart_of("time", fmt::format("Time of a search against cell size, {} spheres", grouped(count)),
+  return chart_of("time", phrase("Time of a search against cell size, {} spheres", grouped(count)),
                   {"time of a search", "ms", Scale::log}, rows, Stroke::line_and_points,
                   [](const Row& row, size_t k) { return point_of(row.size, row.timings[k].spread(), 1e3); });
 }

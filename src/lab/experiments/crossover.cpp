@@ -154,12 +154,12 @@ Chart error_chart(const std::vector<Entry>& entries) {
   return chart;
 }
 
-std::string spheres_text(const Point& point) { return grouped(static_cast<int64_t>(point.x)) + " spheres"; }
+std::string spheres_text(const Point& point) { return grouped(static_cast<int64_t>(point.x)); }
 
 /// "stops, from 10 976 spheres on"
 std::string stops_from(const Entry& entry) {
   const auto stopped = std::ranges::find(entry.points, INFINITY, &Point::y);
-  return "stops, from " + spheres_text(*stopped) + " on";
+  return phrase("stops, from {} spheres on", spheres_text(*stopped));
 }
 
 std::vector<Table> tables_of(const std::vector<Entry>& entries) {
@@ -189,9 +189,9 @@ std::string fastest_of(const std::vector<Entry>& entries) {
       if (!entry.points.empty() && entry.points[k].high < best->points[k].low) best = &entry;
     }
     if (k == 0) {
-      text = fmt::format("“{}” is fastest", best->label);
+      text = phrase("“{}” is fastest", best->label);
     } else if (best != before) {
-      text += fmt::format(", from {} on “{}”", spheres_text(spheres[k]), best->label);
+      text += phrase(", from {} spheres on “{}”", spheres_text(spheres[k]), best->label);
     }
   }
   const Entry* next = nullptr;
@@ -200,8 +200,8 @@ std::string fastest_of(const std::vector<Entry>& entries) {
     if (next == nullptr || entry.points.back().y < next->points.back().y) next = &entry;
   }
   if (next == nullptr) return text;
-  return text + fmt::format("; among {}, “{}” takes {} times as long", spheres_text(spheres.back()), next->label,
-                            three_digits(next->points.back().y / best->points.back().y));
+  return text + phrase("; among {} spheres, “{}” takes {} times as long", spheres_text(spheres.back()), next->label,
+                       three_digits(next->points.back().y / best->points.back().y));
 }
 
 int64_t measurements(bool is_quick) {

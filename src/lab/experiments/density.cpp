@@ -28,7 +28,8 @@ Findings measure(Lab& lab) {
   const std::vector<double> losses = worst_losses(cells);
   const auto safest = static_cast<size_t>(std::min_element(losses.begin() + 1, losses.end()) - losses.begin());
   Findings findings = winner_findings(plan, cells);
-  findings.values.insert({{"safest", label_of(broad_phases()[safest])}, {"loss", three_digits(losses[safest])}});
+  findings.values.insert(
+      {{"safest", translated(label_of(broad_phases()[safest]))}, {"loss", three_digits(losses[safest])}});
   return findings;
 }
 

@@ -56,7 +56,7 @@ Findings measure(Lab& lab) {
   Table table{
       "work", {"arrangement", "broad phase", "threads", "mean work", "most work", "SIMD efficiency [%]"}, {}, true};
   Chart chart{"work",
-              fmt::format("Threads by their work, {} equal spheres", grouped(count)),
+              phrase("Threads by their work, {} equal spheres", grouped(count)),
               Axis{"work of a thread: candidates", "", Scale::log},
               {"share of the threads", "%"}};
   double least = 1, most = 0;
@@ -68,10 +68,11 @@ Findings measure(Lab& lab) {
       const std::vector<double> values =
           lab.measure(key, [&] { return profile(name, arrangement.make(count, lab.seed())); });
       table.add_row(arrangement.name, label_of(name), values[0], values[1], values[2], 100 * values[3]);
-      if (values[3] < least) least = values[3], worst = label_of(name) + " among " + arrangement.name;
+      if (values[3] < least)
+        least = values[3], worst = phrase("{} among {}", translated(label_of(name)), translated(arrangement.name));
       if (&arrangement != kArrangements || name == "brute-force") continue;
       chart.series.push_back(histogram(name, values));
-      if (values[3] > most) most = values[3], best = label_of(name);
+      if (values[3] > most) most = values[3], best = translated(label_of(name));
     }
   }
   return {{table},

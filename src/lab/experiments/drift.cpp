@@ -66,7 +66,7 @@ Table table_of(const std::vector<Course>& courses, const std::vector<double>& at
 Chart chart_of(const std::string& name, const std::string& title, const std::vector<Course>& courses,
                const std::vector<double>& at, double LargestDrift::*what) {
   Chart chart{name, title, Axis{"time", "D/√(kT/m)", Scale::log},
-              Axis{name + ": largest change so far", "", Scale::log, kMinDrawn / 3, 100}};
+              Axis{phrase("{}: largest change so far", translated(name)), "", Scale::log, kMinDrawn / 3, 100}};
   for (const Course& course : courses) {
     Series series = series_of(course.method);
     if (series.is_dashed && !is_float_of_main(course.method)) continue;  // the others are in the table
@@ -84,7 +84,7 @@ Chart chart_of(const std::string& name, const std::string& title, const std::vec
 void add_oscillator(Lab& lab, Findings& findings) {
   Table table{"oscillator", {"integrator", "steps", "largest energy change", "theory"}};
   Chart chart{"oscillator", "On a spring only explicit Euler's energy grows without end", Axis{"steps", "", Scale::log},
-              Axis{"energy: largest change so far", "", Scale::log}};
+              Axis{phrase("{}: largest change so far", translated("energy")), "", Scale::log}};
   constexpr const char* kRoles[] = {"first", "second", "third", "fourth"};
   int role = 0;
   for (const std::string& name : integrators()) {
@@ -110,7 +110,7 @@ int64_t measurements(bool) { return static_cast<int64_t>(contact_methods().size(
 std::string energy_change(const std::vector<Course>& courses, std::string_view name) {
   const auto course = std::ranges::find(courses, name, [](const Course& c) { return c.method.name; });
   const double change = course->drifts.back().energy;
-  return std::isinf(change) ? "the run stops" : three_digits(100 * change) + " %";
+  return std::isinf(change) ? translated("the run stops") : three_digits(100 * change) + " %";
 }
 
 Findings measure(Lab& lab) {

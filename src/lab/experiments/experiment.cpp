@@ -6,27 +6,16 @@
 #include <fmt/args.h>
 
 #include "core/error.h"
+#include "core/language.h"
 #include "lab/experiments/experiments.h"
 #include "lab_texts.h"
 
 namespace ballpit {
 
-namespace {
-
-Experiment with_text(Experiment experiment) {
-  const std::vector<std::string> text = paragraphs_of(experiment.name);
-  experiment.title = text.at(0);
-  experiment.question = text.at(1);
-  experiment.answer = text.at(2);
-  experiment.see = text.at(3);
-  return experiment;
-}
-
-}  // namespace
-
 std::vector<std::string> paragraphs_of(std::string_view name) {
   std::vector<std::string> paragraphs(1);
-  std::istringstream lines(std::string(entry_named(lab_texts(), std::string(name) + ".md", "assets/lab").text));
+  const std::string file = std::string(name) + (language() == Language::german ? ".de.md" : ".md");
+  std::istringstream lines(std::string(entry_named(lab_texts(), file, "assets/lab").text));
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("# ") || line.starts_with("> ")) line.erase(0, 2);
     std::string& last = paragraphs.back();
@@ -40,34 +29,36 @@ std::vector<std::string> paragraphs_of(std::string_view name) {
 }
 
 const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> table = [] {
-    std::vector<Experiment> all{
-        scaling_experiment(),
-        cell_size_experiment(),
-        density_experiment(),
-        size_ratio_experiment(),
-        axis_experiment(),
-        divergence_experiment(),
-        tuning_experiment(),
-        work_precision_experiment(),
-        crossover_experiment(),
-        stability_experiment(),
-        equation_of_state_experiment(),
-        cooling_experiment(),
-        drift_experiment(),
-    };
-    std::ranges::transform(all, all.begin(), with_text);
-    return all;
-  }();
+  static const std::vector<Experiment> table{
+      scaling_experiment(),
+      cell_size_experiment(),
+      density_experiment(),
+      size_ratio_experiment(),
+      axis_experiment(),
+      divergence_experiment(),
+      tuning_experiment(),
+      work_precision_experiment(),
+      crossover_experiment(),
+      stability_experiment(),
+      equation_of_state_experiment(),
+      cooling_experiment(),
+      drift_experiment(),
+  };
   return table;
+}
+
+ExperimentText Experiment::text() const {
+  const std::vector<std::string> paragraphs = paragraphs_of(name);
+  return {paragraphs.at(0), paragraphs.at(1), paragraphs.at(2), paragraphs.at(3)};
 }
 
 Findings Experiment::run(Lab& lab) const {
   Findings findings = measure(lab);
+  const ExperimentText text = this->text();
   fmt::dynamic_format_arg_store<fmt::format_context> values;
-  for (const auto& [key, value] : findings.values) values.push_back(fmt::arg(key.c_str(), value));
-  if (findings.answer.empty()) findings.answer = fmt::vformat(answer, values);
-  findings.see = fmt::vformat(see, values);
+  for (const auto& [key, value] : findings.values) values.push_back(fmt::arg(key.c_str(), local_number(value)));
+  if (findings.answer.empty()) findings.answer = fmt::vformat(text.answer, values);
+  findings.see = fmt::vformat(text.see, values);
   return findings;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/numbers.h"
+#include "core/phrase.h"
 #include "lab/charts/chart.h"
 #include "lab/measure/searches.h"
 #include "lab/report/experiment.h"
@@ -28,7 +29,7 @@ Experiment equation_of_state_experiment();
 Experiment stability_experiment();
 Experiment work_precision_experiment();
 
-/// The paragraphs of assets/lab/NAME.md, each on one line, without the marks of titles and quotations.
+/// The paragraphs of assets/lab/NAME.md, or NAME.de.md, each on one line, without the marks of titles and quotations.
 std::vector<std::string> paragraphs_of(std::string_view name);
 
 /// The expected number of overlapping pairs among `count` intervals of length 1 whose middles are uniform along a

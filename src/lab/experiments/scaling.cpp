@@ -31,7 +31,7 @@ std::vector<StepCase> cases() {
   return result;
 }
 
-std::string threads_text(int threads) { return threads == 1 ? "1 thread" : fmt::format("{} threads", threads); }
+std::string threads_text(int threads) { return threads == 1 ? translated("1 thread") : phrase("{} threads", threads); }
 
 /// One case for all counts.
 struct Curve {
@@ -119,8 +119,8 @@ std::vector<Chart> charts_of(const std::vector<Curve>& curves) {
     const std::vector<Curve> chosen(first, first + methods);
     const auto& [method, backend, threads] = first->which;
     const std::string name = threads == 0 ? backend.name : std::to_string(threads);
-    const std::string where = threads == 0 ? "CUDA" : threads == 1 ? "one thread" : threads_text(threads);
-    Chart chart{"time-" + name, "Time a step against spheres, " + where, Axis{"spheres", "", Scale::log},
+    const std::string where = threads == 0 ? "CUDA" : threads == 1 ? translated("one thread") : threads_text(threads);
+    Chart chart{"time-" + name, phrase("Time a step against spheres, {}", where), Axis{"spheres", "", Scale::log},
                 Axis{"time a step", "ms", Scale::log}, guides(chosen)};
     for (const Curve& curve : chosen) {
       chart.series.push_back({label_of(curve.which.method), curve.which.method, curve.points, Stroke::line_and_points,
@@ -174,7 +174,7 @@ Findings measure(Lab& lab) {
                            grid = points_of("sorted-grid");
   const auto same = brute.empty() ? grid.end() : std::ranges::find(grid, brute.back().x, &Point::x);
   if (same == grid.end()) {
-    findings.answer = "Too little could be measured for an answer.";
+    findings.answer = translated("Too little could be measured for an answer.");
     return findings;
   }
   findings.values = {{"brute_force", three_digits(fit_upper(brute).exponent)},

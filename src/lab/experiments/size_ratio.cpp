@@ -31,7 +31,7 @@ Findings measure(Lab& lab) {
     return Point{cell.value, timing.candidates / cell.count};
   };
   const std::string count = grouped(static_cast<int64_t>(plan.counts.back()));
-  findings.charts.push_back({"candidates", "Candidates a sphere, " + count + " spheres", plan.axis,
+  findings.charts.push_back({"candidates", phrase("Candidates a sphere, {} spheres", count), plan.axis,
                              Axis{"candidates a sphere", "", Scale::log}, series_of(plan, cells, candidates)});
   const WinnerCell& last = cells.back();  // most spheres, largest ratio
   const double times = median_of(last, "linked-cell") / median_of(last, "sorted-grid");

@@ -91,7 +91,7 @@ Findings measure(Lab& lab) {
     lines.add_row(which.name, which.formula, boundary.columns, boundary.distance);
     findings.tables.push_back(table_of(which, map));
     findings.charts.push_back(chart_of(which, map, boundary));
-    maps += which.title + ": at the dotted line " + which.where + ". ";
+    maps += phrase("{}: at the dotted line {}. ", translated(which.title), translated(which.where));
   }
   findings.tables.insert(findings.tables.end(), {lines, broken(lab)});
   findings.values = {{"descriptions", maps},

@@ -38,8 +38,8 @@ Chart winner_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells)
 }
 
 Chart time_chart(const WinnerPlan& plan, const std::vector<WinnerCell>& cells) {
-  return {"time", fmt::format("Time of a search, {} spheres", grouped(static_cast<int64_t>(plan.counts.back()))),
-          plan.axis, Axis{"time of a search", "ms", Scale::log},
+  return {"time", phrase("Time of a search, {} spheres", grouped(static_cast<int64_t>(plan.counts.back()))), plan.axis,
+          Axis{"time of a search", "ms", Scale::log},
           series_of(plan, cells, [](const WinnerCell& cell, const SearchTiming& timing) {
             return point_of(cell.value, timing.spread(), 1e3);
           })};
@@ -72,17 +72,19 @@ std::string tally_of(const std::vector<WinnerCell>& cells) {
   std::vector<std::pair<std::ptrdiff_t, std::string>> wins;
   for (int k = 0; k < static_cast<int>(broad_phases().size()); ++k) {
     const std::ptrdiff_t number = std::ranges::count(cells, k, &WinnerCell::winner);
-    if (number > 0) wins.emplace_back(number, label_of(broad_phases()[static_cast<size_t>(k)]));
+    if (number > 0) wins.emplace_back(number, translated(label_of(broad_phases()[static_cast<size_t>(k)])));
   }
   std::sort(wins.rbegin(), wins.rend());
   std::string text;
   for (const auto& [number, name] : wins) {
-    text += text.empty() ? fmt::format("{} is fastest in {} of {} cases", name, number, cells.size())
-                         : fmt::format(", {} in {}", name, number);
+    text += text.empty() ? phrase("{} is fastest in {} of {} cases", name, number, cells.size())
+                         : phrase(", {} in {}", name, number);
   }
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   const std::ptrdiff_t ties = std::ranges::count(cells, kTie, &WinnerCell::winner);
-  return text + (ties > 0 ? fmt::format(", and {} {} {}", ties, ties == 1 ? "is" : "are", kTieName) : "");
+  if (ties == 0) return text;
+  return text +
+         (ties == 1 ? translated(", and 1 is too close to tell") : phrase(", and {} are too close to tell", ties));
 }
 
 }  // namespace

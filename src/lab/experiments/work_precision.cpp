@@ -189,10 +189,10 @@ std::string counts_of(const std::vector<std::string>& names, size_t scenes) {
   }
   std::ranges::stable_sort(counts, std::greater{}, &std::pair<std::string, int>::second);
   std::vector<std::string> texts;
-  for (const auto& [name, count] : counts) texts.push_back(fmt::format("{} in {}", name, count));
-  if (!texts.empty()) texts.front() += fmt::format(" of {} scenes", scenes);
+  for (const auto& [name, count] : counts) texts.push_back(phrase("{} in {}", name, count));
+  if (!texts.empty()) texts.front() += phrase(" of {} scenes", scenes);
   const size_t left = scenes - names.size();
-  return join(texts) + (left > 0 ? fmt::format("; in {} nobody comes that close, or chance is larger", left) : "");
+  return join(texts) + (left > 0 ? phrase("; in {} nobody comes that close, or chance is larger", left) : "");
 }
 
 Findings measure(Lab& lab) {

@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "core/language.h"
+#include "lab/charts/chart_script.h"
 #include "lab/charts/gnuplot.h"
+#include "methods/choices.h"
 #include "report_files.h"
 
 namespace ballpit {
@@ -18,10 +21,10 @@ struct Format {
   std::string (*escape)(std::string_view text);
   std::string (*escape_code)(std::string_view text);
   const char* title;                          // text
-  const char* circumstance;                   // text
+  const char* circumstance;                   // name, value
   const char* paragraph;                      // text
   const char* emphasis;                       // text
-  const char* contents;                       // lines
+  const char* contents;                       // lines, "experiment", "what it found"
   const char* contents_line;                  // experiment, title, answer
   const char* heading;                        // experiment, title
   const char* charts;                         // charts
@@ -29,7 +32,7 @@ struct Format {
   const char* table;                          // header, rules, rows
   const char* row;                            // cells
   const char *header[2], *rule[2], *cell[2];  // of text columns and of number columns: text
-  const char* section_end;                    // command, data
+  const char* section_end;                    // "To repeat it", command, "Data", data
   const char* data;                           // experiment, table
   const char* end;
 };
@@ -38,7 +41,7 @@ constexpr Format kHtml{
     .escape = html_text,
     .escape_code = html_text,
     .title = "<h1>{}</h1>\n",
-    .circumstance = "<p class=\"quiet\">{}</p>\n",
+    .circumstance = "<p class=\"quiet\">{}: {}</p>\n",
     .paragraph = "<p>{}</p>\n",
     .emphasis = "<p class=\"answer\">{}</p>\n",
     .contents = "<table class=\"contents\">\n{}</table>\n",
@@ -53,7 +56,7 @@ constexpr Format kHtml{
     .header = {"<th>{}</th>", "<th class=\"number\">{}</th>"},
     .rule = {"", ""},
     .cell = {"<td>{}</td>", "<td class=\"number\">{}</td>"},
-    .section_end = "<p class=\"quiet\">To repeat it: <code>{}</code>. Data:{}</p>\n</section>\n",
+    .section_end = "<p class=\"quiet\">{}: <code>{}</code>. {}:{}</p>\n</section>\n",
     .data = " <a href=\"{0}/{1}.csv\">{1}.csv</a>",
     .end = "</body>\n</html>\n",
 };
@@ -72,10 +75,10 @@ constexpr Format kMarkdown{
     .escape = markdown_text,
     .escape_code = [](std::string_view text) { return std::string(text); },
     .title = "# {}\n\n",
-    .circumstance = "- {}\n",
+    .circumstance = "- {}: {}\n",
     .paragraph = "\n{}\n",
     .emphasis = "\n**{}**\n",
-    .contents = "\n| experiment | what it found |\n| --- | --- |\n{}",
+    .contents = "\n| {1} | {2} |\n| --- | --- |\n{0}",
     .contents_line = "| {1} | {2} |\n",
     .heading = "\n## {1}\n",
     .charts = "{}",
@@ -85,7 +88,7 @@ constexpr Format kMarkdown{
     .header = {" {} |", " {} |"},
     .rule = {" --- |", " --: |"},
     .cell = {" {} |", " {} |"},
-    .section_end = "\nTo repeat it: `{0}`\n",
+    .section_end = "\n{}: `{}`\n",
     .data = "",
     .end = "",
 };
@@ -95,17 +98,20 @@ std::string fill(const char* pattern, const Parts&... parts) {
   return fmt::format(fmt::runtime(pattern), parts...);
 }
 
+/// A short text in the language set, with its numbers.
+std::string shown(const std::string& text) { return local_number(translated(text)); }
+
 std::string text_of(const Format& format, const Table& table) {
   std::string header, rules, rows;
   for (size_t k = 0; k < table.columns.size(); ++k) {
     const bool is_number = !table.rows.empty() && std::holds_alternative<double>(table.rows[0][k]);
-    header += fill(format.header[is_number], format.escape(table.columns[k]));
+    header += fill(format.header[is_number], format.escape(shown(table.columns[k])));
     rules += format.rule[is_number];
   }
   for (const std::vector<Cell>& row : table.rows) {
     std::string cells;
     for (const Cell& cell : row) {
-      cells += fill(format.cell[std::holds_alternative<double>(cell)], format.escape(short_text(cell)));
+      cells += fill(format.cell[std::holds_alternative<double>(cell)], format.escape(shown(short_text(cell))));
     }
     rows += fill(format.row, cells);
   }
@@ -114,6 +120,7 @@ std::string text_of(const Format& format, const Table& table) {
 
 std::string text_of(const Format& format, const ReportSection& section) {
   const Experiment& experiment = *section.experiment;
+  const ExperimentText text = experiment.text();
   std::string charts, tables, data;
   for (const DrawnChart& chart : section.charts) {
     charts += fill(format.chart, experiment.name, chart.name, format.escape(chart.title), svg_address(chart.light),
@@ -124,37 +131,55 @@ std::string text_of(const Format& format, const ReportSection& section) {
     if (table.is_shown) tables += text_of(format, table);
     data += fill(format.data, experiment.name, format.escape(table.name));
   }
-  return fill(format.heading, experiment.name, format.escape(experiment.title)) +
-         fill(format.paragraph, format.escape(experiment.question)) +
+  return fill(format.heading, experiment.name, format.escape(text.title)) +
+         fill(format.paragraph, format.escape(text.question)) +
          fill(format.emphasis, format.escape(section.findings.answer)) + charts + tables +
          fill(format.paragraph, format.escape(section.findings.see)) +
-         fill(format.section_end, format.escape_code(section.command), data);
+         fill(format.section_end, translated("To repeat it"), format.escape_code(section.command), translated("Data"),
+              data);
 }
 
 std::string report(const Format& format, const std::vector<ReportSection>& sections,
-                   const std::vector<std::string>& circumstances, const std::string& lack) {
-  std::string text = fill(format.title, "Ballpit: the laboratory’s report"), contents, results;
-  for (const std::string& line : circumstances) text += fill(format.circumstance, format.escape(line));
+                   const std::vector<Circumstance>& circumstances, const std::string& lack) {
+  std::string text = fill(format.title, translated("Ballpit: the laboratory’s report")), contents, results;
+  for (const auto& [name, value] : circumstances) {
+    text += fill(format.circumstance, format.escape(translated(name)), format.escape(translated(value)));
+  }
   if (!lack.empty()) text += fill(format.emphasis, format.escape(lack));
   for (const ReportSection& section : sections) {
     const Experiment& experiment = *section.experiment;
-    contents += fill(format.contents_line, experiment.name, format.escape(experiment.title),
+    contents += fill(format.contents_line, experiment.name, format.escape(experiment.text().title),
                      format.escape(section.findings.answer));
     results += text_of(format, section);
   }
-  return text + fill(format.contents, contents) + results + format.end;
+  return text + fill(format.contents, contents, translated("experiment"), translated("what it found")) + results +
+         format.end;
 }
 
 }  // namespace
 
-std::string report_html(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
+std::string report_html(const std::vector<ReportSection>& sections, const std::vector<Circumstance>& circumstances,
                         const std::string& lack) {
-  return std::string(report_files().front().text) + report(kHtml, sections, circumstances, lack);
+  const std::string head = replaced(std::string(report_files().front().text), "{lang}", name_of(language()));
+  return replaced(head, "{title}", html_text(translated("Ballpit: the laboratory’s report"))) +
+         report(kHtml, sections, circumstances, lack);
 }
 
-std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
+std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<Circumstance>& circumstances,
                             const std::string& lack) {
   return report(kMarkdown, sections, circumstances, lack);
+}
+
+Chart in_language_set(Chart chart) {
+  const auto set = [](std::string& text) { text = shown(text); };
+  set(chart.title);
+  for (Axis* axis : {&chart.x, &chart.y}) set(axis->label), set(axis->unit);
+  for (Series& series : chart.series) set(series.label);
+  for (Bound& bound : chart.bounds) set(bound.label);
+  if (!chart.map) return chart;
+  set(chart.map->colors.label);
+  for (Category& category : chart.map->categories) set(category.label);
+  return chart;
 }
 
 std::string svg_address(std::string_view svg) {

@@ -22,13 +22,21 @@ struct ReportSection {
   std::string command;  ///< repeats it
 };
 
-/// `circumstances`: machine, preset and so on, one per line. `lack`: what is missing and why; empty if nothing is.
-std::string report_html(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
+/// Under which an experiment ran: the machine, the preset and so on.
+struct Circumstance {
+  std::string name, value;
+};
+
+/// In the language set. `lack`: what is missing and why; empty if nothing is.
+std::string report_html(const std::vector<ReportSection>& sections, const std::vector<Circumstance>& circumstances,
                         const std::string& lack);
 
 /// The same in Markdown, with the charts as links to "NAME/CHART.svg".
-std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<std::string>& circumstances,
+std::string report_markdown(const std::vector<ReportSection>& sections, const std::vector<Circumstance>& circumstances,
                             const std::string& lack);
+
+/// The chart with all its texts in the language set.
+Chart in_language_set(Chart chart);
 
 /// "data:image/svg+xml;base64,…": the address of a picture that the page itself contains.
 std::string svg_address(std::string_view svg);

@@ -10,6 +10,8 @@ namespace {
 // [1/1080 of the picture's height]
 constexpr float kPadding = 6, kWidest = 150;  // of a box
 constexpr float kBelow = 42;                  // for the walk
+constexpr float kDepth = 28, kLevel = 6;      // of a walk below the list; from one to the next above it
+constexpr float kStub = 10;
 
 constexpr size_t kMaxStacked = 2 * 10;  // in a longer list, the letters of names stand above the numbers
 
@@ -47,16 +49,16 @@ void draw_box(const Endpoint& endpoint, size_t k, const Row& row, bool walks, bo
   sheet.frame(low, high, edge, (walks ? 4 : 2) * u);
   draw_name(endpoint, (low + high) / 2.0f, row.is_stacked, text, sheet);
   if (has_stubs && endpoint.is_end && !walks) {  // its thread ends at once
-    const Vec2 foot(row.middle(k), row.bottom), head = foot + Vec2(0, 10 * u);
+    const Vec2 foot(row.middle(k), row.bottom), head = foot + Vec2(0, kStub * u);
     sheet.line(foot, head, to_rgba(theme.idle), 3 * u);
     sheet.line(head - Vec2(7 * u, 0), head + Vec2(7 * u, 0), to_rgba(theme.idle), 3 * u);
   }
 }
 
-/// From the thread's begin down, along the list and up to its end.
-void draw_walk(const Walk& walk, const Row& row, Painter& painter) {
+/// From the thread's begin down, along the list and up to its end; on one of several levels.
+void draw_walk(const Walk& walk, const Row& row, float level, Painter& painter) {
   Sheet& sheet = painter.sheet;
-  const float u = sheet.unit(), width = 4 * u, below = row.bottom + 28 * u;
+  const float u = sheet.unit(), width = 4 * u, below = row.bottom + (kDepth - kLevel * level) * u;
   const Rgba color = to_rgba(painter.theme.begin);
   const Vec2 begin(row.middle(walk.first), row.bottom), end(row.middle(walk.last), row.bottom + 2 * u);
   sheet.line(begin, {begin.x, below + width / 2}, color, width);
@@ -90,15 +92,32 @@ std::optional<Row> take_row(const std::vector<Endpoint>& endpoints, float middle
   return Row{left, box, top, top + height, is_stacked};
 }
 
-void draw_list(const std::vector<Endpoint>& endpoints, const Walk& walk, const Row& row, const PageView* page,
-               Painter& painter) {
-  const bool has_stubs = !page || page->walks;
+void draw_list(const std::vector<Endpoint>& endpoints, const std::vector<Walk>& walks, const Row& row,
+               const PageView* page, Painter& painter) {
+  const bool has_stubs = !page || page->walks, has_many = walks.size() > 1;
   for (size_t k = 0; k < endpoints.size(); ++k) {
-    const bool is_met = std::binary_search(walk.met.begin(), walk.met.end(), k);
-    draw_box(endpoints[k], k, row, walk.body >= 0 && endpoints[k].body == walk.body, is_met, has_stubs, painter);
+    const auto walks_here = [&](const Walk& walk) {
+      return endpoints[k].body == walk.body && !(has_many && endpoints[k].is_end);
+    };
+    const auto meets = [&](const Walk& walk) { return std::binary_search(walk.met.begin(), walk.met.end(), k); };
+    draw_box(endpoints[k], k, row, std::ranges::any_of(walks, walks_here),
+             !has_many && std::ranges::any_of(walks, meets), has_stubs, painter);
     if (page) mark_touched(*page, "list", static_cast<int64_t>(k), row.low(k), row.high(k), painter);
   }
-  if (walk.body >= 0) draw_walk(walk, row, painter);
+  for (size_t k = 0; k < walks.size(); ++k) draw_walk(walks[k], row, static_cast<float>(k), painter);
+}
+
+std::vector<Walk> shown_walks(const std::vector<Endpoint>& endpoints, int64_t selected, const PageView* page) {
+  if (page && !page->walks) return {};
+  std::vector<Walk> walks;
+  if (page && page->has_walked && selected < 0 && endpoints.size() <= 2 * kMaxWalks) {
+    for (const Endpoint& endpoint : endpoints) {
+      if (!endpoint.is_end) walks.push_back(shown_walk(endpoints, endpoint.body));
+    }
+    return walks;
+  }
+  if (const Walk walk = shown_walk(endpoints, selected); walk.body >= 0) walks.push_back(walk);
+  return walks;
 }
 
 Walk shown_walk(const std::vector<Endpoint>& endpoints, int64_t selected) {

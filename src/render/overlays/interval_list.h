@@ -5,7 +5,7 @@
 //     │b0│e0 │b1 │b2 │e1│    the begins that the thread meets are sky
 //     └──┴─┬─┴─┬─┴───┴▲─┘
 //          T   └──────┘      an arrow from the thread's begin to its end; other ends have a stub: their threads return
-//                            at once
+//                            at once. After the sweep all threads are shown, if they are few
 #pragma once
 
 #include "render/overlays/overlay.h"
@@ -14,6 +14,7 @@
 namespace ballpit {
 
 inline constexpr size_t kMaxLabels = 2 * 24;  ///< the endpoints of a longer list have no names
+inline constexpr size_t kMaxWalks = 4;        ///< more threads are not shown at once
 
 /// "b3" or "e3".
 std::string name_of(const Endpoint& endpoint);
@@ -34,7 +35,12 @@ float list_height(size_t entries, float text_scale);
 /// Room for the list, if its names fit. The row is under `middle` [pixel], as far as it fits into the picture.
 std::optional<Row> take_row(const std::vector<Endpoint>& endpoints, float middle, Painter& painter);
 
-void draw_list(const std::vector<Endpoint>& endpoints, const Walk& walk, const Row& row, const PageView* page,
-               Painter& painter);
+/// The walk of the picked body, or else the longest; after the sweep those of all bodies, if they are few. None while no
+/// thread walks yet.
+std::vector<Walk> shown_walks(const std::vector<Endpoint>& endpoints, int64_t selected, const PageView* page);
+
+/// The walks of several bodies are drawn at a few levels below the list.
+void draw_list(const std::vector<Endpoint>& endpoints, const std::vector<Walk>& walks, const Row& row,
+               const PageView* page, Painter& painter);
 
 }  // namespace ballpit

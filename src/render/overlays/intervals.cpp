@@ -196,7 +196,7 @@ void draw_intervals(const FrameView& view, Painter& painter) {
   const Projection projection(view.camera, painter.sheet);
   const float u = painter.sheet.unit();
   const bool has_labels = endpoints.size() <= kMaxLabels;
-  const Walk walk = view.page && !view.page->walks ? Walk{} : shown_walk(endpoints, view.selected);
+  const std::vector<Walk> walks = shown_walks(endpoints, view.selected, view.page);
   const Vec3 centre = (view.domain.min + view.domain.max) / 2.0f;
   const float middle = projection.sees(centre) ? projection.at(centre).x : 0;
   const std::optional<Row> row = take_row(endpoints, middle, painter);
@@ -208,7 +208,12 @@ void draw_intervals(const FrameView& view, Painter& painter) {
 
   if (has_labels) draw_drops(view, axis, projection, painter);
   axis.draw(painter);
-  if (walk.body >= 0) {
+  if (walks.size() > 1) {
+    painter.note({{Swatch::arrow, painter.theme.begin, phrase("{} threads walk: those of begins", walks.size())}});
+    painter.note({{Swatch::stub, painter.theme.idle,
+                   phrase("{} stop at once: those of ends", endpoints.size() - walks.size())}});
+  } else if (!walks.empty()) {
+    const Walk& walk = walks.front();
     painter.sheet.line(axis.at(endpoints[walk.first].at), axis.at(endpoints[walk.last].at),
                        to_rgba(painter.theme.begin), 9 * u);
     const std::string body = std::to_string(walk.body);
@@ -230,7 +235,7 @@ void draw_intervals(const FrameView& view, Painter& painter) {
   } else if (has_labels) {
     draw_labels(endpoints, axis, painter);
   }
-  if (row) draw_list(endpoints, walk, *row, view.page, painter);
+  if (row) draw_list(endpoints, walks, *row, view.page, painter);
 }
 
 }  // namespace ballpit

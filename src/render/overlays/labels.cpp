@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Writes the number of each sphere at its centre, if the sphere is large enough and not hidden. In planar scenes with
-// few cells also the number of each cell: always in its lower left corner (slide 8), in front of spheres.
+// few cells also the number of each cell: always in its lower left corner (slide 8), in front of spheres. On a page of
+// a lecture, whose spheres stand still, a number that would be hidden there is in another corner of its cell.
+#include <algorithm>
+#include <array>
+
 #include "core/phrase.h"
 #include "render/body_buffer.h"
 #include "render/coloring.h"
@@ -112,26 +116,54 @@ void draw_numbers(const FrameView& view, const std::vector<Number>& numbers, Pai
   }
 }
 
-/// Each in the lower left corner of its cell, as on the slide; none where the number of a sphere hides it.
-/// Returns how many were drawn.
-size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Number>& numbers, const Projection& projection,
-                         Painter& painter) {
+/// Where the number of a cell may be.
+struct CellNumber {
+  Vec2 at;    ///< the upper left corner of its line of text
+  Area area;  ///< of its digits
+};
+
+/// The number in each corner of its cell, the lower left one first.
+std::array<CellNumber, 4> cell_number_places(Vec2 low, Vec2 high, Vec2 extent, Vec2 inset) {
+  const float foot = low.y - inset.y - kFoot * extent.y, head = high.y + inset.y - kTop * extent.y;
+  const float left = low.x + inset.x, right = high.x - inset.x - extent.x;
+  std::array<CellNumber, 4> places;
+  size_t k = 0;
+  for (const Vec2& at : {Vec2(left, foot), Vec2(left, head), Vec2(right, foot), Vec2(right, head)}) {
+    places[k++] = {at, {at + Vec2(0, kTop * extent.y), at + Vec2(extent.x, kFoot * extent.y)}};
+  }
+  return places;
+}
+
+/// How much of a cell's number is hidden: by the number of a sphere; spheres below it make it harder to read.
+float hidden_part(const Area& area, const std::vector<Number>& numbers) {
+  constexpr float kOnSphere = 0.01f;
+  float hidden = 0;
+  for (const Number& number : numbers) {
+    hidden = std::max({hidden, covered(area, number.area), meets(area, number.sphere) ? kOnSphere : 0});
+  }
+  return hidden;
+}
+
+/// Each in a corner of its cell, in the lower left one as on the slide unless the scene stands still and another is
+/// easier to read. Returns how many were drawn: none where the number of a sphere hides it.
+size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Number>& numbers, bool is_still,
+                         const Projection& projection, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float edge = projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y));
   const TextSize size = edge > 4.5f * sheet.size_of("0").y ? TextSize::normal : TextSize::small;
-  const Vec2 widest = sheet.size_of(std::to_string(grid.head.size() - 1), size), inset = Vec2(6, -6) * sheet.unit();
+  const Vec2 widest = sheet.size_of(std::to_string(grid.head.size() - 1), size), inset = Vec2(6) * sheet.unit();
   if (edge < widest.x + 0.5f * widest.y) return 0;
   const auto columns = static_cast<size_t>(grid.cells.x);
   size_t drawn = 0;
   for (size_t cell = 0; cell < grid.head.size(); ++cell) {
-    const Vec2 corner = projection.at(grid.origin + grid.edge * Vec3(cell % columns, cell / columns, 0));
+    const Vec3 corner = grid.origin + grid.edge * Vec3(cell % columns, cell / columns, 0);
     const std::string text = std::to_string(cell);
-    const Vec2 extent = sheet.size_of(text, size);
-    const Vec2 at = corner + inset - Vec2(0, kFoot * extent.y), foot = at + Vec2(extent.x, kFoot * extent.y);
-    const Area area{at + Vec2(0, kTop * extent.y), foot};
-    const auto hides = [&](const Number& number) { return covered(area, number.area) > kMostHidden; };
-    if (std::any_of(numbers.begin(), numbers.end(), hides)) continue;
-    sheet.bordered_text(at, kUpperLeft, to_rgba(painter.theme.cell_text), to_rgba(painter.theme.background), text,
+    const auto places = cell_number_places(projection.at(corner), projection.at(corner + Vec3(Vec2(grid.edge), 0)),
+                                           sheet.size_of(text, size), inset);
+    const auto hidden = [&](const CellNumber& place) { return hidden_part(place.area, numbers); };
+    const CellNumber& place = is_still ? *std::ranges::min_element(places, {}, hidden) : places[0];
+    if (hidden(place) > kMostHidden) continue;
+    sheet.bordered_text(place.at, kUpperLeft, to_rgba(painter.theme.cell_text), to_rgba(painter.theme.background), text,
                         size);
     ++drawn;
   }
@@ -146,7 +178,8 @@ void draw_labels(const FrameView& view, Painter& painter) {
   const std::vector<Number> numbers = place_numbers(view, spheres, painter.sheet);
   const std::vector<GridInspection>& grids = view.inspection.grids;
   if (view.domain.is_planar() && grids.size() == 1 && !grids[0].head.empty()) {
-    if (grids[0].head.size() > kMaxCells || draw_cell_numbers(grids[0], numbers, projection, painter) == 0) {
+    if (grids[0].head.size() > kMaxCells ||
+        draw_cell_numbers(grids[0], numbers, view.page != nullptr, projection, painter) == 0) {
       painter.note("Numbers: the cells are too small for theirs");
     }
   }

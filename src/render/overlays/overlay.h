@@ -58,7 +58,7 @@ std::vector<int> count_lengths(const GridInspection& grid, size_t max);
 /// More candidates are only counted, not drawn.
 inline constexpr size_t kMaxCandidates = 20000;
 
-/// The candidates that are not contacts, each once.
+/// The candidates that are not contacts, each as often as it is tested.
 std::vector<Pair> candidates_apart(const Inspection& inspection);
 
 /// The index of a cell in the grid's `head`.

@@ -38,7 +38,7 @@ Vec3 nearest_image(const BodySnapshot& bodies, const Pair& pair, const DomainBox
   return to;
 }
 
-/// The image of the second sphere that touches the first.
+/// The image of the second sphere that touches the first. Touching across a periodic border, each has one of the other.
 Vec3 touching_image(const BodySnapshot& bodies, const Pair& pair, const DomainBox& domain) {
   const Vec3 from = bodies.position_of(pair.i), to = bodies.position_of(pair.j);
   if (length(to - from) <= 1.1f * (bodies.radius_of(pair.i) + bodies.radius_of(pair.j))) return to;
@@ -134,12 +134,22 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
   }
 }
 
+/// The pairs, each once for every end that is drawn on its own: twice if it touches across a periodic border.
+std::vector<Pair> with_both_ends(const std::vector<Pair>& pairs, const FrameView& view) {
+  std::vector<Pair> all = pairs;
+  const BodySnapshot& bodies = view.inspection.bodies;
+  for (const Pair& pair : pairs) {
+    if (touching_image(bodies, pair, view.domain) != bodies.position_of(pair.j)) all.push_back({pair.j, pair.i});
+  }
+  return all;
+}
+
 void draw_contacts(const FrameView& view, Painter& painter, const Projection& projection, float scale) {
   const BodySnapshot& bodies = view.inspection.bodies;
   // A dark core separates the line from the spheres, which are orange too.
   const Rgba color = to_rgba(rim_of(painter.theme.contact)), edge = to_rgba(painter.theme.contact);
   std::vector<Line> lines, edges;
-  for (const Pair& pair : view.inspection.contacts) {
+  for (const Pair& pair : with_both_ends(view.inspection.contacts, view)) {
     const Vec3 end = touching_image(bodies, pair, view.domain);
     lines.push_back(lifted(bodies, pair, end, projection, color, 0));
     edges.push_back(lifted(bodies, pair, end, projection, edge, scale * kEdge * painter.sheet.unit()));
@@ -153,9 +163,9 @@ void draw_missed(const FrameView& view, Painter& painter, const Projection& proj
   Sheet& sheet = painter.sheet;
   const float u = std::max(scale, 0.4f) * sheet.unit();
   const Rgba color = to_rgba(painter.theme.missed), ground = to_rgba(painter.theme.background);
-  const size_t drawn = std::min(view.inspection.missed.size(), kMaxRings);
-  for (size_t k = 0; k < drawn; ++k) {
-    const Pair& pair = view.inspection.missed[k];
+  std::vector<Pair> missed = view.inspection.missed;
+  missed.resize(std::min(missed.size(), kMaxRings));
+  for (const Pair& pair : with_both_ends(missed, view)) {
     const Vec3 centre = bodies.position_of(pair.i), end = touching_image(bodies, pair, view.domain);
     if (!projection.sees(centre) || !projection.sees(end)) continue;
     const Vec2 a = projection.at(centre), b = projection.at(end), way = b - a;
@@ -202,7 +212,6 @@ std::vector<Pair> candidates_apart(const Inspection& inspection) {
   std::vector<Pair> apart;
   std::set_difference(inspection.candidates.begin(), inspection.candidates.end(), inspection.contacts.begin(),
                       inspection.contacts.end(), std::back_inserter(apart), before);
-  apart.erase(std::unique(apart.begin(), apart.end()), apart.end());
   return apart;
 }
 

@@ -42,7 +42,7 @@ void draw_lane(const WarpBox& warp, size_t lane, int work, Painter& painter) {
     if (from >= to) return;
     const Vec2 low(left + gap, warp.corner.y - static_cast<float>(to) * warp.step + gap / 2);
     const Vec2 high(left + warp.lane - gap, warp.corner.y - static_cast<float>(from) * warp.step - gap / 2);
-    sheet.box(low, high, to_rgba(is_busy ? painter.theme.begin : painter.theme.idle, is_busy ? 1 : 0.25f));
+    sheet.box(low, high, to_rgba(is_busy ? painter.theme.begin : painter.theme.idle, is_busy ? 1 : kPale));
     if (!is_busy) sheet.frame(low, high, to_rgba(painter.theme.idle), 1.5f * u);
   };
   const bool has_squares = warp.step >= kSmallest * u;
@@ -101,7 +101,7 @@ void draw_warps(const FrameView& view, Painter& painter) {
     }
   }
   painter.note({{Swatch::square, painter.theme.begin, translated("walks")},
-                {Swatch::square, painter.theme.idle, translated("waits")}});
+                {Swatch::pale, painter.theme.idle, translated("waits")}});
   if (shown < all) painter.note(phrase("the first {} of {} warps", shown, all));
 }
 
