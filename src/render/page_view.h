@@ -36,6 +36,7 @@ struct PageView {
   bool walks = true;          ///< whether the intervals show a thread that walks
   bool has_walked = false;    ///< whether they show all threads: the sweep is over
   bool has_no_scene = false;  ///< only text is shown: a page that failed to load
+  bool is_still = true;       ///< whether its spheres stand still
   float below = 0;            ///< [of the picture's height] what caption and overlays take at the lower edge
 };
 

@@ -4,7 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/numbers.h"
+#include "core/phrase.h"
 #include "render/overlays/overlay.h"
+#include "render/painter.h"
 
 namespace ballpit {
 
@@ -153,8 +156,14 @@ FrameView Demo::frame_view(float aspect, bool is_written) {
   const Domain& domain = session.scene().domain;
   const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top,
                       domain.boundary == Boundary::periodic};
-  const Camera camera =
-      leave_room_below(camera_of(view, box, aspect), room_below(view.overlays, seen, view.text_scale));
+  const float below = room_below(view.overlays, seen, view.text_scale);
+  Camera camera = leave_room_below(camera_of(view, box, aspect), below);
+  if (view.has_caption) {
+    caption_ = captioned();
+    Room room = room_of(caption_, view.text_scale, aspect);
+    room.below += below;
+    camera = camera_of(view, box, room, aspect);
+  }
   const auto step = static_cast<float>(session.settings().dt / session.settings().substeps);
   return {seen,
           box,
@@ -165,8 +174,23 @@ FrameView Demo::frame_view(float aspect, bool is_written) {
           step,
           left_out_,
           is_written,
-          nullptr,
+          view.has_caption ? &caption_ : nullptr,
           view.shows("velocity") ? typical_speed(session.scene()) : 0};
+}
+
+PageView Demo::captioned() {
+  const Scene& scene = session.scene();
+  const std::string& title = language() == Language::german ? scene.title_de : scene.title;
+  PageView page;
+  page.title = title.empty() ? scene.name : title;
+  page.is_still = false;
+  const Report& last = report();
+  const int64_t n = last.count;
+  const std::string spheres = counted(n, "sphere"), contacts = counted(last.contacts, "contact");
+  page.caption = last.candidates == 0 ? phrase("{}, {}", spheres, contacts)
+                                      : phrase("{}: {} tests in place of {}, {}", spheres, grouped(last.candidates),
+                                               grouped(n * (n - 1) / 2), contacts);
+  return page;
 }
 
 const Inspection& Demo::inspect(Wanted wanted) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/page_view.h"
 #include "show/session.h"
 #include "show/timeline.h"
 #include "show/trade_off.h"
@@ -104,6 +105,7 @@ class Demo {
   void begin_world();
   const Inspection& inspect(Wanted wanted);
   void remember_moment(const Report& report);
+  PageView captioned();
   Wanted wanted();
   Wanted too_much(const Wanted& wanted);
   int64_t candidates_to_list();
@@ -113,6 +115,7 @@ class Demo {
   int64_t changes_ = 0, worlds_ = 0;
   Version inspected_, reported_;
   Inspection inspection_;
+  PageView caption_;
   Wanted requested_, left_out_;
   std::vector<Moment> history_;
 };

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "core/language.h"
+#include "core/numbers.h"
+#include "core/phrase.h"
+#include "render/painter.h"
 
 namespace ballpit {
 
@@ -98,6 +100,9 @@ FrameView Stepping::frame_view(float aspect) {
   page_ = {};
   cursor_->describe(page_);
   page_.title = fmt::format("{}: {}", name_of(cursor_->run().kernel), cursor_->phase().name);
+  page_.caption =
+      phrase("{} operations so far: {} tests, {}", grouped(static_cast<int64_t>(cursor_->at())),
+             grouped(std::ssize(inspection_.candidates)), counted(std::ssize(inspection_.contacts), "contact"));
   FrameView frame = frame_with_page(demo_, inspection_, page_, aspect, view.text_scale);
   if (const int64_t walker = cursor_->walker(); walker >= 0) frame.selected = walker;
   view.overlays = own;

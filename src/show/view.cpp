@@ -64,6 +64,10 @@ Camera camera_of(const View& view, const DomainBox& domain, float aspect) {
   return camera;
 }
 
+Camera camera_of(const View& view, const DomainBox& domain, const Room& room, float aspect) {
+  return leave_room(camera_of(view, domain, aspect * room.width() / room.height()), room, aspect);
+}
+
 int64_t body_at(const Camera& camera, const BodySnapshot& bodies, Vec2 place) {
   const Ray ray = ray_through(camera, place);
   int64_t nearest = -1;

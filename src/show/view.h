@@ -19,9 +19,10 @@ struct View {
   std::vector<std::string> overlays{"grid"};
   std::string theme{themes().front().name};
   std::string coloring{coloring_table().front().name};
-  int64_t selected = -1;  ///< a body, or −1
-  float ui_scale = 1;     ///< of the panel's text and widgets
-  float text_scale = 1;   ///< of the scene's text
+  int64_t selected = -1;     ///< a body, or −1
+  float ui_scale = 1;        ///< of the panel's text and widgets
+  float text_scale = 1;      ///< of the scene's text
+  bool has_caption = false;  ///< the scene's title, and how many tests it takes
 
   bool shows(std::string_view overlay) const;
   void toggle(std::string_view overlay);
@@ -33,6 +34,9 @@ struct View {
 
 /// The camera of a view on a domain, in a picture of this width by height.
 Camera camera_of(const View& view, const DomainBox& domain, float aspect);
+
+/// The same in the room that a page leaves in the picture.
+Camera camera_of(const View& view, const DomainBox& domain, const Room& room, float aspect);
 
 /// The body at a place in the picture, or −1. The place is measured from the middle, x to the right and y up, from −1
 /// to 1.

@@ -217,6 +217,7 @@ void Panel::hint(const std::string& text) {
 }
 
 void Panel::draw_hint(float elapsed) {
+  hint_left_ -= elapsed;
   if (hint_left_ <= 0) return;
   const float beside = is_shown ? static_cast<float>(width_in(sheet_.picture_width(), sheet_.height(), 1)) : 0.0f;
   const auto width = static_cast<float>(sheet_.picture_width()), height = static_cast<float>(sheet_.height());
@@ -233,7 +234,6 @@ void Panel::draw_hint(float elapsed) {
   note("hint");
   ImGui::End();
   ImGui::PopStyleVar();
-  hint_left_ -= elapsed;
 }
 
 bool Panel::has_mouse() const {

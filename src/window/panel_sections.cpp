@@ -170,6 +170,10 @@ void Panel::draw_scene(Demo& demo) {
     value = std::clamp(value, kMinUiScale, kMaxUiScale);  // a typed number may be any
     demo.touch();
   };
+  if (pages.titles.empty()) {  // a lecture's pages have their own
+    if (ImGui::Checkbox((translated("caption") + "##caption").c_str(), &view.has_caption)) demo.touch();
+    note("caption");
+  }
   scale("text-scale", "text in the scene", view.text_scale);
   scale("ui-scale", "panel", view.ui_scale);
   const auto speak = [&](const char* name, const char* label, Language spoken) {

@@ -67,7 +67,7 @@ void ShowWindow::draw(const WindowEvents& events, float elapsed) {
     drawing_.draw(demo_, {.left = left()});
   }
   panel_.density = window.density();
-  panel_.top = stepping_.cursor() ? room_of(PageView{}, demo_.view.text_scale, 1).above : 0;
+  panel_.top = stepping_.cursor() || demo_.view.has_caption ? room_of(PageView{}, demo_.view.text_scale, 1).above : 0;
   panel_.is_filming = saver_.is_filming();
   if (events.was_released) panel_.end_hint();
   panel_.draw(demo_, events.for_panel(elapsed));

@@ -11,6 +11,7 @@
 #include "core/numbers.h"
 #include "render/overlays/overlay.h"
 #include "render/painter.h"
+#include "tests/support/in_german.h"
 
 using namespace ballpit;
 
@@ -209,4 +210,21 @@ TEST_CASE("numbers are written for the audience") {
   CHECK(three_digits(0.0012) == "1.20e-03");
   CHECK(three_digits(1234) == "1234");
   CHECK(three_digits(0) == "0.000");
+}
+
+TEST_CASE("a caption names the scene and counts its tests, in the language set, above and below the scene") {
+  Demo demo("lecture-contacts", {{"threads", "1"}});
+  CHECK(demo.frame_view(1.5f).page == nullptr);
+  demo.view.has_caption = true;
+  demo.step();
+  const FrameView view = demo.frame_view(1.5f);
+  REQUIRE(view.page);
+  CHECK(view.page->title == demo.session.scene().title);
+  const std::string tests = std::to_string(demo.report().candidates);
+  CHECK_THAT(view.page->caption, Catch::StartsWith("20 spheres: " + tests + " tests in place of 190, "));
+  CHECK_FALSE(view.page->is_still);
+  const InGerman in_german;
+  const FrameView german = demo.frame_view(1.5f);
+  CHECK(german.page->title == demo.session.scene().title_de);
+  CHECK_THAT(german.page->caption, Catch::StartsWith("20 Kugeln: " + tests + " Tests statt 190, "));
 }

@@ -26,6 +26,7 @@ TEST_CASE("stepping to the end of a kernel finds the contacts of the moment, by 
     CHECK(view.inspection.contacts == demo.inspection().contacts);
     CHECK(view.inspection.contacts.size() == 4);
     CHECK(view.inspection.missed.empty());
+    CHECK_THAT(view.page->caption, Catch::EndsWith(", 4 contacts"));
   }
 }
 

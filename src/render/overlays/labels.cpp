@@ -9,6 +9,7 @@
 #include "render/body_buffer.h"
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
+#include "render/page_view.h"
 
 namespace ballpit {
 
@@ -179,7 +180,7 @@ void draw_labels(const FrameView& view, Painter& painter) {
   const std::vector<GridInspection>& grids = view.inspection.grids;
   if (view.domain.is_planar() && grids.size() == 1 && !grids[0].head.empty()) {
     if (grids[0].head.size() > kMaxCells ||
-        draw_cell_numbers(grids[0], numbers, view.page != nullptr, projection, painter) == 0) {
+        draw_cell_numbers(grids[0], numbers, view.page && view.page->is_still, projection, painter) == 0) {
       painter.note("Numbers: the cells are too small for theirs");
     }
   }
