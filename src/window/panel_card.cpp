@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "core/language.h"
 #include "core/numbers.h"
+#include "core/phrase.h"
 #include "render/overlays/overlay.h"
 #include "window/panel.h"
 
@@ -32,7 +32,7 @@ std::string counted_numbers(const std::vector<int32_t>& bodies) {
 std::string length_text(const Domain& domain, float length) {
   const Vec3d size = domain.max - domain.min;
   const double longest = std::max({size.x, size.y, size.z});
-  return longest >= 0.1 && longest < 1e4 ? fmt::format("{:.3f}", length) : fmt::format("{:.4g}", length);
+  return local_number(longest >= 0.1 && longest < 1e4 ? fmt::format("{:.3f}", length) : fmt::format("{:.4g}", length));
 }
 
 /// Whether the body is drawn in the right half of the upper half of the scene, where the card is else.
@@ -65,8 +65,9 @@ void Panel::draw_card(Demo& demo) {
   items_["card"] = {{low.x, low.y}, {low.x + size.x, low.y + size.y}};
   const Vec3 p = inspection.bodies.position_of(i);
   const auto metres = [&](float length) { return length_text(demo.session.scene().domain, length); };
-  std::string place = metres(p.x) + ", " + metres(p.y);
-  if (inspection.bodies.dimensions == 3) place += ", " + metres(p.z);
+  const char* const separator = language() == Language::german ? "; " : ", ";  // numbers have commas there
+  std::string place = metres(p.x) + separator + metres(p.y);
+  if (inspection.bodies.dimensions == 3) place += separator + metres(p.z);
   row("sphere", std::to_string(i));
   row("place", place + " m");
   row("speed", with_unit(double(length(inspection.bodies.velocity_of(i))), "m/s"));
@@ -78,10 +79,10 @@ void Panel::draw_card(Demo& demo) {
   const std::vector<Endpoint>& ends = inspection.endpoints;
   if (const Walk walk = shown_walk(ends, i); walk.body >= 0) {
     const char axis = "xyz"[std::clamp(inspection.axis, 0, 2)];
-    row("interval", fmt::format("{}: {} to {} m", axis, metres(ends[walk.first].at), metres(ends[walk.last].at)));
+    row("interval", phrase("{}: {} to {} m", axis, metres(ends[walk.first].at), metres(ends[walk.last].at)));
     const auto number = [](size_t k) { return grouped(static_cast<int64_t>(k)); };
     row("in the sorted list",
-        fmt::format("entries {} and {} of {}", number(walk.first), number(walk.last), number(ends.size())));
+        phrase("entries {} and {} of {}", number(walk.first), number(walk.last), number(ends.size())));
   }
   if (!demo.has_candidates()) {
     row("candidates", translated("too many pairs to look through"));
@@ -96,9 +97,9 @@ void Panel::draw_places(const Inspection& inspection, int32_t body) {
   if (const auto listed = listed_in(inspection, body)) {
     const IVec3& c = listed->cell;
     const std::string z = inspection.bodies.dimensions == 3 ? fmt::format(", {}", c.z) : "";
-    row("cell", fmt::format("{} at ({}, {}{})", listed->index, c.x, c.y, z));
+    row("cell", phrase("{} at ({}, {}{})", listed->index, c.x, c.y, z));
     row(listed->is_sorted ? "its range" : "its list", numbers(listed->bodies, listed->is_sorted ? ", " : " > "));
-    row("place in it", fmt::format("{} of {}", listed->place + 1, listed->bodies.size()));
+    row("place in it", phrase("{} of {}", listed->place + 1, listed->bodies.size()));
   }
 }
 

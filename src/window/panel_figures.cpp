@@ -52,7 +52,7 @@ LogAxis axis_of(const std::vector<Played>& trials, double least, const Value& va
 
 std::string power_of_ten(int power) {
   if (power < -3 || power > 3) return fmt::format("1e{}", power);
-  return fmt::format("{:.{}f}", std::pow(10.0, power), std::max(-power, 0));
+  return local_number(fmt::format("{:.{}f}", std::pow(10.0, power), std::max(-power, 0)));
 }
 
 void dotted(ImDrawList& lines, ImVec2 from, ImVec2 to, ImU32 color, float unit) {

@@ -6,8 +6,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "core/language.h"
 #include "core/numbers.h"
+#include "core/phrase.h"
 
 namespace ballpit {
 
@@ -90,8 +90,8 @@ void ShowWindow::handle(PanelRequests& requests) {
 /// As the exercise sheet asks: spheres, method, milliseconds a step.
 std::string ShowWindow::title() {
   const Report& report = demo_.report();
-  return fmt::format("Ballpit: {} spheres, {}, {} ms a step", grouped(report.count), report.broadphase,
-                     three_digits(demo_.player.mean_step_time()));
+  return phrase("Ballpit: {} spheres, {}, {} ms a step", grouped(report.count), report.broadphase,
+                local_number(three_digits(demo_.player.mean_step_time())));
 }
 
 }  // namespace ballpit
