@@ -17,7 +17,7 @@ constexpr float kCodeWidth = 0.47f;    // of the picture's width
 constexpr float kCodeSpacing = 1.12f;  // from one line of code to the next [its height]
 constexpr float kLegends = 3;          // lines below the code: what the step did, and legends
 constexpr float kLeastCode = 0.65f;    // [its full size] even where the legend then reaches beside the arrays
-constexpr float kMeanLetter = 0.43f;   // of a sentence [height of a line]
+constexpr float kMeanLetter = 0.40f;   // of a sentence [height of a line]
 
 /// The text in lines of at most `width` pixels, broken at blanks.
 std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, float width, TextSize size) {
@@ -78,7 +78,8 @@ Room room_of(const PageView& page, float text_scale, float aspect) {
   room.above = (line_height(TextSize::title, text_scale) + kPad) / 1080;
   const float line = line_height(TextSize::normal, text_scale);
   const float width = 1080 * aspect - 2 * kMargin - (page.slides.empty() ? 0 : kSlides);
-  const float wanted = kMeanLetter * line * static_cast<float>(page.caption.size());
+  const auto begins_letter = [](char byte) { return (byte & 0xC0) != 0x80; };  // in UTF-8
+  const float wanted = kMeanLetter * line * static_cast<float>(std::ranges::count_if(page.caption, begins_letter));
   room.below = (line * std::ceil(std::max(wanted / width, 1.0f)) + 2 * kPad) / 1080;
   if (!page.code.empty()) room.right = kCodeWidth;
   return room;

@@ -58,13 +58,14 @@ struct SortAndSweep {
   HOST_DEVICE Work collide(int t) const {
     Work work;
     const int own = memory.load(&list[t]);
-    if (is_end(own)) return work;                   // an end stops
-    for (int k = after(t); k != t; k = after(k)) {  // a begin walks
+    if (is_end(own)) return work;  // an end stops
+    // A begin walks to its own end, and tests every other begin.
+    for (int k = after(t); k != t; k = after(k)) {
       const int other = memory.load(&list[k]);
       work.count_step();
-      if (other == own + 1 && !tests_all) break;  // to its own end
+      if (other == own + 1 && !tests_all) break;
       if (is_end(other) || (tests_all && other < own)) continue;
-      work.count_test();  // and tests every other begin
+      work.count_test();
       const int i = sphere_of(own), j = sphere_of(other);
       const bool touch = memory.test(i, j, spheres.touch(i, j));
       if (touch) memory.append(contacts, i, j);

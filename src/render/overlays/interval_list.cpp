@@ -10,8 +10,8 @@ namespace {
 // [1/1080 of the picture's height]
 constexpr float kPadding = 6, kWidest = 150;  // of a box
 constexpr float kBelow = 42;                  // for the walk
-constexpr float kDepth = 28, kLevel = 6;      // of a walk below the list; from one to the next above it
-constexpr float kStub = 10;
+constexpr float kDepth = 28, kLevel = 9;      // of a walk below the list; from one to the next above it
+constexpr float kStub = 10, kAside = 22;      // beside the heads of walks
 
 constexpr size_t kMaxStacked = 2 * 10;  // in a longer list, the letters of names stand above the numbers
 
@@ -29,7 +29,8 @@ void draw_name(const Endpoint& endpoint, Vec2 middle, bool is_stacked, Rgba colo
   sheet.text(middle + up, kCentre, color, name.substr(1), TextSize::small);
 }
 
-void draw_box(const Endpoint& endpoint, size_t k, const Row& row, bool walks, bool is_met, bool has_stubs,
+/// `stub`: where it is, from the middle of the box [pixel]; none if negative.
+void draw_box(const Endpoint& endpoint, size_t k, const Row& row, bool walks, bool is_met, float stub,
               Painter& painter) {
   Sheet& sheet = painter.sheet;
   const Theme& theme = painter.theme;
@@ -48,8 +49,8 @@ void draw_box(const Endpoint& endpoint, size_t k, const Row& row, bool walks, bo
   }
   sheet.frame(low, high, edge, (walks ? 4 : 2) * u);
   draw_name(endpoint, (low + high) / 2.0f, row.is_stacked, text, sheet);
-  if (has_stubs && endpoint.is_end && !walks) {  // its thread ends at once
-    const Vec2 foot(row.middle(k), row.bottom), head = foot + Vec2(0, kStub * u);
+  if (stub >= 0 && endpoint.is_end && !walks) {  // its thread ends at once
+    const Vec2 foot(row.middle(k) + stub, row.bottom), head = foot + Vec2(0, kStub * u);
     sheet.line(foot, head, to_rgba(theme.idle), 3 * u);
     sheet.line(head - Vec2(7 * u, 0), head + Vec2(7 * u, 0), to_rgba(theme.idle), 3 * u);
   }
@@ -94,14 +95,15 @@ std::optional<Row> take_row(const std::vector<Endpoint>& endpoints, float middle
 
 void draw_list(const std::vector<Endpoint>& endpoints, const std::vector<Walk>& walks, const Row& row,
                const PageView* page, Painter& painter) {
-  const bool has_stubs = !page || page->walks, has_many = walks.size() > 1;
+  const bool has_many = walks.size() > 1;
+  const float stub = page && !page->walks ? -1 : has_many ? kAside * painter.sheet.unit() : 0;
   for (size_t k = 0; k < endpoints.size(); ++k) {
     const auto walks_here = [&](const Walk& walk) {
       return endpoints[k].body == walk.body && !(has_many && endpoints[k].is_end);
     };
     const auto meets = [&](const Walk& walk) { return std::binary_search(walk.met.begin(), walk.met.end(), k); };
     draw_box(endpoints[k], k, row, std::ranges::any_of(walks, walks_here),
-             !has_many && std::ranges::any_of(walks, meets), has_stubs, painter);
+             !has_many && std::ranges::any_of(walks, meets), stub, painter);
     if (page) mark_touched(*page, "list", static_cast<int64_t>(k), row.low(k), row.high(k), painter);
   }
   for (size_t k = 0; k < walks.size(); ++k) draw_walk(walks[k], row, static_cast<float>(k), painter);

@@ -18,7 +18,8 @@ namespace {
 constexpr float kMinRadius = 7;       // [pixel] of a sphere
 constexpr size_t kMaxSpheres = 3000;  // of more spheres, the nearest get numbers
 constexpr size_t kMaxCells = 400;
-constexpr float kMostHidden = 0.15f;          // of a cell's number, by the number of a sphere
+constexpr float kMostHidden = 0.15f;  // of a cell's number, by the number of a sphere
+constexpr float kMostHiddenOnPage = 0.4f;
 constexpr float kTop = 0.18f, kFoot = 0.79f;  // of digits, in their line of text
 
 struct Seen {
@@ -147,8 +148,9 @@ float hidden_part(const Area& area, const std::vector<Number>& numbers) {
 
 /// Each in a corner of its cell, in the lower left one as on the slide unless the scene stands still and another is
 /// easier to read. Returns how many were drawn: none where the number of a sphere hides it.
-size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Number>& numbers, bool is_still,
+size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Number>& numbers, const FrameView& view,
                          const Projection& projection, Painter& painter) {
+  const bool is_still = view.page && view.page->is_still;
   Sheet& sheet = painter.sheet;
   const float edge = projection.length_at(grid.origin, std::min(grid.edge.x, grid.edge.y));
   const TextSize size = edge > 4.5f * sheet.size_of("0").y ? TextSize::normal : TextSize::small;
@@ -157,13 +159,14 @@ size_t draw_cell_numbers(const GridInspection& grid, const std::vector<Number>& 
   const auto columns = static_cast<size_t>(grid.cells.x);
   size_t drawn = 0;
   for (size_t cell = 0; cell < grid.head.size(); ++cell) {
-    const Vec3 corner = grid.origin + grid.edge * Vec3(cell % columns, cell / columns, 0);
+    const IVec3 corner(cell % columns, cell / columns, 0);
     const std::string text = std::to_string(cell);
-    const auto places = cell_number_places(projection.at(corner), projection.at(corner + Vec3(Vec2(grid.edge), 0)),
+    const auto places = cell_number_places(projection.at(lattice_point(grid, view.domain, corner)),
+                                           projection.at(lattice_point(grid, view.domain, corner + IVec3(1, 1, 0))),
                                            sheet.size_of(text, size), inset);
     const auto hidden = [&](const CellNumber& place) { return hidden_part(place.area, numbers); };
     const CellNumber& place = is_still ? *std::ranges::min_element(places, {}, hidden) : places[0];
-    if (hidden(place) > kMostHidden) continue;
+    if (hidden(place) > (is_still ? kMostHiddenOnPage : kMostHidden)) continue;
     sheet.bordered_text(place.at, kUpperLeft, to_rgba(painter.theme.cell_text), to_rgba(painter.theme.background), text,
                         size);
     ++drawn;
@@ -179,8 +182,7 @@ void draw_labels(const FrameView& view, Painter& painter) {
   const std::vector<Number> numbers = place_numbers(view, spheres, painter.sheet);
   const std::vector<GridInspection>& grids = view.inspection.grids;
   if (view.domain.is_planar() && grids.size() == 1 && !grids[0].head.empty()) {
-    if (grids[0].head.size() > kMaxCells ||
-        draw_cell_numbers(grids[0], numbers, view.page && view.page->is_still, projection, painter) == 0) {
+    if (grids[0].head.size() > kMaxCells || draw_cell_numbers(grids[0], numbers, view, projection, painter) == 0) {
       painter.note("Numbers: the cells are too small for theirs");
     }
   }

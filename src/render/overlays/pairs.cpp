@@ -14,6 +14,7 @@
 
 #include "core/phrase.h"
 #include "render/overlays/overlay.h"
+#include "render/page_view.h"
 
 namespace ballpit {
 
@@ -193,6 +194,8 @@ void draw_notes(const FrameView& view, size_t apart, Painter& painter) {
                   {Swatch::bold, theme.contact, counted(count(inspection.contacts.size()), "contact")}});
     return;
   }
+  const bool is_before_tests = view.page && !view.page->code.empty() && inspection.candidates.empty();
+  if (is_before_tests) return;
   const bool too_many = apart > kMaxCandidates;
   painter.note({{Swatch::none, {}, counted(count(apart + inspection.contacts.size()), "candidate") + ":"},
                 {too_many ? Swatch::none : Swatch::line, theme.candidate,

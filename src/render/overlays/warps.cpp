@@ -8,7 +8,7 @@
 //          █ _ █ █ │ █ _ █ _
 //          warp 0    warp 1
 //
-// The first warps are shown, all to one scale.
+// A few warps, evenly chosen among all, are shown to one scale.
 #include <cmath>
 #include <numeric>
 
@@ -58,6 +58,11 @@ void draw_lane(const WarpBox& warp, size_t lane, int work, Painter& painter) {
   }
 }
 
+std::vector<int> lanes_of(const std::vector<int>& work, size_t warp) {
+  const auto place = [&](size_t k) { return work.begin() + static_cast<ptrdiff_t>(std::min(k, work.size())); };
+  return {place(warp * kLanes), place((warp + 1) * kLanes)};
+}
+
 /// The share of the lanes' steps in which their threads walk.
 float busy_share(const std::vector<int>& lanes, int longest) {
   const int sum = std::accumulate(lanes.begin(), lanes.end(), 0);
@@ -80,17 +85,19 @@ void draw_warps(const FrameView& view, Painter& painter) {
   const float bottom = painter.take_strip(height + 2 * line + 3 * kPad * u) + kPad * u + height;
   const float lane = ((static_cast<float>(sheet.width()) - 2 * kMargin * u + kGap * u) / kMaxWarps - kGap * u) /
                      static_cast<float>(kLanes);
-  std::vector<int> first = work;
-  first.resize(std::min(work.size(), kMaxWarps * kLanes));
-  const int most = std::max(1, *std::max_element(first.begin(), first.end()));
+  std::vector<size_t> chosen;
+  int most = 1;
+  for (size_t k = 0; k < shown; ++k) {
+    chosen.push_back(all > shown ? (2 * k + 1) * all / (2 * shown) : k);
+    for (const int steps : lanes_of(work, chosen.back())) most = std::max(most, steps);
+  }
   const float step = std::min(height / static_cast<float>(most), 2 * lane);
-  for (size_t w = 0; w < shown; ++w) {
-    const size_t end = std::min(first.size(), (w + 1) * kLanes);
-    const std::vector<int> lanes(first.begin() + static_cast<ptrdiff_t>(w * kLanes),
-                                 first.begin() + static_cast<ptrdiff_t>(end));
-    const float left = kMargin * u + static_cast<float>(w) * (kLanes * lane + kGap * u);
+  for (size_t k = 0; k < shown; ++k) {
+    const size_t w = chosen[k];
+    const std::vector<int> lanes = lanes_of(work, w);
+    const float left = kMargin * u + static_cast<float>(k) * (kLanes * lane + kGap * u);
     const WarpBox warp{{left, bottom}, lane, step, *std::max_element(lanes.begin(), lanes.end())};
-    for (size_t k = 0; k < lanes.size(); ++k) draw_lane(warp, k, lanes[k], painter);
+    for (size_t at = 0; at < lanes.size(); ++at) draw_lane(warp, at, lanes[at], painter);
     const std::string text =
         phrase("warp {}: {} steps, {} % busy", w, warp.longest, std::lround(100 * busy_share(lanes, warp.longest)));
     const size_t comma = std::min(text.find(", "), text.size());  // the share is in a line of its own
@@ -102,7 +109,7 @@ void draw_warps(const FrameView& view, Painter& painter) {
   }
   painter.note({{Swatch::square, painter.theme.begin, translated("walks")},
                 {Swatch::pale, painter.theme.idle, translated("waits")}});
-  if (shown < all) painter.note(phrase("the first {} of {} warps", shown, all));
+  if (shown < all) painter.note(phrase("{} of {} warps", shown, all));
 }
 
 }  // namespace ballpit
