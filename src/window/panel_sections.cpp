@@ -20,6 +20,14 @@ namespace {
 constexpr std::array kFilmSizes{"640x360", "1280x720", "1920x1080", "3840x2160"};
 constexpr float kMaxFrames = 3600;
 
+/// The next button stays in the line of the item before if it fits there.
+void keep_line_for(const std::string& label) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = style.ItemSpacing.x + ImGui::CalcTextSize(label.c_str()).x + 2 * style.FramePadding.x;
+  const float right = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+  if (right + width <= ImGui::GetWindowContentRegionMax().x) ImGui::SameLine();
+}
+
 }  // namespace
 
 void Panel::draw_time(Demo& demo) {
@@ -64,15 +72,11 @@ void Panel::draw_time(Demo& demo) {
              {.low = 0.01f, .high = 10, .is_log = true, .shown = local_number(reached), .snaps = {0.1f, 0.5f, 1, 2}})) {
     demo.player.speed = speed;
   }
-  float right = 0;  // of the button before, in the window
   for (const PanelKey& key : keys) {
     if (!key.act) continue;
     const std::string label = translated(key.help);
-    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    const float start = right + ImGui::GetStyle().ItemSpacing.x;
-    if (right > 0 && start + width <= ImGui::GetWindowContentRegionMax().x) ImGui::SameLine();
+    keep_line_for(label);
     if (button("key " + key.name, label)) key.act();
-    right = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
   }
 }
 
@@ -192,8 +196,9 @@ void Panel::draw_scene(Demo& demo) {
 void Panel::draw_export() {
   heading("Export");
   if (button("save", translated("save picture"))) requests.picture = true;
-  ImGui::SameLine();
-  if (button("save state", translated("save state (CSV)"))) requests.state = true;
+  const std::string state = translated("save state (CSV)");
+  keep_line_for(state);
+  if (button("save state", state)) requests.state = true;
   combo("film size", "size of frames", requests.film_size, [&] {
     for (const std::string size : kFilmSizes) {
       if (entry("film size " + size, size, size == requests.film_size)) requests.film_size = size;

@@ -146,7 +146,7 @@ TEST_CASE("numbers are legible on the darkest and on the lightest colour of a sc
       const Vec2 at = place(view, inspection.bodies.position_of(body), kSize);
       const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
       const Vec3 fill = color_of(theme, marks[body]);
-      CHECK(most_contrast(image, y, x - 8, x + 8, fill) >= 0.75f * contrast(text_on(fill), fill));
+      CHECK(most_contrast(image, y, x - 8, x + 8, fill) >= kMinContrast);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/desk.h"
+#include "tests/support/in_german.h"
 #include "window/window.h"
 
 using namespace ballpit;
@@ -85,7 +86,9 @@ TEST_CASE("numbers of settings are written as people write them") {
   CHECK(shown("threads") == fmt::format("all ({})", std::thread::hardware_concurrency()));
 }
 
-TEST_CASE("no label of the panel is cut off, at any scale") {
+TEST_CASE("no label of the panel is cut off, at any scale, in both languages") {
+  std::optional<InGerman> in_german;
+  if (GENERATE(false, true)) in_german.emplace();
   for (const float scale : {0.5f, 1.0f, 2.0f, 3.0f}) {
     for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
       Desk desk("lecture-grid", width, height);
