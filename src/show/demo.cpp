@@ -187,9 +187,14 @@ PageView Demo::captioned() {
   const Report& last = report();
   const int64_t n = last.count;
   const std::string spheres = counted(n, "sphere"), contacts = counted(last.contacts, "contact");
-  page.caption = last.candidates == 0 ? phrase("{}, {}", spheres, contacts)
-                                      : phrase("{}: {} tests in place of {}, {}", spheres, grouped(last.candidates),
-                                               grouped(n * (n - 1) / 2), contacts);
+  if (session.settings().response == Response::event_driven) {
+    page.caption = phrase("{}: {} events so far", spheres, grouped(last.events));
+  } else if (last.candidates == 0) {
+    page.caption = phrase("{}, {}", spheres, contacts);
+  } else {
+    page.caption = phrase("{}: {} tests in place of {}, {}", spheres, grouped(last.candidates),
+                          grouped(n * (n - 1) / 2), contacts);
+  }
   return page;
 }
 

@@ -223,6 +223,11 @@ TEST_CASE("a caption names the scene and counts its tests, in the language set, 
   const std::string tests = std::to_string(demo.report().candidates);
   CHECK_THAT(view.page->caption, Catch::StartsWith("20 spheres: " + tests + " tests in place of 190, "));
   CHECK_FALSE(view.page->is_still);
+  demo.set("response", "event-driven");
+  demo.step();
+  CHECK_THAT(demo.frame_view(1.5f).page->caption, Catch::EndsWith(" events so far"));
+  demo.set("response", "impulse");
+  demo.step();
   const InGerman in_german;
   const FrameView german = demo.frame_view(1.5f);
   CHECK(german.page->title == demo.session.scene().title_de);
