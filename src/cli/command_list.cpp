@@ -96,9 +96,10 @@ Json json_of(std::span<const Backend> backends) {
 
 /// "Pressure [Pa; in the plane N/m]"
 std::string label_with_unit(const Observable& observable) {
-  const auto& [name, label, unit, planar, estimator, needs_tally, compute] = observable;
-  if (unit == "1") return std::string(label);
-  return fmt::format("{} [{}{}]", label, unit, planar == unit ? "" : fmt::format("; in the plane {}", planar));
+  const std::string_view unit = observable.unit, planar = observable.planar_unit;
+  if (unit == "1") return std::string(observable.label);
+  return fmt::format("{} [{}{}]", observable.label, unit,
+                     planar == unit ? "" : fmt::format("; in the plane {}", planar));
 }
 
 std::string text_of(std::span<const Backend> backends) {

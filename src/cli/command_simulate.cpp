@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ballpit simulate: no pictures; the final state, observables, a trajectory, and a summary.
+#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "scene/extended_xyz.h"
 #include "scene/read_scene.h"
 #include "scene/spheres_csv.h"
+#include "world/observer.h"
 
 namespace ballpit {
 
@@ -40,6 +42,9 @@ class SimulateCommand {
     command.add_path({"--out", "FILE", "write the final state there, as CSV"}, out_);
     command.add({"--observe", "A,B,…", "what to measure at the end: all, or some of " + join(names_in(observables()))},
                 [this](const std::string& text) { observables_ = parse_observables(text); });
+    command.add_number(
+        {"--observe-from", "SECONDS", "when observation begins: rates and ways are counted from then on", "0"},
+        observe_from_, Range{0.0, 1e9});
     command.add_path({"--trajectory", "FILE", "write frames there, as extended XYZ"}, trajectory_);
     command.add_number({"--every", "N", "steps from one frame of the trajectory to the next", "1"}, every_,
                        Range{1, 1'000'000'000});
@@ -51,9 +56,13 @@ class SimulateCommand {
     check_outputs();
     Session session(arguments_.scene, arguments_.given, need_tally(observables_));
     warn_of_small_cells(session.settings());
-    simulate(session, time_.value_or(session.scene().needs.duration));
+    const double time = time_.value_or(session.scene().needs.duration);
+    check_observation(time);
+    const bool follows_ways = std::ranges::any_of(observables_, &Observable::needs_ways);
+    Observer observer(session.scene().domain, observe_from_.value_or(0), follows_ways);
+    simulate(session, time, observer);
     if (!out_.empty()) write_spheres_csv(out_, session.world().bodies());
-    print_outcome(session);
+    print_outcome(session, observer);
   }
 
  private:
@@ -70,13 +79,24 @@ class SimulateCommand {
     reject_same_file("--trajectory", trajectory_, "SCENE", arguments_.scene);
   }
 
-  void simulate(Session& session, double time) const {
+  void check_observation(double time) const {
+    if (!observe_from_) return;
+    if (observables_.empty()) {
+      throw UserError("--observe-from", fmt::format("{} without --observe", number_text(*observe_from_)),
+                      "together with it");
+    }
+    if (*observe_from_ < time) return;
+    throw UserError("--observe-from", number_text(*observe_from_),
+                    fmt::format("less than {} s, the end", number_text(time)));
+  }
+
+  void simulate(Session& session, double time, Observer& observer) const {
     const int64_t steps = session.steps_until(time);
     catch_interrupts();  // so that the files are closed properly
     std::optional<ExtendedXyz> trajectory;
     if (!trajectory_.empty()) trajectory.emplace(trajectory_, session.scene().domain);
     try {
-      step_to(session, time, steps, trajectory);
+      step_to(session, time, steps, trajectory, observer);
     } catch (const Interrupted&) {
       // within a long step
     } catch (const RunError& error) {
@@ -92,28 +112,31 @@ class SimulateCommand {
   }
 
   /// Steps to the end, or until it is interrupted. The trajectory has the start, every so many steps, and the end.
-  void step_to(Session& session, double time, int64_t steps, std::optional<ExtendedXyz>& trajectory) const {
+  void step_to(Session& session, double time, int64_t steps, std::optional<ExtendedXyz>& trajectory,
+               Observer& observer) const {
     World& world = session.world();
     Progress progress("steps", steps);
     session.advance_to(time, [&] {
+      observer.look(world);
       if (trajectory && world.steps() % every_.value_or(1) == 0) trajectory->append(world.time(), world.bodies());
       progress.show(world.steps());
       return was_interrupted();
     });
+    observer.look(world);
     if (!trajectory || was_interrupted()) return;
     trajectory->append(world.time(), world.bodies());
     trajectory->finish();
   }
 
-  void print_outcome(Session& session) const {
-    const std::vector<Observed> observed = observe(session, observables_);
+  void print_outcome(Session& session, const Observer& observer) const {
+    const std::vector<Observed> observed = observe(session, observer, observables_);
     nlohmann::ordered_json json = json_of(session);
     if (!observed.empty()) json["observables"] = json_of(observed);
     print(json_, json, text_of(session) + text_of(observed));
   }
 
   SceneArguments arguments_;
-  std::optional<double> time_;  // [s]
+  std::optional<double> time_, observe_from_;  // [s]
   std::string out_, trajectory_;
   std::vector<Observable> observables_;
   std::optional<int> every_;

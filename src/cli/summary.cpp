@@ -110,12 +110,13 @@ bool need_tally(std::span<const Observable> wanted) {
   return std::any_of(wanted.begin(), wanted.end(), [](const Observable& o) { return o.needs_tally; });
 }
 
-std::vector<Observed> observe(Session& session, std::span<const Observable> wanted) {
+std::vector<Observed> observe(Session& session, const Observer& observer, std::span<const Observable> wanted) {
   if (wanted.empty()) return {};
   World& world = session.world();
-  const Observation observation{
-      session.scene().domain, world.bodies(), session.report(),
-      [&] { return deviation_of(world.inspect().contacts, contacts_by_other_method(session)).missed; }};
+  Observation observation = observer.observation(world, session.report());
+  observation.missed_contacts = [&] {
+    return deviation_of(world.inspect().contacts, contacts_by_other_method(session)).missed;
+  };
   std::vector<Observed> observed;
   for (const Observable& observable : wanted) {
     observed.push_back({observable.name, unit_of(observable, observation.domain), measure(observable, observation)});

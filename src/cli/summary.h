@@ -10,7 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "show/session.h"
-#include "world/observables.h"
+#include "world/observer.h"
 
 namespace ballpit {
 
@@ -35,7 +35,7 @@ struct Observed {
   ObservedValue value;
 };
 
-std::vector<Observed> observe(Session& session, std::span<const Observable> wanted);
+std::vector<Observed> observe(Session& session, const Observer& observer, std::span<const Observable> wanted);
 
 /// Value and unit of each by name; null, or "-", if there is no value.
 nlohmann::ordered_json json_of(std::span<const Observed> observed);

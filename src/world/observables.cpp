@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // In formulas: n spheres in d dimensions, m, v, y a sphere's mass, velocity and height, V the domain's volume (in the plane its
-// area), T the time since the start, ⟨…⟩ a mean over spheres.
+// area), T the time of observation, since the start or since --observe-from, ⟨…⟩ a mean over spheres.
 #include "world/observables.h"
 
 #include <algorithm>
@@ -76,6 +76,20 @@ double collisions_per_sphere(const Observation& o) {
 
 double collision_rate(const Observation& o) { return collisions_per_sphere(o) / o.report.time; }
 
+double mean_free_time(const Observation& o) { return 1 / collision_rate(o); }
+
+/// Einstein's relation (Allen and Tildesley 2017, section 2.7). In a periodic domain the mean way is that of the centre
+/// of mass, which is not diffusion.
+double diffusion(const Observation& o) {
+  if (o.domain.boundary != Boundary::periodic || o.ways.empty()) return kNone;
+  const double n = count_of(o);
+  Vec3d mean(0.0);
+  for (const Vec3d& way : o.ways) mean += way / n;
+  double sum = 0;
+  for (const Vec3d& way : o.ways) sum += dot(way - mean, way - mean);
+  return sum / n / (2 * o.domain.dimensions * o.report.time);
+}
+
 double floor_force(const Observation& o) {
   return o.domain.boundary == Boundary::periodic ? kNone : o.report.tally.floor_impulse / o.report.time;
 }
@@ -136,6 +150,12 @@ constexpr std::array kObservables{
                number<collisions_per_sphere>},
     Observable{"collision-rate", "Collision rate", "1/s", "1/s",
                "collisions per sphere / T: those of one sphere in a second", true, number<collision_rate>},
+    Observable{"mean-free-time", "Mean free time", "s", "s", "1/collision rate: between two collisions of a sphere",
+               true, number<mean_free_time>},
+    Observable{"diffusion", "Self-diffusion coefficient", "m²/s", "m²/s",
+               "⟨way²⟩/(2·d·T), the way being that of a sphere relative to the centre of mass; only in a periodic "
+               "domain",
+               false, number<diffusion>, true},
     Observable{
         "pressure", "Pressure", "Pa", "N/m",
         "(n·kT + W/(d·T))/V with the virial W = Σ over collisions of impulse · distance of the centres; kT of the "

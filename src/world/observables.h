@@ -11,7 +11,8 @@ namespace ballpit {
 struct Observation {
   Domain domain;
   Bodies bodies;                               ///< the present state
-  Report report;                               ///< of the same state
+  Report report;                               ///< of the same state; its time and tally are those of the observation
+  std::vector<Vec3d> ways{};                   ///< [m] that each sphere has moved in this time; empty: not followed
   std::function<int64_t()> missed_contacts{};  ///< searches for pairs in contact that the method did not find
 };
 
@@ -26,6 +27,7 @@ struct Observable {
   std::string_view estimator;    ///< one sentence: how the value is made
   bool needs_tally;
   ObservedValue (*compute)(const Observation&);  ///< not finite if there is no value
+  bool needs_ways = false;
 };
 
 std::span<const Observable> observables();

@@ -79,7 +79,7 @@ TEST_CASE("every observable has a name of its own, a label, units and a sentence
     CHECK(observable.estimator.size() > 2);
     CHECK(observable.compute != nullptr);
   }
-  CHECK(names.size() == 16);
+  CHECK(names.size() == 18);
 }
 
 TEST_CASE("observables that need no tally are the same with any tally, and the others are not") {
