@@ -157,6 +157,7 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   revealed_.clear();
   wanted_tab_.reset();
+  if (const auto act = std::exchange(chosen_, nullptr)) act();
 }
 
 void Panel::draw_panel(Demo& demo) {

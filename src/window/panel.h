@@ -163,6 +163,7 @@ class Panel {
   std::map<std::string, float> edited_;  // numbers that are being typed on sliders
   std::map<std::string, std::string> typed_;
   size_t charted_error_ = 0;  // of played_errors()
+  std::function<void()> chosen_;  // a key or page; acts after the frame, since it may replace the demonstration
   std::string hint_;
   float hint_left_ = 0, handle_left_ = 0;  // [s]
   Vec2 pointer_{-1e6f};

@@ -76,7 +76,7 @@ void Panel::draw_time(Demo& demo) {
     if (!key.act) continue;
     const std::string label = translated(key.help);
     keep_line_for(label);
-    if (button("key " + key.name, label)) key.act();
+    if (button("key " + key.name, label)) chosen_ = key.act;
   }
 }
 
@@ -224,7 +224,7 @@ void Panel::draw_pages() {
       if (entry("page " + std::to_string(number), text_of(number), number == pages.number)) chosen = number;
     }
   });
-  if (chosen > 0) pages.go_to(chosen);
+  if (chosen > 0) chosen_ = [go_to = pages.go_to, chosen] { go_to(chosen); };
 }
 
 void Panel::draw_keys(Demo& demo) {

@@ -291,10 +291,9 @@ const std::vector<Unreached>& unreached() {
 
 std::vector<Row> all_rows() {
   std::vector<Row> rows = rows_of_commands();
-  const std::vector<Row> scenes = rows_of_scenes();
-  rows.insert(rows.end(), scenes.begin(), scenes.end());
-  const std::vector<Row> lectures = rows_of_lectures();
-  rows.insert(rows.end(), lectures.begin(), lectures.end());
+  for (const std::vector<Row>& more : {rows_of_scenes(), rows_of_lectures()}) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
   return rows;
 }
 

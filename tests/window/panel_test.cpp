@@ -109,6 +109,22 @@ TEST_CASE("a lecture's pages are in a list of the panel") {
   CHECK(chosen == 3);
 }
 
+TEST_CASE("a key or a page chosen in the panel acts when the panel no longer needs the demonstration") {
+  // A lecture's page replaces it. "tab Numbers" is drawn after keys and pages.
+  Desk desk;
+  int acts = 0;
+  const auto act = [&] {
+    ++acts;
+    CHECK(desk.panel.items().contains("tab Numbers"));
+  };
+  desk.panel.keys = {{"N", "next", act}};
+  desk.panel.pages = {{"First", "Second"}, 1, [&](int) { act(); }};
+  desk.click("key N");
+  desk.click("page");
+  desk.click_at(desk.panel.items().at("page 2").middle());
+  CHECK(acts == 2);
+}
+
 TEST_CASE("a hint goes after some seconds, or after the first act") {
   Desk desk;
   desk.panel.hint("Space: play");
