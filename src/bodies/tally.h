@@ -13,6 +13,10 @@ struct Tally {
   int64_t collisions = 0;    ///< between spheres, each counted once
   double virial = 0;         ///< [J·s] Σ over collisions of Δp·d: the impulse times the distance of the centres
   double floor_impulse = 0;  ///< [kg·m/s] of spheres on the wall at min.y
+
+  Tally operator+(const Tally& o) const {
+    return {collisions + o.collisions, virial + o.virial, floor_impulse + o.floor_impulse};
+  }
 };
 
 /// The impulses that a response applies, noted for a tally; empty spans if no tally is kept.

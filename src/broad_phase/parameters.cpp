@@ -16,14 +16,7 @@ namespace {
 
 constexpr double kClassRatio = 2.5;  // of radii in a size class: fewer classes mean larger cells and more tests
 
-// Nanoseconds on one core, fitted to `ballpit pairs` on equal spheres. Only their rough ratios matter.
-constexpr double kVectorTest = 0.35;  // a test in a long range
-constexpr double kShortTest = 2.0;    // a test in a range of a few slots
-constexpr double kListTest = 4.0;     // a test in a linked list
-constexpr double kSort = 20.0;        // two endpoints sorted and numbered
-constexpr double kBin = 35.0;         // a body sorted by cell, gathered, and its ranges looked up
-constexpr double kLink = 90.0;        // a body linked, and the cells around it looked up
-constexpr double kCell = 0.6;         // a cell cleared and read
+constexpr double kCell = 0.6;  // [ns] a cell cleared and read
 
 struct Prediction {
   BroadPhase method;
@@ -43,24 +36,24 @@ double expected_in_block(const Box<V>& box, double count, double edge) {
 
 /// For all methods, the fastest first.
 template <class V>
-std::array<Prediction, 4> predict(const BroadPhaseParameters<V>& p) {
+std::array<Prediction, 4> predict(const BroadPhaseParameters<V>& p, const SearchCosts& costs) {
   const double n = double(p.count), cell_size = p.cell_size.value_or(1.0);
   double sorted_grid = 0, coarser = 0, diameter = 0, longest = 0;
   for (const SizeClass<V>& spheres : p.classes) {
     const double count = double(spheres.count), largest = double(spheres.largest), edge = 2 * largest * cell_size;
-    sorted_grid += count * kBin + count * kShortTest * expected_in_block(p.box, count, edge) / 2;
+    sorted_grid += count * costs.bin + count * costs.short_test * expected_in_block(p.box, count, edge) / 2;
     sorted_grid += std::min(cell_count(p.box, V(static_cast<Scalar<V>>(edge))), 6 * count) * kCell;
-    sorted_grid += coarser * kShortTest * expected_in_block(p.box, count, 4 * largest);
+    sorted_grid += coarser * costs.short_test * expected_in_block(p.box, count, 4 * largest);
     coarser += count;
     diameter += 1.5 * largest * count / n;
   }
   for (int axis = 0; axis < kDimensions<V>; ++axis) longest = std::max(longest, p.box.extent(axis));
-  const double sweep = n * (kSort + 40) + kVectorTest * n * std::min(n / 2, n * diameter / longest);
+  const double sweep = n * costs.sort + costs.vector_test * n * std::min(n / 2, n * diameter / longest);
   const double in_block = expected_in_block(p.box, n, 2 * double(p.largest_radius()) * cell_size);
   std::array predictions{Prediction{BroadPhase::sorted_grid, sorted_grid},
                          Prediction{BroadPhase::sort_and_sweep, sweep},
-                         Prediction{BroadPhase::linked_cell, n * kLink + n * kListTest * in_block},
-                         Prediction{BroadPhase::brute_force, n * 10 + kVectorTest * n * n / 2}};
+                         Prediction{BroadPhase::linked_cell, n * costs.link + n * costs.list_test * in_block},
+                         Prediction{BroadPhase::brute_force, n * costs.each + costs.vector_test * n * n / 2}};
   std::ranges::sort(predictions, {}, &Prediction::nanoseconds);
   return predictions;
 }
@@ -138,7 +131,7 @@ template <class V>
 BroadPhaseChoice choose_broad_phase(const Settings& settings, const BroadPhaseParameters<V>& parameters) {
   if (settings.broadphase != BroadPhase::automatic) return {settings.broadphase, ""};
   if (parameters.count < 2) return {BroadPhase::brute_force, "fewer than two spheres"};
-  const std::array<Prediction, 4> predictions = predict(parameters);
+  const std::array<Prediction, 4> predictions = predict(parameters, settings.costs);
   std::vector<std::string> times;
   for (const Prediction& p : predictions)
     times.push_back(fmt::format("{} {:.2g}", name_of(p.method), p.nanoseconds * 1e-6));

@@ -54,8 +54,10 @@ class RenderCommand {
     if (clicks_ && !has_panel_) throw UserError("--click", *clicks_ + " without --panel", "together with it");
 
     const auto [width, height] = size_;
-    Demo demo(arguments_.scene, arguments_.given);
-    warn_of_small_cells(demo.session.settings());
+    const std::filesystem::path kept = std::filesystem::path(out_) / "choice.json";
+    std::error_code ignored;
+    Demo demo(arguments_.scene, arguments_.given, resume_ && std::filesystem::exists(kept, ignored) ? kept : "");
+    warn_of_run(demo.session);
     demo.view = look_.view();
     demo.touch();
     Session& session = demo.session;
@@ -79,6 +81,9 @@ class RenderCommand {
     catch_interrupts();
     const auto start = std::chrono::steady_clock::now();
     Film film(demo, plan);
+    if (session.choice()) {
+      write_file(kept, json_of(*session.choice(), arguments_.scene, session.scene(), arguments_.given).dump(2) + "\n");
+    }
     Progress progress("frames", frames_);
     while (!film.is_done() && !was_interrupted()) {
       advance(film, session);

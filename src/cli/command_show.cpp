@@ -82,7 +82,7 @@ class ShowCommand {
       }
     }
     if (!demo) demo = std::make_unique<Demo>(arguments_.scene, arguments_.given);
-    warn_of_small_cells(demo->session.settings());
+    warn_of_run(demo->session);
     demo->view = look_.view(last ? last->view : View{.has_caption = true});
     demo->touch();
     if (!size_) size_ = last ? last->size : kSize;

@@ -55,7 +55,7 @@ class SimulateCommand {
   void run() {
     check_outputs();
     Session session(arguments_.scene, arguments_.given, need_tally(observables_));
-    warn_of_small_cells(session.settings());
+    warn_of_run(session);
     const double time = time_.value_or(session.scene().needs.duration);
     check_observation(time);
     const bool follows_ways = std::ranges::any_of(observables_, &Observable::needs_ways);
@@ -111,20 +111,31 @@ class SimulateCommand {
     }
   }
 
-  /// Steps to the end, or until it is interrupted. The trajectory has the start, every so many steps, and the end.
+  /// Steps to the end, or until it is interrupted. The trajectory has the start, every so many steps, and the end. What it
+  /// and the observer have seen stands: with --response auto the run never goes back beyond the last frame.
   void step_to(Session& session, double time, int64_t steps, std::optional<ExtendedXyz>& trajectory,
                Observer& observer) const {
-    World& world = session.world();
     Progress progress("steps", steps);
-    session.advance_to(time, [&] {
-      observer.look(world);
-      if (trajectory && world.steps() % every_.value_or(1) == 0) trajectory->append(world.time(), world.bodies());
-      progress.show(world.steps());
+    const double interval = every_.value_or(1) * session.settings().dt;
+    const std::string choice =
+        session.choice() ? typed(options_of(session.settings(), session.scene().defaults)) : std::string();
+    Observer good = observer;
+    const auto look = [&] {
+      observer.look(session.world());
+      progress.show(steps - session.steps_until(time));
       return was_interrupted();
-    });
-    observer.look(world);
+    };
+    for (int64_t frame = 0; trajectory && static_cast<double>(frame) * interval < time - interval / 2; ++frame) {
+      session.advance_to(static_cast<double>(frame) * interval, look, [&] { observer = good; });
+      if (was_interrupted()) return;
+      observer.look(session.world());
+      good = observer;
+      trajectory->append(session.world().time(), session.world().bodies(), frame == 0 ? choice : "");
+    }
+    session.advance_to(time, look, [&] { observer = good; });
+    observer.look(session.world());
     if (!trajectory || was_interrupted()) return;
-    trajectory->append(world.time(), world.bodies());
+    trajectory->append(session.world().time(), session.world().bodies(), trajectory->frames() == 0 ? choice : "");
     trajectory->finish();
   }
 
@@ -132,7 +143,9 @@ class SimulateCommand {
     const std::vector<Observed> observed = observe(session, observer, observables_);
     nlohmann::ordered_json json = json_of(session);
     if (!observed.empty()) json["observables"] = json_of(observed);
-    print(json_, json, text_of(session) + text_of(observed));
+    if (session.choice()) json["choice"] = json_of_choice(session, arguments_.scene);
+    const std::string why = session.choice() ? fmt::format("{:<18}{}\n", "chosen", session.choice()->reason) : "";
+    print(json_, json, text_of(session) + why + text_of(observed));
   }
 
   SceneArguments arguments_;

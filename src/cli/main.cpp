@@ -22,6 +22,8 @@ constexpr std::array kCommands {
       CommandEntry{"lecture", "a lecture, page by page; --export makes a handout", make_lecture_command},
       CommandEntry{"render", "draw a scene into PNG frames, without a window or a display", make_render_command},
       CommandEntry{"simulate", "no pictures: final state and summary", make_simulate_command},
+      CommandEntry{"choose", "the cheapest method that gives what the scene's [needs] ask for, and why",
+                   make_choose_command},
       CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file or a scene", make_pairs_command},
       CommandEntry{"bench", "time per step by method, backend, threads and number of spheres", make_bench_command},
 #if BALLPIT_HAS_LABORATORY

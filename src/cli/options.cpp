@@ -3,6 +3,7 @@
 
 #include "core/language.h"
 #include "render/overlays/overlay.h"
+#include "show/notes.h"
 
 namespace ballpit {
 
@@ -19,6 +20,14 @@ void add_settings(CommandOptions& command, const std::string& heading, std::vect
                   given.push_back({std::string(setting.name), text});
                 });
   }
+}
+
+void warn_of_run(Session& session) {
+  warn_of_small_cells(session.settings());
+  if (session.choice()) return;
+  Scene scene = session.scene();
+  scene.bodies = session.world().bodies();
+  for (const std::string& warning : warnings_of(scene, session.settings())) warn(session.scene().name, warning);
 }
 
 void SceneArguments::add_to(CommandOptions& command) {

@@ -10,6 +10,7 @@
 
 #include "cli/command_line.h"
 #include "scene/read_scene.h"
+#include "show/session.h"
 #include "show/view.h"
 
 namespace ballpit {
@@ -18,6 +19,9 @@ namespace ballpit {
 /// to `given`, in the order of their table.
 void add_settings(CommandOptions& command, const std::string& heading, std::vector<GivenOption>& given,
                   std::span<const std::string_view> names = {});
+
+/// Warns of cells that are too small, and by formula of a run that cannot work.
+void warn_of_run(Session& session);
 
 /// SCENE and all settings.
 struct SceneArguments {

@@ -24,6 +24,9 @@ nlohmann::ordered_json json_of(const std::vector<Stage>& stages);
 nlohmann::ordered_json json_of(Session& session);
 std::string text_of(Session& session);
 
+/// What --response auto has chosen, and the changes since: `choice` of ballpit choose, and `steps_up`.
+nlohmann::ordered_json json_of_choice(Session& session, std::string_view scene);
+
 /// The observables of a list "a,b,c", or "all". Throws UserError with the names that exist.
 std::vector<Observable> parse_observables(const std::string& text);
 

@@ -78,12 +78,16 @@ double EventDriven<V>::epoch_length(const Scene& scene) {
 }
 
 template <class V>
-void EventDriven<V>::run_until(double time) {
+void EventDriven<V>::run_until(double time, const std::function<bool()>& takes_too_long) {
   // `time` is converted again for each event: an event may begin a new epoch.
   for (int64_t k = 1; queue_.first_time() <= local(time); ++k) {
     next_event();
     settled_ = now_;
-    if (k % kEventsBetweenChecks == 0) stop_if_interrupted();
+    if (k % kEventsBetweenChecks != 0) continue;
+    stop_if_interrupted();
+    if (takes_too_long && takes_too_long()) {
+      throw RunError(fmt::format("t = {:g} s", settled_time()), "collisions follow each other so fast that a step takes too long");
+    }
   }
 }
 

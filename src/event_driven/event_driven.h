@@ -26,6 +26,8 @@
 // TC model: Luding, McNamara (1998), doi 10.1007/s100350050017.
 #pragma once
 
+#include <functional>
+
 #include "bodies/tally.h"
 #include "event_driven/cells.h"
 #include "event_driven/tournament.h"
@@ -63,8 +65,8 @@ class EventDriven {
 
   /// Handles all events up to `time` [s] since the start. Throws RunError, with sphere, event and time, if a sphere is
   /// not finite or outside the domain, or if collisions follow each other without end; it cannot continue then. Throws
-  /// Interrupted between two events; it can continue then.
-  void run_until(double time);
+  /// Interrupted between two events, or RunError once `takes_too_long` is true; it can continue then.
+  void run_until(double time, const std::function<bool()>& takes_too_long = {});
 
   /// [s] since the start: the latest event that was handled completely. The state at this time is valid, also after
   /// run_until() has thrown.

@@ -49,9 +49,11 @@ enum class SweepAxis { automatic, x, y, z };
 template <>
 inline constexpr auto kNames<SweepAxis> = in_order("auto", "x", "y", "z");
 
-enum class Response { kinematic, impulse, penalty, position_based, event_driven };
+/// automatic: the cheapest with which the scene shows what it needs (src/choose). Worlds are made of the others.
+enum class Response { automatic, kinematic, impulse, penalty, position_based, event_driven };
 template <>
-inline constexpr auto kNames<Response> = in_order("kinematic", "impulse", "penalty", "position-based", "event-driven");
+inline constexpr auto kNames<Response> = in_order("auto", "kinematic", "impulse", "penalty", "position-based",
+                                                  "event-driven");
 
 /// How the impulse response iterates.
 enum class Solver { jacobi, gauss_seidel };

@@ -26,6 +26,9 @@ constexpr std::array kMethods{
            "as sort-and-sweep; a thread per list entry, which walks the list", "slides 2 to 4", "", "axis"},
     Method{BroadPhase::lecture_linked_cell, "Linked cell, as on the slides", "cpu, cuda",
            "as linked-cell; contacts are appended by an atomic operation", "slides 8 to 17", "", "cell-size"},
+    Method{Response::automatic, "Cheapest that is good enough", "cpu, cuda", "chosen by [needs], with pilots",
+           "docs/choice.md", "exact, symplectic-euler, velocity-verlet, explicit-euler, rk4",
+           "iterations, solver, correction, contact-end, compliance, contact-duration, swept"},
     Method{Response::kinematic, "Kinematic", "cpu, cuda", "O(n + contacts)",
            "exercise sheet 2; plausible, not physical", "symplectic-euler", "swept"},
     Method{Response::impulse, "Impulse", "cpu, cuda", "O(n + contacts) an iteration",
@@ -90,7 +93,8 @@ std::string allowed_instead(Response response, std::string_view option, std::str
   if (refuses("precision", method.precisions)) return std::string(method.precisions) + with;
   std::vector<std::string_view> users;
   for (const Method& other : kMethods) {
-    if (other.family == Family::response && lists(other.options, option)) users.push_back(other.name);
+    const bool is_response = other.family == Family::response && other.name != name_of(Response::automatic);
+    if (is_response && lists(other.options, option)) users.push_back(other.name);
   }
   if (users.empty() || lists(method.options, option)) return "";
   return "with --response " + join(users) + ", not " + name;

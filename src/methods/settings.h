@@ -12,6 +12,18 @@
 
 namespace ballpit {
 
+/// What the parts of a search cost on one core [ns], by which --broadphase auto decides. The presets are those of an AMD
+/// EPYC core in single precision; measure/search_costs.h measures them here.
+struct SearchCosts {
+  double vector_test = 0.35;  ///< a test in a long range
+  double short_test = 2.0;    ///< a test in a range of a few slots
+  double list_test = 4.0;     ///< a test in a linked list
+  double sort = 60.0;         ///< of sort and sweep, for each body: two endpoints sorted and numbered, and its range
+  double bin = 35.0;          ///< a body sorted by cell, gathered, and its ranges looked up
+  double link = 90.0;         ///< a body linked, and the cells around it looked up
+  double each = 10.0;         ///< of brute force, for each body
+};
+
 struct Settings {
   BroadPhase broadphase = BroadPhase::linked_cell;
   std::optional<double> cell_size;  ///< in units of 2·r_max; empty: the method chooses, at least 1
@@ -36,7 +48,17 @@ struct Settings {
   std::optional<uint64_t> seed;
   double max_overlap = 1;    ///< of the smaller radius; more stops the run
   double max_energy = 10;    ///< of the energy at the start; more stops the run
-  bool keeps_tally = false;  ///< fill Report::tally; not an option, set if observables need it
+
+  // No options:
+  bool keeps_tally = false;  ///< fill Report::tally; set if observables need it
+  SearchCosts costs{};       ///< measured where --broadphase auto decides
+  double patience = 1e300;   ///< [s] of computing that a step of event-driven motion may take; more stops the run
+};
+
+/// An option as given: "dt", "0.01".
+struct GivenOption {
+  std::string name;
+  std::string value;
 };
 
 /// The skin of the candidate list. If none is set: a tenth if the program chooses the broad phase, else 0.

@@ -22,8 +22,8 @@ ExtendedXyz::~ExtendedXyz() {
   }
 }
 
-void ExtendedXyz::append(double time, const Bodies& bodies) {
-  append_header(time, bodies);
+void ExtendedXyz::append(double time, const Bodies& bodies, std::string_view note) {
+  append_header(time, bodies, note);
   for (size_t i = 0; i < bodies.position.size(); ++i) {
     const Vec3d &x = bodies.position[i], &v = bodies.velocity[i];
     buffer_ += "X ";  // ASE's name for something that is no chemical element; OVITO accepts any name
@@ -36,7 +36,7 @@ void ExtendedXyz::append(double time, const Bodies& bodies) {
   ++frames_;
 }
 
-void ExtendedXyz::append_header(double time, const Bodies& bodies) {
+void ExtendedXyz::append_header(double time, const Bodies& bodies, std::string_view note) {
   const bool is_planar = domain_.dimensions == 2, is_periodic = domain_.boundary == Boundary::periodic;
   Vec3d origin = domain_.min, size = domain_.max - domain_.min;
   if (is_planar) {  // the thickness of the spheres: the readers refuse a cell without volume
@@ -49,7 +49,8 @@ void ExtendedXyz::append_header(double time, const Bodies& bodies) {
   append_numbers(buffer_, {origin.x, origin.y, origin.z});
   buffer_ += "\" Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3:mass:R:1 Time=";
   append_number(buffer_, time);
-  buffer_ += !is_periodic ? " pbc=\"F F F\"\n" : is_planar ? " pbc=\"T T F\"\n" : " pbc=\"T T T\"\n";
+  buffer_ += !is_periodic ? " pbc=\"F F F\"" : is_planar ? " pbc=\"T T F\"" : " pbc=\"T T T\"";
+  buffer_ += note.empty() ? "\n" : fmt::format(" choice=\"{}\"\n", note);
 }
 
 void ExtendedXyz::flush() {

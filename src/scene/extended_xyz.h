@@ -24,8 +24,9 @@ class ExtendedXyz {
   ExtendedXyz(const ExtendedXyz&) = delete;
   ExtendedXyz& operator=(const ExtendedXyz&) = delete;
 
-  /// Appends the state at `time` [s]. If it fails, finish() still writes the earlier frames.
-  void append(double time, const Bodies& bodies);
+  /// Appends the state at `time` [s]. If it fails, finish() still writes the earlier frames. `note` is printable text
+  /// without quotes, which becomes a key of its own.
+  void append(double time, const Bodies& bodies, std::string_view note = "");
 
   /// Gives the file its name; makes no file without frames. Do not append after it.
   void finish();
@@ -33,7 +34,7 @@ class ExtendedXyz {
   int64_t frames() const { return frames_; }  ///< complete ones
 
  private:
-  void append_header(double time, const Bodies& bodies);
+  void append_header(double time, const Bodies& bodies, std::string_view note);
   void flush();
 
   Domain domain_;

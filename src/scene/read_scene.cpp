@@ -228,6 +228,7 @@ Scene read_values(const TableReader& root, const SceneOverrides& overrides) {
   scene.physics = read_physics(root, scene.domain.dimensions);
   scene.needs = read_needs(root);
   scene.defaults = read_defaults(root);
+  scene.because = read_because(root);
   const auto seed = default_integer(root, "seed", std::numeric_limits<int64_t>::max());
   scene.seed = overrides.seed.value_or(static_cast<uint64_t>(seed.value_or(1)));
   return scene;

@@ -103,14 +103,33 @@ Physics read_physics(const TableReader& root, int dimensions) {
 
 Needs read_needs(const TableReader& root) {
   Needs needs;
-  const auto reader =
-      root.section("needs", {"duration", "max_overlap", "energy_tolerance", "momentum_tolerance", "max_speed"});
+  const auto reader = root.section("needs", {"duration", "max_overlap", "max_overlap_ever", "energy_tolerance",
+                                             "momentum_tolerance", "max_speed", "path_tolerance", "effects",
+                                             "observables"});
+  needs.are_declared = root.has("needs");
   set_if(needs.duration, reader.number("duration", kNotNegative));
   needs.max_overlap = reader.number("max_overlap", kNotNegative);
+  needs.max_overlap_ever = reader.number("max_overlap_ever", kNotNegative);
   needs.energy_tolerance = reader.number("energy_tolerance", kNotNegative);
   needs.momentum_tolerance = reader.number("momentum_tolerance", kNotNegative);
   needs.max_speed = reader.number("max_speed", kNotNegative);
+  needs.path_tolerance = reader.number("path_tolerance", kNotNegative);
+  for (const size_t effect : reader.choices("effects", kEffectNames)) {
+    if (!needs.has(static_cast<Effect>(effect))) needs.effects.push_back(static_cast<Effect>(effect));
+  }
+  if (needs.path_tolerance && !needs.has(Effect::paths)) needs.effects.push_back(Effect::paths);
+  const auto wanted = reader.section("observables", {});
+  for (const auto& [key, node] : wanted.table()) {
+    const std::string name(key.str());
+    const double tolerance = *wanted.number(name, kNotNegative);
+    const Place place = wanted.place(name);
+    needs.observables.push_back({name, tolerance, fmt::format("{}:{}: [needs.observables] {}", place.file, place.line, name)});
+  }
   return needs;
+}
+
+std::string read_because(const TableReader& root) {
+  return root.section("defaults", {}).text("because").value_or("");
 }
 
 std::vector<DefaultOption> read_defaults(const TableReader& root, std::string_view section) {
@@ -118,6 +137,7 @@ std::vector<DefaultOption> read_defaults(const TableReader& root, std::string_vi
   const auto reader = root.section(section, {});
   for (const auto& [key, node] : reader.table()) {
     const std::string name(key.str());
+    if (section == "defaults" && name == "because") continue;  // read_because()
     const std::optional<std::string> value = typed(node);
     if (!value) throw reader.error(name, describe(node), "a number, a text in quotes, true or false");
     const Place place = reader.place(name);

@@ -13,8 +13,11 @@ Domain read_domain(const TableReader& root);
 Physics read_physics(const TableReader& root, int dimensions);
 Needs read_needs(const TableReader& root);
 
-/// Options as text, as on the command line. The caller checks whether they exist.
+/// Options as text, as on the command line, without `because`. The caller checks whether they exist.
 std::vector<DefaultOption> read_defaults(const TableReader& root, std::string_view section = "defaults");
+
+/// Why the scene has these defaults, `because`; empty if it does not say.
+std::string read_because(const TableReader& root);
 
 /// Appends the [[spheres]] tables to `scene.bodies`; returns their lines.
 SphereLines read_spheres(const TableReader& root, Scene& scene);

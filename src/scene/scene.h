@@ -3,9 +3,11 @@
 // the simulation rounds it to its own precision. read_scene() reads it from TOML.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/math.h"
@@ -67,13 +69,44 @@ struct DefaultOption {
   std::string where;  ///< "file.toml:12: [defaults] broadphase"
 };
 
-/// The conditions at the end of a run; tests check them for every built-in scene.
+/// What a scene must show, apart from figures. It rules out methods that cannot show it (docs/choice.md).
+enum class Effect {
+  resting,         ///< contacts that last
+  contact_time,    ///< contacts of finite duration: springs, waves, how a cradle splits
+  paths,           ///< where each sphere is, not only statistics
+  momentum_order,  ///< one hit after another
+  kinematic        ///< motion that only looks plausible is enough
+};
+inline constexpr std::array<std::string_view, 5> kEffectNames{"resting", "contact-time", "paths", "momentum-order",
+                                                              "kinematic"};
+
+/// An entry of [needs.observables].
+struct NeededObservable {
+  std::string name;    ///< as in the table of observables
+  double tolerance;    ///< largest allowed relative error
+  std::string where;   ///< "file.toml:12: [needs.observables] pressure", for errors
+};
+
+/// What a scene asks for: conditions at the end of a run, which tests check for every built-in scene, and some during
+/// it. Tolerances are upper bounds.
 struct Needs {
-  double duration = 10.0;                  ///< [s]
-  std::optional<double> max_overlap;       ///< largest overlap allowed at the end, as a fraction of the smaller radius
-  std::optional<double> energy_tolerance;  ///< largest allowed |E − E₀| / E₀
+  bool are_declared = false;                 ///< the file has a section [needs]
+  double duration = 10.0;                    ///< [s]
+  std::optional<double> max_overlap;         ///< largest at the end, as a fraction of the smaller radius
+  std::optional<double> max_overlap_ever;    ///< largest during the run, as a fraction of the smaller radius
+  std::optional<double> energy_tolerance;    ///< largest allowed |E − E₀| / E₀, above the bottom of the domain
   std::optional<double> momentum_tolerance;  ///< largest allowed |P − P₀| / Σ m·|v₀|
   std::optional<double> max_speed;           ///< [m/s] largest RMS speed allowed at the end
+  std::optional<double> path_tolerance;      ///< [radii] largest median distance from the true paths at the end
+  std::vector<Effect> effects{};
+  std::vector<NeededObservable> observables{};
+
+  bool has(Effect effect) const {
+    for (const Effect e : effects) {
+      if (e == effect) return true;
+    }
+    return false;
+  }
 };
 
 /// The texts of a scene in a list.
@@ -90,6 +123,7 @@ struct Scene : SceneInfo {
   Physics physics;
   Bodies bodies;
   std::vector<DefaultOption> defaults;
+  std::string because{};  ///< [defaults] because: why these options, where cheaper ones would do
   Needs needs;
   uint64_t seed = 1;                 ///< of the random spheres
   std::vector<std::string> notes{};  ///< for the user: "state.csv: 3 of 10 spheres …"

@@ -91,6 +91,19 @@ std::optional<size_t> TableReader::choice(std::string_view key, std::span<const 
   return static_cast<size_t>(found - names.begin());
 }
 
+std::vector<size_t> TableReader::choices(std::string_view key, std::span<const std::string_view> names) const {
+  std::vector<size_t> result;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return result;
+  if (!node->is_array()) throw error(key, describe(*node), "an array of texts: some of " + join(names));
+  for (const toml::node& element : *node->as_array()) {
+    const auto found = std::find(names.begin(), names.end(), element.value_or(std::string_view()));
+    if (found == names.end()) throw error(key, describe(element), join(names));
+    result.push_back(static_cast<size_t>(found - names.begin()));
+  }
+  return result;
+}
+
 std::optional<Vec3d> TableReader::vector(std::string_view key, int dimensions, const Limits& limits) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;
@@ -141,7 +154,8 @@ TableReader TableReader::section(std::string_view key, Keys keys) const {
   static const toml::table kEmpty;
   const toml::node* node = table_.get(key);
   if (node == nullptr) return nested(kEmpty, "", keys);
-  const std::string label = fmt::format("[{}]", key);
+  const std::string outer = label_.empty() ? "" : label_.substr(1, label_.size() - 2) + ".";
+  const std::string label = fmt::format("[{}{}]", outer, key);
   if (!node->is_table()) throw error(key, describe(*node), "a table " + label);
   return nested(*node->as_table(), label, keys);
 }

@@ -40,6 +40,8 @@ class TableReader {
   std::optional<std::string> text(std::string_view key) const;
   /// The index of the value among `names`.
   std::optional<size_t> choice(std::string_view key, std::span<const std::string_view> names) const;
+  /// The indices of the values of an array; empty if the table lacks the key.
+  std::vector<size_t> choices(std::string_view key, std::span<const std::string_view> names) const;
   /// `dimensions` numbers, or three; in planar scenes z is 0.
   std::optional<Vec3d> vector(std::string_view key, int dimensions, const Limits& limits) const;
   /// A number, or an array of two in order.

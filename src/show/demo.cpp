@@ -29,7 +29,10 @@ float typical_speed(const Scene& scene) {
 
 }  // namespace
 
-Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given) : session(scene, given) { begin_world(); }
+Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given, const std::filesystem::path& kept)
+    : session(scene, given, false, kept) {
+  begin_world();
+}
 
 void Demo::begin_world() {
   touch();
@@ -108,6 +111,12 @@ void Demo::load(const std::string& scene) {
 
 void Demo::step() {
   attempt([&] { player.step(*timeline); });
+}
+
+void Demo::advance_to(double time, const std::function<bool()>& stop) {
+  const World* const before = &session.world();
+  session.advance_to(time, stop);
+  if (&session.world() != before) begin_world();
 }
 
 void Demo::go_to(int64_t step) {

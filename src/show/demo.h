@@ -40,7 +40,7 @@ std::span<const Key> key_table();
 class Demo {
  public:
   /// Throws UserError as Session does.
-  Demo(std::string_view scene, const std::vector<GivenOption>& given);
+  Demo(std::string_view scene, const std::vector<GivenOption>& given, const std::filesystem::path& kept = {});
 
   Session session;
   Player player;
@@ -66,6 +66,9 @@ class Demo {
 
   /// Plays for `elapsed` [s]; see Player::advance().
   void advance(double elapsed, double share) { player.advance(*timeline, elapsed, share); }
+
+  /// Steps to `time` [s] as Session::advance_to() does.
+  void advance_to(double time, const std::function<bool()>& stop);
 
   /// The latest line for the audience.
   const std::string& message() const { return message_; }

@@ -82,7 +82,7 @@ bool Film::advance(const std::function<bool()>& stop) {
   Session& session = demo_.session;
   const double time = plan.from + next() * plan.interval;
   while (plan.keeps_timeline && session.steps_until(time) > 0 && !stop()) demo_.timeline->step();
-  session.advance_to(time, stop);
+  demo_.advance_to(time, stop);
   return session.steps_until(time) == 0;
 }
 

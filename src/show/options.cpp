@@ -63,6 +63,7 @@ void apply_given(Settings& settings, const std::vector<GivenOption>& given) {
 
 void check_given(const Settings& settings, const std::vector<GivenOption>& given) {
   for (const GivenOption& option : given) {
+    if (option.name == "response") continue;
     const std::string allowed = allowed_instead(settings.response, option.name, option.value);
     if (!allowed.empty()) throw UserError("--" + option.name, option.value, allowed);
   }

@@ -54,12 +54,6 @@ std::string text_of(PictureSize size);
 /// "1280x720". Throws UserError.
 PictureSize parse_size(const std::string& text);
 
-/// An option as given: "dt", "0.01".
-struct GivenOption {
-  std::string name;
-  std::string value;
-};
-
 /// Applies them in their order. Throws UserError naming the option.
 void apply_given(Settings& settings, const std::vector<GivenOption>& given);
 

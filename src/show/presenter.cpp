@@ -84,7 +84,7 @@ void Presenter::prepare() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > patience;
   };
   attempt([&] {
-    if (failure_.empty()) demo_->session.advance_to(page().time, is_over);
+    if (failure_.empty()) demo_->advance_to(page().time, is_over);
     if (failure_.empty() && is_over()) return;
     is_ready_ = true;
     if (failure_.empty() && page().kernel) record();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "measure/search_costs.h"
 #include "methods/methods.h"
 #include "scene/read_scene.h"
 #include "scene/spheres_csv.h"
@@ -31,33 +32,60 @@ Backend select_backend(BackendName name, Response response) {
   throw UserError("--backend", "cuda, which cannot serve here: " + cuda.unavailable_reason, "auto, cpu");
 }
 
-Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally)
+Session::Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally,
+                 const std::filesystem::path& kept)
     : keeps_tally_(keeps_tally) {
-  start(std::string(scene), given);
+  start(std::string(scene), given, kept);
 }
 
-void Session::start(std::string name, std::vector<GivenOption> given) {
+void Session::start(std::string name, std::vector<GivenOption> given, const std::filesystem::path& kept) {
   Settings overrides;
   apply_given(overrides, given);
   Scene scene = load_scene(name, {overrides.count, overrides.seed});
-  const Settings settings = combine(scene.defaults, given);
+  choice_.reset();
+  watch_.reset();
+  if (!kept.empty()) choice_ = read_choice(kept, scene, given);
+  const Settings settings = resolve(scene, given);
   const std::vector<std::string> notes = std::exchange(scene.notes, {});
+  const Scene whole = choice_ ? scene : Scene{};
   use(std::move(scene), settings);
   if (name != scene_name_) print_warnings(notes);  // not again when the scene is filled again
   scene_name_ = std::move(name);
   given_ = std::move(given);
-  time_before_ = 0;
+  start_time_ = 0;
+  steps_up_.clear();
+  if (choice_) watch_.emplace(whole, *choice_, *world_);
 }
 
 void Session::take(std::vector<GivenOption> given, const Physics& physics) {
-  const Settings settings = combine(scene_.defaults, given);
   Scene scene = scene_;
   scene.physics = physics;
   scene.bodies = world_->bodies();
-  const double now = time();
-  use(std::move(scene), settings);
+  const Settings settings = resolve(scene, given);
+  go_on_with(std::move(scene), settings, time());
   given_ = std::move(given);
-  time_before_ = now;
+  watch_.reset();  // of a run whose settings a person changes
+}
+
+/// The settings in use: those of the choice where the response is automatic.
+Settings Session::resolve(const Scene& scene, const std::vector<GivenOption>& given) {
+  Settings settings = combine(scene.defaults, given);
+  if (settings.response == Response::automatic) {
+    if (!choice_) choice_ = choose({scene, given});
+    if (!choice_->chosen) throw RunError(scene.name, choice_->reason);
+    settings = choice_->chosen->settings;
+    for (const GivenOption& option : given) {
+      if (option.name != "response") apply_setting(settings, option.name, option.value, "--" + option.name);
+    }
+    check_given(settings, given);
+    return settings;
+  }
+  choice_.reset();
+  if (settings.broadphase == BroadPhase::automatic) {
+    const Backend backend = select_backend(settings.backend, settings.response);
+    settings.costs = search_costs(backend, precision_of(settings));
+  }
+  return settings;
 }
 
 void Session::use(Scene scene, const Settings& settings) {
@@ -75,9 +103,53 @@ void Session::use(Scene scene, const Settings& settings) {
   scene_.bodies = {};  // the world has them now
 }
 
+/// A new world goes on from `time` [s] with the tally of the present one.
+void Session::go_on_with(Scene scene, const Settings& settings, double time) {
+  const Tally tally = keeps_tally_ ? world_->report().tally : Tally{};
+  use(std::move(scene), settings);
+  world_->go_on_from(time, tally);
+  start_time_ = time;
+  report_.reset();
+}
+
+void Session::advance_to(double end, const std::function<bool()>& stop, const std::function<void()>& went_back) {
+  if (watch_) watch_->accept(*world_);
+  while (steps_until(end) > 0 && !stop()) {
+    std::string breach;
+    try {
+      world_->step();
+      const bool is_seen = watch_ && (watch_->is_due(*world_) || steps_until(end) <= 0);
+      if (is_seen) breach = watch_->breach(*world_, settings_);
+      if (is_seen && breach.empty()) watch_->accept(*world_);
+    } catch (const RunError& error) {
+      if (!watch_) throw;
+      breach = error.what();
+    }
+    if (breach.empty()) continue;
+    step_up(breach);
+    if (went_back) went_back();
+  }
+}
+
+/// Goes back to the last good state, and on with dearer settings.
+void Session::step_up(const std::string& breach) {
+  const std::string when = fmt::format("t = {:g} s: {}", time(), breach);
+  watch_->go_back(*world_);
+  const std::optional<Settings> next = watch_->next();
+  if (!next) throw RunError(scene_.name, when, "no dearer settings are left that were found to hold");
+  Scene scene = scene_;
+  scene.bodies = world_->bodies();
+  const double now = time();
+  note("--response auto", fmt::format("{}; goes on from t = {:g} s with {}", when, now,
+                                       typed(options_of(*next, scene.defaults))));
+  steps_up_.push_back({now, when, *next});
+  go_on_with(std::move(scene), *next, now);
+  watch_->accept(*world_);
+}
+
 /// Changes the detection of the present world. Returns false if a new world is needed.
 bool Session::detect_by(const std::vector<GivenOption>& given) {
-  Settings settings = combine(scene_.defaults, given);
+  Settings settings = resolve(scene_, given);
   settings.keeps_tally = keeps_tally_;
   if (!world_->detect_by(settings)) return false;
   settings_ = settings;
@@ -98,12 +170,19 @@ void Session::set(const std::string& name, const std::string& value) {
     if (option.name != name && fits) given.push_back(option);
   }
   if (!value.empty()) given.push_back({name, value});
-  if (name == "count" || name == "seed") {
-    start(scene_name_, given);
-  } else if (is_of_detection(name) && detect_by(given)) {
-    given_ = std::move(given);
-  } else {
-    take(given, scene_.physics);
+  const std::optional<Choice> choice = choice_;
+  try {
+    if (name == "response") choice_.reset();  // it is made again if it is wanted
+    if (name == "count" || name == "seed") {
+      start(scene_name_, given);
+    } else if (is_of_detection(name) && detect_by(given)) {
+      given_ = std::move(given);
+    } else {
+      take(given, scene_.physics);
+    }
+  } catch (...) {
+    choice_ = choice;
+    throw;
   }
 }
 
@@ -119,7 +198,7 @@ void Session::load(const std::string& scene) {
 
 int64_t Session::steps_until(double time) const {
   constexpr double kMaxSteps = 1e15;  // more would never end, and could not be counted exactly
-  const double steps = time / settings_.dt;
+  const double steps = (time - start_time_) / settings_.dt;
   if (!(steps <= kMaxSteps)) {
     throw UserError("--dt", fmt::format("{:g}, which makes {:g} steps of {:g} s", settings_.dt, steps, time),
                     fmt::format("{:g} steps", kMaxSteps));

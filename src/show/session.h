@@ -8,8 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "choose/record.h"
+#include "choose/watch.h"
 #include "show/options.h"
-#include "world/world.h"
 
 namespace ballpit {
 
@@ -21,7 +22,9 @@ class Session {
  public:
   /// Loads a scene and makes its world. Options given override the scene's [defaults], which override the program's
   /// defaults. `keeps_tally`: the world counts collisions. Throws UserError for anything that is not allowed.
-  Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally = false);
+  /// `kept` is what an earlier run with --response auto has chosen; empty: it is chosen here.
+  Session(std::string_view scene, const std::vector<GivenOption>& given, bool keeps_tally = false,
+          const std::filesystem::path& kept = {});
 
   /// Sets an option, or resets it to the default if `value` is empty. Options of the detection change in the same
   /// world. With any other option a new world goes on from the present state; count and seed fill the scene again. A
@@ -35,13 +38,12 @@ class Session {
   /// Starts the scene again, with the same options, or another scene, with the same backend and threads.
   void load(const std::string& scene);
 
-  double time() const { return time_before_ + world_->time(); }  ///< [s] since the scene's start
+  double time() const { return world_->time(); }  ///< [s] since the scene's start
 
-  /// Steps until the state nearest to `time` [s], or until stop() is true. Throws as World::step() does.
-  template <class Stop>
-  void advance_to(double time, Stop&& stop) {
-    while (steps_until(time) > 0 && !stop()) world_->step();
-  }
+  /// Steps until the state nearest to `time` [s], or until stop() is true. With --response auto the run may go back in time
+  /// before it is there, and on with other settings; it calls `went_back` then. Throws as World::step() does, and RunError
+  /// if no settings are left that hold what the scene needs.
+  void advance_to(double time, const std::function<bool()>& stop, const std::function<void()>& went_back = {});
 
   /// Steps from here to the state nearest to `time`. Throws UserError for too many to be counted.
   int64_t steps_until(double time) const;
@@ -51,6 +53,17 @@ class Session {
   const std::vector<GivenOption>& given() const { return given_; }  ///< options that override the scene's
   const Settings& settings() const { return settings_; }
   const std::string& backend() const { return backend_; }  ///< in use: never "auto"
+
+  /// What --response auto has chosen; null without it.
+  const Choice* choice() const { return choice_ ? &*choice_ : nullptr; }
+
+  /// A change of settings while --response auto runs.
+  struct StepUp {
+    double time;         ///< [s] to which the run went back
+    std::string reason;  ///< what was broken, and when
+    Settings settings;   ///< from then on
+  };
+  const std::vector<StepUp>& steps_up() const { return steps_up_; }
   World& world() { return *world_; }
   const World& world() const { return *world_; }
 
@@ -58,19 +71,25 @@ class Session {
   const Report& report();
 
  private:
-  void start(std::string scene, std::vector<GivenOption> given);
+  void start(std::string scene, std::vector<GivenOption> given, const std::filesystem::path& kept = {});
   bool detect_by(const std::vector<GivenOption>& given);
   void use(Scene scene, const Settings& settings);
+  void go_on_with(Scene scene, const Settings& settings, double time);
+  Settings resolve(const Scene& scene, const std::vector<GivenOption>& given);
+  void step_up(const std::string& reason);
 
   std::string scene_name_;
   std::vector<GivenOption> given_;
   bool keeps_tally_;
-  double time_before_ = 0;  // [s] simulated by earlier worlds
+  double start_time_ = 0;  // [s] at which the present world began
   Scene scene_;
   Settings settings_;
   std::string backend_;
   std::unique_ptr<World> world_;
   std::optional<Report> report_;  // the last one of this world
+  std::optional<Choice> choice_;
+  std::optional<Watch> watch_;
+  std::vector<StepUp> steps_up_;
 };
 
 /// Writes the last good state of a run that failed to `path`. Returns "the last good state, of t = 0.32 s, is in FILE",

@@ -17,13 +17,16 @@ template <class V>
 class EventDrivenWorld final : public World {
  public:
   EventDrivenWorld(const Scene& scene, const Settings& settings)
-      : dt_(settings.dt), motion_(scene, rules(scene, settings)) {}
+      : dt_(settings.dt), patience_(settings.patience), motion_(scene, rules(scene, settings)) {}
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
+    const auto takes_too_long = [&] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > patience_;
+    };
     const double end = static_cast<double>(steps_ + 1) * dt_;
     try {
-      motion_.run_until(end);
+      motion_.run_until(end, takes_too_long);
     } catch (...) {
       time_ = std::max(time_, motion_.settled_time());
       throw;
@@ -64,7 +67,7 @@ class EventDrivenWorld final : public World {
     report.detection_bytes = motion_.bytes();
     report.candidates = motion_.predictions();
     report.events = motion_.events();
-    report.tally = motion_.tally();
+    report.tally = tally_before_ + motion_.tally();
     for (const auto& [pair, gap] : contacts()) {
       ++report.contacts;
       report.max_overlap = std::max(report.max_overlap, -gap / smaller_radius(pair));
@@ -110,7 +113,12 @@ class EventDrivenWorld final : public World {
   }
 
   int64_t steps() const override { return steps_; }
-  double time() const override { return time_; }
+  double time() const override { return start_time_ + time_; }
+
+  void go_on_from(double time, const Tally& tally) override {
+    start_time_ = time;
+    tally_before_ = tally;
+  }
 
  private:
   /// The whole motion with forecasts and queue, since the latest event of each sphere determines later bits.
@@ -132,8 +140,8 @@ class EventDrivenWorld final : public World {
             .contact_duration = settings.contact_duration};
   }
 
-  V position(int i) const { return motion_.rules().box.wrap(motion_.position_at(time(), i)); }
-  V velocity(int i) const { return motion_.velocity_at(time(), i); }
+  V position(int i) const { return motion_.rules().box.wrap(motion_.position_at(time_, i)); }
+  V velocity(int i) const { return motion_.velocity_at(time_, i); }
 
   double smaller_radius(const Pair& pair) const { return std::min(motion_.radius(pair.i), motion_.radius(pair.j)); }
 
@@ -153,7 +161,7 @@ class EventDrivenWorld final : public World {
   std::vector<std::pair<Pair, double>> contacts() const {
     std::vector<std::pair<Pair, double>> contacts;
     for_each_neighbor([&](const Pair& pair, const Neighbor& neighbor) {
-      const V p = motion_.position_at(time(), pair.i), other = motion_.position_at(time(), pair.j);
+      const V p = motion_.position_at(time_, pair.i), other = motion_.position_at(time_, pair.j);
       const double radii = motion_.radius(pair.i) + motion_.radius(pair.j);
       const double gap = length(other + motion_.cells().shift(neighbor) - p) - radii;
       if (gap <= kTouching * smaller_radius(pair)) contacts.emplace_back(pair, gap);
@@ -198,11 +206,12 @@ class EventDrivenWorld final : public World {
     return result;
   }
 
-  double dt_;  // [s]
+  double dt_, patience_;  // [s]
   EventDriven<V> motion_;
   int64_t steps_ = 0;
-  double time_ = 0;  // [s] of the present state: the end of the last step, or the moment at which it stopped
-  double seconds_ = 0;
+  double time_ = 0;  // [s] since its own start: the end of the last step, or the moment at which it stopped
+  double start_time_ = 0, seconds_ = 0;  // [s]
+  Tally tally_before_;
 };
 
 }  // namespace

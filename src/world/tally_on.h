@@ -74,6 +74,7 @@ class TallyKeeper {
   }
 
   const Tally& tally() const { return tally_; }
+  void go_on_from(const Tally& tally) { tally_ = tally; }
   int64_t bytes() const { return contact_.bytes() + floor_.bytes() + before_.bytes(); }
 
  private:

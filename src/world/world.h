@@ -80,8 +80,11 @@ class World {
   /// Restores a state, also after step() has thrown. The run goes on bit-identically. Time spent stays counted.
   virtual void restore(const Snapshot& snapshot) = 0;
 
-  virtual int64_t steps() const = 0;
-  virtual double time() const = 0;  ///< [s]
+  virtual int64_t steps() const = 0;  ///< of this world
+  virtual double time() const = 0;    ///< [s]
+
+  /// Call before the first step: this world goes on from another one, which ended at this time [s] with this tally.
+  virtual void go_on_from(double time, const Tally& tally) = 0;
 };
 
 /// A processor on which worlds run.

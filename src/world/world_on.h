@@ -141,7 +141,12 @@ class WorldOn final : public World {
   }
 
   int64_t steps() const override { return steps_; }
-  double time() const override { return static_cast<double>(steps_) * dt_; }
+  double time() const override { return start_time_ + static_cast<double>(steps_) * dt_; }
+
+  void go_on_from(double time, const Tally& tally) override {
+    start_time_ = time;
+    world_.tally.go_on_from(tally);
+  }
 
  private:
   Collider<V, Exec> make_collider(const Settings& settings) const {
@@ -188,7 +193,7 @@ class WorldOn final : public World {
   WorldParts<V, Exec> world_;
   BodyStore<V, Exec>& bodies_ = world_.bodies;
   int64_t steps_ = 0;
-  double seconds_ = 0;
+  double start_time_ = 0, seconds_ = 0;  // [s]
 };
 
 template <class V, class Exec>

@@ -6,7 +6,7 @@
 
 #include "lab/experiments/experiments.h"
 #include "lab/measure/made_scenes.h"
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 #include "measure/statistics.h"
 
 using namespace ballpit;

@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 #include "lab/report/experiment.h"
 
 using namespace ballpit;

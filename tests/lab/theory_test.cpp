@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Closed forms against published digits, or digits verified by an independent computation.
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 
 #include <cmath>
 

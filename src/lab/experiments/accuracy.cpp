@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "lab/measure/made_scenes.h"
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 #include "response/pair_force.h"
 
 namespace ballpit {

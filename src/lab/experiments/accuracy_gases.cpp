@@ -6,7 +6,7 @@
 
 #include "lab/experiments/accuracy.h"
 #include "lab/measure/made_scenes.h"
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 
 namespace ballpit {
 

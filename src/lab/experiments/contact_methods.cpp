@@ -5,7 +5,7 @@
 #include <map>
 
 #include "lab/measure/made_scenes.h"
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 #include "methods/methods.h"
 #include "response/pair_force.h"
 
@@ -72,7 +72,9 @@ void add_methods(Response response, std::vector<ContactMethod>& list) {
 const std::vector<ContactMethod>& contact_methods() {
   static const std::vector<ContactMethod> table = [] {
     std::vector<ContactMethod> list;
-    for (const std::string_view name : kNames<Response>) add_methods(named<Response>(name), list);
+    for (const std::string_view name : kNames<Response>) {
+      if (name != name_of(Response::automatic)) add_methods(named<Response>(name), list);
+    }
     return list;
   }();
   return table;

@@ -53,7 +53,7 @@ struct PressureError {
 /// step, coarsest first.
 double largest_step(const std::vector<PressureError>& errors);
 
-// Gases of hard spheres in a periodic box; diameter, mass and kT are 1. Their theory is in lab/measure/theory.h.
+// Gases of hard spheres in a periodic box; diameter, mass and kT are 1. Their theory is in measure/theory.h.
 
 /// A gas in equilibrium, observed for `blocks` blocks of `collisions` collisions per sphere each.
 struct GasRun {

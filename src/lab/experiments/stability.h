@@ -47,7 +47,7 @@ MapBoundary find_boundary(const Map& map, Scale y_scale, const std::function<boo
 MapBoundary boundary_of(const FailureMap& which, const Map& map);
 
 // The measurements behind the maps: each function gives the value of one cell. Their formulas are in
-// lab/measure/theory.h.
+// measure/theory.h.
 
 /// The factor by which the fastest motion grows in a step of velocity Verlet: an fcc crystal of 108 spheres (diameter 1
 /// m, mass 1 kg), slightly compressed and slightly displaced. At most 1.02 if it is stable.

@@ -5,7 +5,7 @@
 #include "core/random.h"
 #include "lab/experiments/stability.h"
 #include "lab/measure/made_scenes.h"
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 #include "world/pair_search.h"
 
 namespace ballpit {

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/random.h"
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 
 namespace ballpit {
 

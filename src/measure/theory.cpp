@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 
 #include <algorithm>
 #include <cmath>

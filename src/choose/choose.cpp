@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "choose/choose.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "choose/detection.h"
+#include "choose/search.h"
+#include "core/error.h"
+#include "core/numbers.h"
+#include "core/phrase.h"
+
+namespace ballpit {
+
+namespace {
+
+/// Makes a choice from what a search has tried.
+class Chooser {
+ public:
+  explicit Chooser(const ChoiceRequest& request) : request_(request) {
+    choice_.numbers = numbers_of(request.scene);
+    choice_.needs = effective_needs(request.scene);
+    check_observables(choice_.needs.needs);
+    choice_.tolerances = tolerances_of(choice_.needs.needs);
+  }
+
+  Choice choose() {
+    const auto begin = std::chrono::steady_clock::now();
+    Search search(request_, choice_.needs.needs, choice_.numbers);
+    search.run();
+    choice_.ruled_out = std::move(search.ruled_out);
+    choice_.tried = search.tried;
+    choice_.pilot_spheres = search.part().bodies.size();
+    conclude(search);
+    choice_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return std::move(choice_);
+  }
+
+ private:
+  const Needs& needs() const { return choice_.needs.needs; }
+
+  bool is_given(std::string_view name) const {
+    return std::ranges::any_of(request_.given, [&](const GivenOption& option) { return option.name == name; });
+  }
+
+  void conclude(const Search& search) {
+    const auto cost = [](const Attempt& attempt) { return std::max(attempt.cost, kEqualCosts); };
+    const auto order = [](const Attempt& attempt) {
+      return std::ranges::find(variants(), attempt.method, &Variant::name) - variants().begin();
+    };
+    const Attempt *best = nullptr, *nearest = nullptr;
+    for (const Attempt& attempt : choice_.tried) {
+      if (attempt.remark.empty() && (nearest == nullptr || attempt.worst < nearest->worst)) nearest = &attempt;
+      if (!attempt.holds) continue;
+      if (best == nullptr || std::tuple(cost(attempt), order(attempt), attempt.cost) <
+                                 std::tuple(cost(*best), order(*best), best->cost)) {
+        best = &attempt;
+      }
+    }
+    if (best == nullptr) {
+      if (nearest != nullptr) choice_.nearest = *nearest;
+      choice_.reason = reason_for_nothing();
+      return;
+    }
+    choice_.chosen = *best;
+    tune(search, static_cast<size_t>(best - choice_.tried.data()));
+    list_dearer();
+    list_unneeded();
+    choice_.reason = reason();
+  }
+
+  /// Finds the cheapest search for the chosen motion.
+  void tune(const Search& search, size_t index) {
+    constexpr double kSeconds = 0.4;
+    Attempt& chosen = *choice_.chosen;
+    if (chosen.settings.response == Response::event_driven || chosen.cost <= kEqualCosts) return;
+    Scene scene = search.part();
+    scene.bodies = search.middle_of(index);
+    if (scene.bodies.size() == 0) return;
+    const CheapestSearch cheapest = with_cheapest_search(scene, needs(), chosen.settings, request_.given,
+                                                         request_.scene.bodies.size(), kSeconds);
+    chosen.settings = cheapest.settings;
+    chosen.cost *= cheapest.ratio;
+  }
+
+  /// Other attempts that hold, and the chosen one with finer steps.
+  void list_dearer() {
+    const Attempt& chosen = *choice_.chosen;
+    std::vector<std::pair<double, Settings>> list;
+    for (const Attempt& attempt : choice_.tried) {
+      if (attempt.holds && attempt.method != chosen.method && attempt.cost > chosen.cost) {
+        list.emplace_back(attempt.cost, attempt.settings);
+      }
+    }
+    Settings finer = chosen.settings;
+    for (double factor = 2; factor <= 32 && finer.response != Response::event_driven && !is_given("dt"); factor *= 2) {
+      finer.dt /= 2;
+      list.emplace_back(chosen.cost * factor, finer);
+    }
+    std::ranges::stable_sort(list, {}, &std::pair<double, Settings>::first);
+    for (auto& [cost, settings] : list) choice_.dearer.push_back(settings);
+  }
+
+  void list_unneeded() {
+    const SceneNumbers& n = choice_.numbers;
+    const Settings& s = choice_.chosen->settings;
+    const bool is_exact = s.response == Response::event_driven;
+    const auto add = [&](bool is_unneeded, const std::string& what) {
+      if (is_unneeded) choice_.unneeded.push_back(what);
+    };
+    add(n.dimensions == 3 && n.is_planar_motion && n.count > 0, phrase("the third dimension: all motion is planar"));
+    add(precision_of(s) == Precision::float32, phrase("double precision"));
+    add(s.substeps == 1 && !is_exact, phrase("substeps"));
+    add(!s.is_swept && !is_exact, phrase("swept contacts: the fastest sphere moves {} diameters in a step",
+                                        local_number(three_digits(n.flight(s.dt)))));
+    add(!is_exact && skin_of(s) == 0, phrase("a candidate list"));
+    add(!n.has_gravity, phrase("gravity"));
+    add(n.has_equal_radii && n.count > 1, phrase("a radius for each sphere"));
+    add(n.has_equal_masses && n.count > 1, phrase("a mass for each sphere"));
+    add(request_.scene.domain.boundary == Boundary::periodic, phrase("walls"));
+  }
+
+  static std::string seconds(double value) { return local_number(three_digits(value)); }
+
+  std::string reason() const {
+    const Attempt& chosen = *choice_.chosen;
+    const Attempt* next = nullptr;
+    for (const Attempt& attempt : choice_.tried) {
+      const bool is_other = attempt.holds && attempt.method != chosen.method;
+      if (is_other && (next == nullptr || attempt.cost < next->cost)) next = &attempt;
+    }
+    const std::string step = chosen.settings.response == Response::event_driven
+                                 ? phrase("{}, which has no steps,", chosen.method)
+                                 : phrase("{} with steps of {} s", chosen.method, seconds(chosen.settings.dt));
+    const std::string first =
+        phrase("{} is the cheapest that holds all tolerances: {} s of computing for {} s", step, seconds(chosen.cost),
+               seconds(needs().duration));
+    return next == nullptr ? first : phrase("{}; next comes {} with {} s", first, next->method, seconds(next->cost));
+  }
+
+  std::string reason_for_nothing() const {
+    if (!choice_.nearest) return phrase("no method can serve; each is ruled out, or was stopped");
+    const Attempt& nearest = *choice_.nearest;
+    std::vector<std::string> broken;
+    for (size_t k = 0; k < choice_.tolerances.size(); ++k) {
+      const Tolerance& tolerance = choice_.tolerances[k];
+      if (k < nearest.errors.size() && !(nearest.errors[k] <= tolerance.allowed) && !nearest.is_unseen[k]) {
+        broken.push_back(phrase("{} {}, allowed {}", tolerance.name, seconds(nearest.errors[k]), seconds(tolerance.allowed)));
+      }
+    }
+    return phrase("nothing holds all tolerances; nearest is {} with steps of {} s: {}", nearest.method,
+                  seconds(nearest.settings.dt),
+                  broken.empty() ? phrase("it holds them with too small a margin") : join(broken));
+  }
+
+  const ChoiceRequest& request_;
+  Choice choice_;
+};
+
+}  // namespace
+
+Choice choose(const ChoiceRequest& request) { return Chooser(request).choose(); }
+
+std::string command_of(std::string_view name, const Scene& scene, const std::vector<GivenOption>& given,
+                       const Settings& settings) {
+  std::vector<GivenOption> options = options_of(settings, scene.defaults);
+  for (const GivenOption& option : given) {
+    const bool is_there = std::ranges::find(options, option.name, &GivenOption::name) != options.end();
+    if (!is_there && option.name != "response") options.push_back(option);
+  }
+  return fmt::format("ballpit simulate {} {}", name, typed(options));
+}
+
+}  // namespace ballpit

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "choose/search.h"
+
+#include <algorithm>
+
+#include "choose/detection.h"
+#include "core/phrase.h"
+#include "measure/search_costs.h"
+
+namespace ballpit {
+
+namespace {
+
+constexpr double kMarginOfWhole = 0.9;  // of a tolerance, for pilots of the scene itself
+constexpr double kMarginOfPart = 0.65;  // for pilots of a part of it, or of a part of its time
+constexpr double kStepOfSphere = 2e-7;  // [s] of computing, roughly, only to size pilots and to order them
+constexpr double kCollision = 1e-6;     // [s] of computing, roughly
+
+}  // namespace
+
+Search::Search(const ChoiceRequest& request, const Needs& needs, const SceneNumbers& numbers)
+    : request_(request),
+      needs_(needs),
+      numbers_(numbers),
+      tolerances_(tolerances_of(needs)),
+      begin_(std::chrono::steady_clock::now()),
+      base_(base_settings(request.scene, request.given)),
+      until_(needs.duration) {
+  base_.costs = search_costs(cpu_backend(), base_.precision, request.remeasure);
+}
+
+/// [s]
+double Search::left() const {
+  return request_.budget - std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+double Search::scale() const {
+  return part_.bodies.size() > 0 ? double(request_.scene.bodies.size()) / double(part_.bodies.size()) : 1;
+}
+
+Bodies Search::middle_of(size_t attempt) const {
+  const auto found = std::ranges::find(middles_, attempt, &std::pair<size_t, Bodies>::first);
+  return found == middles_.end() ? Bodies{} : found->second;
+}
+
+/// In double precision where single precision is ruled out.
+std::optional<Settings> Search::settings_of(const Variant& variant, int rung) const {
+  std::optional<Settings> settings = settings_at(variant, rung, base_, request_.given, needs_.duration);
+  if (!settings || is_given("precision")) return settings;
+  for (const Rule& rule : rules()) {
+    const bool is_of_float = rule.name == "frozen" || rule.name == "rounding" || rule.name == "chaos";
+    if (is_of_float && !rule.objection(judged(*settings)).empty()) settings->precision = Precision::float64;
+  }
+  return settings;
+}
+
+bool Search::is_given(std::string_view name) const {
+  return std::ranges::any_of(request_.given, [&](const GivenOption& option) { return option.name == name; });
+}
+
+std::vector<Ladder> Search::allowed_ladders() {
+  std::vector<Ladder> result;
+  for (const Variant& variant : variants()) {
+    if (!settings_of(variant, 0)) continue;  // other options are given
+    int first = -1, start = -1;
+    Objection last;
+    for (int rung = 0; rung < kRungs && start < 0; ++rung) {
+      const std::optional<Settings> settings = settings_of(variant, rung);
+      if (!settings) break;
+      const Objection hard = first_objection(judged(*settings), {RuleKind::method, RuleKind::step});
+      if (hard) last = hard;
+      if (hard && hard.rule->kind == RuleKind::method && hard.rule->name != "chaos") break;
+      if (hard) continue;
+      if (first < 0) first = rung;
+      if (!first_objection(judged(*settings), {RuleKind::estimate})) start = rung;
+    }
+    if (first < 0) {
+      ruled_out.push_back({std::string(variant.name), last.reason, last.rule ? last.rule->name : ""});
+      continue;
+    }
+    // Where formulas see no step that is fine enough, pilots come last, and begin with the coarsest step.
+    const double cost = predicted(variant, start < 0 && !is_given("dt") ? kRungs - 1 : std::max(start, first));
+    result.push_back({&variant, first - 1, std::max(start, first), cost});
+    result.back().precision = settings_of(variant, result.back().next)->precision;
+  }
+  return result;
+}
+
+/// [s] of computing.
+double Search::predicted(const Variant& variant, int rung) const {
+  const auto count = double(request_.scene.bodies.size());
+  if (variant.response == Response::event_driven) {
+    return kCollision * count * (1 + numbers_.collision_rate * needs_.duration);
+  }
+  const Settings settings = settings_of(variant, rung).value_or(base_);
+  return kStepOfSphere * (count + 20) * variant.work * double(steps_to(needs_.duration, settings)) * settings.substeps;
+}
+
+int64_t Search::pilot_size(const std::vector<Ladder>& ladders) const {
+  constexpr double kShare = 0.03;  // of the budget
+  constexpr int64_t kFewest = 300;
+  const int64_t count = request_.scene.bodies.size();
+  double cheapest = INFINITY;
+  for (const Ladder& ladder : ladders) cheapest = std::min(cheapest, ladder.predicted);
+  const double affordable = double(count) * request_.budget * kShare / std::max(cheapest, 1e-9);
+  return std::clamp(static_cast<int64_t>(std::min(affordable, 1e9)), kFewest, kMaxPilotSpheres);
+}
+
+/// By exact motion where it is allowed.
+void Search::find_exact_truth(const std::vector<Ladder>& ladders) {
+  const auto exact = std::ranges::find_if(
+      ladders, [](const Ladder& ladder) { return ladder.variant->response == Response::event_driven; });
+  if (exact == ladders.end()) return;
+  const PilotResult result = pilot(*settings_of(*exact->variant, 0), {}, left() / 2);
+  if (!result.stopped.empty()) return;
+  until_ = result.reached;
+  truth_ = result.truth;
+  has_exact_truth_ = true;
+}
+
+PilotResult Search::pilot(const Settings& settings, const Truth& truth, double seconds) const {
+  const double dearest = best_cost_ < INFINITY ? std::max(1.15 * best_cost_, kEqualCosts) : INFINITY;
+  return run_pilot({part_, needs_, truth, until_, seconds, dearest}, settings);
+}
+
+/// The truth for a variant: exact, or its own motion with a quarter of the step.
+const Truth& Search::truth_for(const Variant& variant, int rung) {
+  constexpr int kQuarter = 4;
+  if (!needs_truth() || has_exact_truth_) return truth_;
+  if (own_truth_of_ == &variant && own_truth_rung_ >= rung + kQuarter) return truth_;
+  own_truth_of_ = &variant;
+  own_truth_rung_ = rung + kQuarter;
+  const std::optional<Settings> settings = settings_of(variant, own_truth_rung_);
+  truth_ = settings ? run_pilot({part_, needs_, {}, until_, left() / 3, INFINITY}, *settings).truth : Truth{};
+  return truth_;
+}
+
+Search::Tried Search::try_rung(const Ladder& ladder) {
+  Settings settings = *settings_of(*ladder.variant, ladder.next);
+  settings.precision = ladder.precision;
+  settings.threads = *ladder.threads;
+  const Truth truth = truth_for(*ladder.variant, ladder.next);
+  const PilotResult result = pilot(settings, truth, std::max(0.05, left() / 2));
+  const bool is_whole = part_.bodies.size() == request_.scene.bodies.size();
+  const double margin = is_whole && result.is_complete ? kMarginOfWhole : kMarginOfPart;
+  Attempt attempt{std::string(ladder.variant->name), settings, result.cost * scale(), result.errors,
+                  result.is_unseen, ballpit::holds(result, tolerances_, margin),
+                  worst_ratio(result, tolerances_), result.largest_overlap, result.stopped};
+  const bool is_close = !attempt.holds && attempt.worst <= 1 && !result.is_given_up && result.stopped.empty();
+  if (is_close) attempt.remark = phrase("too close");
+  if (result.is_given_up) attempt.remark = phrase("dearer");
+  if (attempt.holds) {
+    best_cost_ = std::min(best_cost_, result.cost);
+    middles_.emplace_back(tried.size(), result.middle);
+  }
+  const Tried outcome{attempt.holds, result.is_given_up, attempt.worst, attempt.cost};
+  tried.push_back(std::move(attempt));
+  return outcome;
+}
+
+/// Makes pilots in the order of their predicted costs. So the first that holds is nearly the cheapest one, and later ones
+/// are given up as soon as they cost more.
+void Search::run() {
+  std::vector<Ladder> ladders = allowed_ladders();
+  part_ = part_of(request_.scene, pilot_size(ladders));
+  if (needs_truth()) find_exact_truth(ladders);
+  while (left() > 0) {
+    Ladder* cheapest = nullptr;
+    for (Ladder& ladder : ladders) {
+      if (!ladder.is_done && (cheapest == nullptr || ladder.predicted < cheapest->predicted)) cheapest = &ladder;
+    }
+    if (cheapest == nullptr) return;
+    const double limit = std::max(best_cost_ * scale(), kEqualCosts);
+    if (best_cost_ < INFINITY && cheapest->predicted > 1.5 * limit && cheapest->has_failed) {
+      cheapest->is_done = true;
+      continue;
+    }
+    climb(*cheapest);
+  }
+}
+
+/// Tries the next rung of a ladder, and finds the one after it.
+void Search::climb(Ladder& ladder) {
+  if (!ladder.threads) {
+    const Settings settings = *settings_of(*ladder.variant, ladder.next);
+    ladder.threads = cheapest_threads(part_, needs_, settings, request_.given);
+  }
+  const int tried_rung = ladder.next;
+  const Tried outcome = try_rung(ladder);
+  if (outcome.holds) {
+    ladder.works = tried_rung;
+  } else if (outcome.is_dear) {
+    ladder.dear = tried_rung;
+  } else {
+    note_failure(ladder, outcome.worst);
+  }
+  const int top = std::min(ladder.works, ladder.dear);
+  if (top - ladder.fails <= 1) ladder.is_done = true;
+  if (ladder.works < kRungs) {
+    ladder.next = ladder.has_failed ? (ladder.fails + ladder.works) / 2 : std::max(ladder.fails + 1, ladder.works - 2);
+  } else if (ladder.has_failed) {
+    ladder.next = std::min(ladder.fails + 2, top - 1);
+  } else {
+    ladder.next = std::max(ladder.fails + 1, ladder.dear - 2);
+  }
+  if (!settings_of(*ladder.variant, ladder.next)) ladder.is_done = true;
+  ladder.predicted = outcome.cost * std::pow(2.0, 0.5 * (ladder.next - tried_rung));
+}
+
+/// Steps that are finer without being better may be limited by rounding, else by something that no step helps.
+void Search::note_failure(Ladder& ladder, double worst) const {
+  constexpr int kPatience = 3;
+  constexpr double kBetter = 0.8;
+  ladder.stuck = ladder.has_failed && worst > kBetter * ladder.worst ? ladder.stuck + 1 : 0;
+  if (ladder.stuck >= kPatience && ladder.precision == Precision::float32 && !is_given("precision")) {
+    ladder.precision = Precision::float64;
+    ladder.stuck = 0;
+  } else if (ladder.stuck >= kPatience) {
+    ladder.is_done = true;
+  }
+  ladder.has_failed = true;
+  ladder.worst = worst;
+  ladder.fails = ladder.next;
+}
+
+}  // namespace ballpit
