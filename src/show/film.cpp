@@ -81,8 +81,15 @@ std::string line_named(const std::string& name, const std::vector<std::string>& 
 bool Film::advance(const std::function<bool()>& stop) {
   Session& session = demo_.session;
   const double time = plan.from + next() * plan.interval;
-  while (plan.keeps_timeline && session.steps_until(time) > 0 && !stop()) demo_.timeline->step();
-  session.advance_to(time, stop);
+  demo_.follow();  // a ghost begins where the film does
+  while (session.steps_until(time) > 0 && !stop()) {
+    if (plan.keeps_timeline) {
+      demo_.timeline->step();
+    } else {
+      session.world().step();
+      demo_.follow();
+    }
+  }
   return session.steps_until(time) == 0;
 }
 
