@@ -20,7 +20,8 @@ void Panel::draw_ghost(Demo& demo) {
     ImGui::TextUnformatted(translated(ghost.lack).c_str());
     ImGui::PopTextWrapPos();
   }
-  if (ghost.curve.size() < 2) return;
+  const bool has_past = ghost.curve.size() > 1;
+  if (!has_past && !ghost.lack.empty()) return;
   const auto radii = [](double distance) { return distance > 0 ? with_unit(distance) + " r" : "0 r"; };
   row("median distance", radii(ghost.curve.back().median));
   row("largest distance", radii(ghost.curve.back().largest));
@@ -29,7 +30,7 @@ void Panel::draw_ghost(Demo& demo) {
     row("first wrong collision",
         time_text(ghost.wrong->time) + ", " + bodies_text(*ghost.wrong) + ", " + timing_text(*ghost.wrong));
   }
-  draw_ghost_chart(chart_of(ghost), demo.view.theme);
+  if (has_past) draw_ghost_chart(chart_of(ghost), demo.view.theme);
 }
 
 void Panel::draw_ghost_chart(const GhostChart& chart, const std::string& theme_name) {

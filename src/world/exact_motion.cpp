@@ -26,11 +26,12 @@ class ExactMotionOf final : public ExactMotion {
   }
 
   bool go_to(double time, int64_t max_events, std::vector<LoggedCollision>* log) override {
-    if (time < now_) {
+    if (time < now_ || is_torn_) {
       const auto& [then, copy] = *std::prev(copies_.upper_bound(std::max(time, 0.0)));
       motion_ = copy;
       now_ = then;
     }
+    is_torn_ = true;
     if (log) motion_.keep_log(true);
     const bool has_arrived = motion_.run_until(time, max_events);
     if (log) {
@@ -38,6 +39,7 @@ class ExactMotionOf final : public ExactMotion {
       motion_.keep_log(false);
     }
     if (!has_arrived) return false;
+    is_torn_ = false;
     now_ = time;
     if (motion_.events() - std::prev(copies_.end())->second.events() >= interval_) keep_copy();
     return true;
@@ -77,6 +79,7 @@ class ExactMotionOf final : public ExactMotion {
 
   EventDriven<V> motion_;
   double now_ = 0;                           // [s]
+  bool is_torn_ = false;                     // it has stopped between now_ and where it was to go
   std::map<double, EventDriven<V>> copies_;  // by their times [s]; the first is that of the start
   int64_t interval_;                         // events from one copy to the next
 };
