@@ -12,7 +12,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr int64_t kMaxEvents = 200;       // of a sphere in a step: more are those of spheres at rest, and take too long
+constexpr int64_t kMaxEvents = 40, kFewEvents = 2000;  // of a sphere in a step, and in any case: more take too long
 constexpr double kEventsPerSample = 0.2;  // of each sphere: with fewer, a sample would cost more than a tenth of them
 constexpr size_t kFew = 300;              // spheres, of which samples cost little at any rate
 constexpr size_t kFirstSamples = 32;      // however few events they have: distances grow fastest at first
@@ -80,7 +80,7 @@ bool Ghost::go_to(double time, double dt, std::vector<LoggedCollision>* log) {
   const double from = time < dropped_ + motion_->now() ? dropped_ : dropped_ + motion_->now();
   const auto steps = std::max<int64_t>(1, std::llround((time - from) / dt));
   try {
-    if (motion_->go_to(time - dropped_, steps * (kMaxEvents * int64_t(exact_.size()) + 10'000), log)) return true;
+    if (motion_->go_to(time - dropped_, steps * (kMaxEvents * int64_t(exact_.size()) + kFewEvents), log)) return true;
   } catch (const Interrupted&) {
     return false;  // the caller ends soon
   } catch (const RunError&) {

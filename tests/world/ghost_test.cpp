@@ -260,10 +260,10 @@ TEST_CASE("exact motion refuses a state of deep overlap, and ends where collisio
   stack.physics.gravity = {0, -10, 0};
   stack.physics.restitution = stack.physics.wall_restitution = 0.3;
   for (const double y : {0.1, 0.3, 0.5}) add_sphere(stack, {0.5, y, 0.5}, Vec3d(0.0), 0.1);
-  Haunted haunted(stack, stepping("impulse", 0.001));
+  Haunted haunted(stack, stepping("impulse", 0.01));
   const auto start = haunted.world->snapshot();
   const auto then = haunted.now().ahead;
-  seen = haunted.step(200);
+  seen = haunted.step(20);
   CHECK_THAT(std::string(seen.lack), Catch::Contains("collisions never end"));
   CHECK(seen.ahead.empty());
   haunted.world->restore(*start);  // before that, exact motion is there
