@@ -86,6 +86,26 @@ TEST_CASE("a ghost dropped in the past sees each step of the known future") {
   CHECK(jumped.wrong->time == ghost_of(stepped).wrong->time);
 }
 
+TEST_CASE("the search for the first wrong collision goes on after a look at the past") {
+  const std::vector<GivenOption> given{{"threads", "1"}, {"swept", "on"}, {"precision", "double"}};
+  Demo demo("lecture-grid", given), straight("lecture-grid", given);
+  for (Demo* each : {&demo, &straight}) {
+    each->perform(key_named("E"));
+    play(*each, 400);  // collisions, all on time
+    CHECK_FALSE(ghost_of(*each).wrong);
+  }
+  demo.go_to(100);
+  CHECK(ghost_of(demo).curve.back().time == demo.session.time());
+  demo.go_to(400);
+  play(demo, 1);
+  play(straight, 1);
+  CHECK_FALSE(ghost_of(demo).wrong);
+  play(demo, 2000);
+  play(straight, 2000);
+  CHECK(ghost_of(demo).wrong.has_value() == ghost_of(straight).wrong.has_value());
+  CHECK(ghost_of(demo).ahead == ghost_of(straight).ahead);
+}
+
 TEST_CASE("other settings keep the ghost; another scene, a restart or other collisions drop it anew") {
   Demo demo("gas-dense", kImpulse);
   demo.perform(key_named("E"));

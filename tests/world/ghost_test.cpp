@@ -59,7 +59,8 @@ TEST_CASE("from the same state, event-driven motion and its ghost have no distan
   for (const int dimensions : {2, 3}) {
     for (const Boundary boundary : {Boundary::walls, Boundary::open_top, Boundary::periodic}) {
       const Scene scene = make_crowd(dimensions, 4, boundary, 1, 0.04, 0.055);
-      Haunted haunted(scene, stepping("event-driven", 0.01));
+      const double dt = dimensions == 2 ? 0.01 : 0.1;  // and then several collisions of a sphere in a step
+      Haunted haunted(scene, stepping("event-driven", dt));
       const GhostInspection seen = haunted.step(50);
       INFO(dimensions << ", boundary " << int(boundary) << ", lack " << seen.lack);
       CHECK(haunted.world->report().tally.collisions > 20);
@@ -105,6 +106,15 @@ TEST_CASE("swept contacts are on time") {
     const GhostInspection seen = Haunted(meeting(), stepping(response, 0.01, true)).step(60);
     CHECK_FALSE(seen.wrong);
     CHECK(seen.curve.back().largest < 1e-12);
+  }
+}
+
+TEST_CASE("a collision at the very end of a step is on time, in whichever step rounding puts it") {
+  for (int k = 20; k < 60; ++k) {
+    Scene scene = meeting();
+    scene.bodies.position[1].x = 0.5 + 0.2 + 0.01 * k;
+    INFO(k);
+    CHECK_FALSE(Haunted(scene, stepping("impulse", 0.01, true)).step(70).wrong);
   }
 }
 
@@ -161,11 +171,21 @@ TEST_CASE("distances are those to the nearest image, in radii") {
   Scene scene;
   scene.domain = {Vec3d(0.0), Vec3d(1.0), Boundary::periodic, 3};
   add_sphere(scene, {0.9, 0.5, 0.5}, {1, 0, 0}, 0.1);
+  GhostInspection seen;
+  {
+    Haunted slow(scene, stepping("impulse", 0.06));
+    scene.bodies.velocity[0].x = 2;
+    const auto fast = make_cpu_world(scene, stepping("impulse", 0.06));
+    scene.bodies.velocity[0].x = 1;
+    fast->step();  // at 0.02, beyond the border; the ghost at 0.96
+    seen = slow.ghost.inspect(*fast, 0.06, 0.06, false);
+    CHECK(seen.ahead[0].x == Approx(-0.06));
+  }
   Haunted haunted(scene, stepping("impulse", 0.15));
   scene.bodies.velocity[0].x = 2;
   const auto faster = make_cpu_world(scene, stepping("impulse", 0.15));
   faster->step();  // at x = 0.2; the ghost at 0.05
-  GhostInspection seen = haunted.ghost.inspect(*faster, 0.15, 0.15, false);
+  seen = haunted.ghost.inspect(*faster, 0.15, 0.15, false);
   CHECK(seen.curve.back().largest == Approx(1.5));
   REQUIRE(seen.ahead.size() == 1);
   CHECK(seen.ahead[0].x == Approx(-0.15));
