@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The curve of the distance from exact motion, for picture and panel: on a logarithmic axis, over the time since the ghost
-// was dropped.
+// The curve of the distance from exact motion, for picture and panel: on a logarithmic
+// axis, over the time since the ghost was dropped.
 //
 //     10²  │        ┊  ╭───── largest, thin
 //          │      ┈┈┊╭╯╭───── median, bold

@@ -63,9 +63,9 @@ void CollisionWatch::step(double time, double dt, const Bodies& stepped, const E
   std::swap(before_, now_);
 }
 
-/// The stepped world's lead is what its velocity is ahead of the exact one's. It is Δv₁ + … + Δv_q before the step if the
-/// stepped world has had the first q of a sphere's collisions early, and −Δv_p − … after the step if those from p on have
-/// not come. q and p are those that fit best; for a single collision this decides at half of Δv.
+/// The stepped world's lead is what its velocity is ahead of the exact one's. It is Δv₁ + … + Δv_q before the step if
+/// the stepped world has had the first q of a sphere's collisions early, and −Δv_p − … after the step if those from p
+/// on have not come. q and p are those that fit best; for a single collision this decides at half of Δv.
 void CollisionWatch::judge(double time, double dt, std::vector<LoggedCollision> collisions) {
   collisions.insert(collisions.begin(), carried_.begin(), carried_.end());
   carried_.clear();
@@ -143,7 +143,7 @@ bool CollisionWatch::has_parted(const Bodies& stepped, const ExactMotion& exact)
   return length(d) > stepped.radius[i] + stepped.radius[j] && dot(d, stepped.velocity[j] - stepped.velocity[i]) > 0;
 }
 
-/// [s] When a sphere's lead changed in the step that ends now, if it did so at once: x(t) = x₀ + v₀·dt + Δv·(t − t_jump).
+/// [s] When a sphere's lead changed in the step that ends now, if it did so at once: x = x₀ + v₀·dt + Δv·(t − t_jump).
 /// Collisions that both motions have cancel out.
 double CollisionWatch::moment_of_jump(size_t i, double time, double dt) const {
   const Vec3d jump = now_.velocity[i] - before_.velocity[i];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds the first collision that a stepped world has late, early or not at all, by comparing it with exact motion.
 //
-//     exact      ───────────╲τ                    at time τ the velocity changes by Δv
-//     stepped    ───────────────╲                 the step in which half of Δv has been reached is that of its collision
+//     exact      ───────────╲τ                at time τ the velocity changes by Δv
+//     stepped    ───────────────╲             the step in which half of Δv is reached is that of its collision
 //                │  step k  │ step k+1 │
 //
 //     on time    in the step that contains τ
@@ -10,12 +10,13 @@
 //     early      in an earlier step        early by τ − t
 //     missed     the spheres part without it: they have passed each other, or never met
 //
-// t is the moment in the stepped world's step at which a sudden change of the velocity explains the position at the end of
-// the step. So impulses at the begin of a step are dated there. Springs take the time of a contact, and count at half of Δv.
+// t is the moment in the stepped world's step at which a sudden change of the velocity explains the position at the end
+// of the step. So impulses at the begin of a step are dated there. Springs take the time of a contact, and count at
+// half of Δv.
 //
 // Collisions are judged in the order of their exact times; the first wrong one ends the search, since all later ones
-// follow from it. Not judged are those that change a velocity by less than a hundredth of the mean speed, or by less than
-// gravity does in four steps: grazing ones, and those of spheres at rest. Cost: O(n) a step.
+// follow from it. Not judged are those that change a velocity by less than a hundredth of the mean speed, or by less
+// than gravity does in four steps: grazing ones, and those of spheres at rest. Cost: O(n) a step.
 #pragma once
 
 #include <optional>
@@ -32,8 +33,8 @@ class CollisionWatch {
   /// Both motions begin with these bodies.
   CollisionWatch(const Bodies& start, const Vec3d& gravity);
 
-  /// A step of `dt` [s] that ends at `time` [s]: the stepped world's bodies and exact velocities at its end, and the exact
-  /// collisions in it.
+  /// A step of `dt` [s] that ends at `time` [s]: the stepped world's bodies and exact velocities at its end, and the
+  /// exact collisions in it.
   void step(double time, double dt, const Bodies& stepped, const ExactMotion& exact,
             std::vector<LoggedCollision> collisions);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Event-driven motion from a given state that can also go back in time.
 //
-//     kept    0 ········ 64k ······· 128k ········ 192k events        copies of the motion; if there are too many, every
-//                          ◂── go_to: restored, then run on           second one is dropped
+//     kept    0 ········ 4n ········ 8n ········ 12n events     copies of the motion; if there are too many, every
+//                          ◂── go_to: restored, then run on     second one is dropped
 //
-// Cost: that of event-driven motion; a copy for every four events of a sphere at first, later fewer, at most 64 MiB.
+// Cost: that of event-driven motion; copies of n spheres every 4n events at first, later fewer, at most 64 MiB of them.
 #pragma once
 
 #include <memory>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The exact ghost: event-driven motion that runs beside a stepped world from the same state, and how far they are apart.
+// The exact ghost: event-driven motion that runs beside a stepped world from the same state, and how far they are
+// apart.
 //
 //     dropped            now
-//        ├────┬────┬────┬─┤      after each step: the stepped world's state, until the first wrong collision is found
-//        ●    ●    ●    ● ○      distances: of every step at first; when there are kMaxSamples, every second one is
-//                                dropped, so that those of every 2nd, 4th, … are left. ○: the present one, for a picture
+//        ├────┬────┬────┬─┤   each step: the stepped world's state, until the first wrong collision is found
+//        ●    ●    ●    ● ○   distances: of every step at first; when there are kMaxSamples, every second one is
+//                             dropped, so that those of every 2nd, 4th, … are left. ○: the present one, for a picture
 //
-// Cost: that of event-driven motion, and a tenth more for the distances. Until the first wrong collision is found, also a
-// copy of all spheres in each step, as much as about n/20 events. States that lie back are computed again
+// Cost: that of event-driven motion, and a tenth more for the distances. Until the first wrong collision is found, also
+// a copy of all spheres in each step, as much as about n/20 events. States that lie back are computed again
 // (world/exact_motion.h); distances of steps that were seen before are remembered.
 //
 // A stepped state may have spheres that overlap. Such a pair collides at once if it approaches, and parts freely if not
@@ -27,9 +28,9 @@ namespace ballpit {
 
 /// Lyapunov's exponent of a gas of equal hard spheres in e-folds for each collision of a sphere, by its density N·d³/V:
 /// neighbouring states part by this factor of e while each sphere collides once. Empty outside of 0.05 to 0.7. Measured
-/// here by two event-driven runs that rounding parts, 500 to 1 372 spheres, ±4 %: 3.95 at 0.05, 2.6 at 0.1, 1.65 at 0.2,
-/// 1.2 at 0.3, 0.8 at 0.5, 0.53 at 0.7; in between linear in the logarithm of the density, as thin gases have it: van Zon,
-/// van Beijeren, Dellago, "Largest Lyapunov exponent for many particle systems at low densities" (1998),
+/// here by two event-driven runs that rounding parts, 500 to 1 372 spheres, ±4 %: 3.95 at 0.05, 2.6 at 0.1, 1.65 at
+/// 0.2, 1.2 at 0.3, 0.8 at 0.5, 0.53 at 0.7; in between linear in the logarithm of the density, as thin gases have it:
+/// van Zon, van Beijeren, Dellago, "Largest Lyapunov exponent for many particle systems at low densities" (1998),
 /// doi 10.1103/PhysRevLett.80.2035.
 std::optional<double> e_folds_per_collision(double density);
 
@@ -41,8 +42,8 @@ class Ghost {
   /// Begins from the world's present state, at `time` [s]. Of the scene it takes domain and physics.
   Ghost(const Scene& scene, const Settings& settings, World& world, double time);
 
-  /// The world has made a step of `dt` [s] that ends at `time` [s]. Steps seen before cost nothing. After steps that were
-  /// left out, the search for the first wrong collision ends.
+  /// The world has made a step of `dt` [s] that ends at `time` [s]. Steps seen before cost nothing. After steps that
+  /// were left out, the search for the first wrong collision ends.
   void follow(World& world, double time, double dt);
 
   /// What follows after `time` will be another motion of the stepped world.

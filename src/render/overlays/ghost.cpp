@@ -2,13 +2,13 @@
 // Draws where exact motion has the spheres, how far they are from there, and the first collision that is wrong.
 //
 //      ╭┈┈╮
-//     ( o──┊─○ )     a translucent twin with a dotted outline, and a line to it; none for spheres that are close to theirs
+//     ( o──┊─○ )     a translucent twin with a dotted outline, and a line to it; none for spheres close to theirs
 //      ╰┈┈╯          ◎ a double ring where the first wrong collision was
 //
 //     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒ the curve of the distance: render/ghost_chart.h
 //
-// Twins are hidden by nearer spheres, but not by their own. In a periodic domain each is drawn at the image that is nearest
-// to its sphere. Cost: proportional to the number of spheres; of more than kMaxTwins only the lines are drawn.
+// Twins are hidden by nearer spheres, but not by their own. In a periodic domain each is drawn at the image that is
+// nearest to its sphere. Cost: proportional to the number of spheres; of more than kMaxTwins only the lines are drawn.
 #include <cmath>
 #include <numbers>
 
@@ -51,7 +51,8 @@ Circle outline_of(const Vec3& centre, float radius, const Camera& camera, const 
   return {projection.lift(centre, lift), shown * right, shown * glm::cross(right, look)};
 }
 
-/// Fills a circle: a regular polygon of 2n sides consists of n(n−1)/2 parallelograms, one for each two of its directions.
+/// Fills a circle: a regular polygon of 2n sides consists of n(n−1)/2 parallelograms, one for each two of its
+/// directions.
 void add_disc(const Circle& circle, Rgba color, std::vector<Face>& faces) {
   const auto corner = [&](int k) { return circle.at(static_cast<float>(k) / (2 * kSides)); };
   for (int b = 1; b < kSides; ++b) {
