@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact ghost of a demonstration: dropped, hidden, kept and renewed.
+#include <filesystem>
+
 #include <catch2/catch.hpp>
 
 #include "show/demo.h"
@@ -172,4 +174,5 @@ TEST_CASE("a film has a ghost from its start, also where its first frame is late
   CHECK(seen.curve.size() == 13);
   CHECK(seen.wrong);
   film.frames.finish();
+  std::filesystem::remove_all(plan.folder);
 }
