@@ -31,6 +31,11 @@ std::string superscript(int number) {
 
 }  // namespace
 
+std::string ten_to_the(int power) {
+  if (power == 0 || power == 1) return power == 0 ? "1" : "10";
+  return "10" + superscript(power);
+}
+
 std::string with_unit(double value, std::string_view unit, bool is_exact) {
   constexpr std::array kPrefixes{"p", "n", "µ", "m", "", "k", "M", "G", "T"};  // 10⁻¹² to 10¹²
   constexpr int kOne = 4;                                                      // the index of no prefix

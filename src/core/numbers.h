@@ -17,6 +17,9 @@ std::string three_digits(double value);
 /// as a number that somebody chose, "1 m".
 std::string with_unit(double value, std::string_view unit = "", bool is_exact = false);
 
+/// For people: "10⁻³", "1", "10".
+std::string ten_to_the(int power);
+
 /// For people: 12345 → "12 345", with thin spaces.
 std::string grouped(int64_t number);
 

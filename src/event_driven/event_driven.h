@@ -58,15 +58,31 @@ struct Forecast {
   double time() const { return std::min(contact_time, face_time); }
 };
 
+/// A collision that has happened, for those who compare it with another motion.
+struct LoggedCollision {
+  double time = 0;                         ///< [s] since the start
+  int32_t body = -1, partner = -1;         ///< no partner: a wall
+  Vec3d change{0.0}, partner_change{0.0};  ///< [m/s] of their velocities
+  Vec3d place{0.0};                        ///< [m] where the surfaces touch
+};
+
 template <class V>
 class EventDriven {
  public:
   EventDriven(const Scene& scene, const EventRules<V>& rules);
 
-  /// Handles all events up to `time` [s] since the start. Throws RunError, with sphere, event and time, if a sphere is
-  /// not finite or outside the domain, or if collisions follow each other without end; it cannot continue then. Throws
-  /// Interrupted between two events, or RunError once `takes_too_long` is true; it can continue then.
-  void run_until(double time, const std::function<bool()>& takes_too_long = {});
+  /// Handles all events up to `time` [s] since the start, or as many as `max_events`; returns false if there are more.
+  /// Throws RunError, with sphere, event and time, if a sphere is not finite or outside the domain, or if collisions
+  /// follow each other without end; it cannot continue then. Throws Interrupted between two events; it can continue
+  /// then.
+  bool run_until(double time, int64_t max_events = std::numeric_limits<int64_t>::max());
+
+  /// From now on lists the collisions, or no longer; drops those listed so far.
+  void keep_log(bool keeps) {
+    keeps_log_ = keeps;
+    log_.clear();
+  }
+  const std::vector<LoggedCollision>& log() const { return log_; }
 
   /// [s] since the start: the latest event that was handled completely. The state at this time is valid, also after
   /// run_until() has thrown.
@@ -130,6 +146,8 @@ class EventDriven {
   double moment_start_ = 0;  // [s] since the epoch; see kMoment
   int64_t moment_events_ = 0;
   Tally tally_;
+  bool keeps_log_ = false;
+  std::vector<LoggedCollision> log_;
 };
 
 }  // namespace ballpit

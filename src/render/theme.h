@@ -35,6 +35,7 @@ struct Theme {
   Vec3 selected = rgb(0xCC79A7);   ///< the selected sphere and its block, with a rim
   Vec3 begin = rgb(0x0072B2);      ///< an interval's ends, and the thread that walks between them
   Vec3 idle = rgb(0x808080);       ///< an empty entry, or a thread that ends at once
+  Vec3 reference = rgb(0x808080);  ///< theory, and exact motion: dotted
 };
 
 /// Text on a filled shape: dark or light, by what is more legible.

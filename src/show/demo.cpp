@@ -27,6 +27,11 @@ float typical_speed(const Scene& scene) {
   return static_cast<float>(std::sqrt(squared));
 }
 
+/// Whether exact motion is the same with both.
+bool have_same_collisions(const Physics& a, const Physics& b) {
+  return a.gravity == b.gravity && a.restitution == b.restitution && a.wall_restitution == b.wall_restitution;
+}
+
 }  // namespace
 
 Demo::Demo(std::string_view scene, const std::vector<GivenOption>& given, const std::filesystem::path& kept)
@@ -40,6 +45,8 @@ void Demo::begin_world() {
   player.forgive();
   trade_off.begin(session.given(), session.scene().physics);
   timeline = std::make_unique<Timeline>(session.world(), session.settings().dt);
+  timeline->after_step = [this] { follow(); };
+  if (ghost_) ghost_->forget_after(session.time());
   const Report& now = report();
   energy_at_start_ = energy_of(now);
   history_.clear();
@@ -75,7 +82,10 @@ void Demo::set(const std::string& option, const std::string& value) {
     session.set(option, value);
     player.forget_times();
     const bool is_same_motion = !could_miss && !can_miss_contacts(session.settings());
-    if (option == "count" || option == "seed") trade_off.clear();
+    if (option == "count" || option == "seed") {
+      trade_off.clear();
+      ghost_.reset();
+    }
     if (&session.world() != before || !is_same_motion) {
       begin_world();
     } else {
@@ -88,17 +98,26 @@ void Demo::return_to(const Played& trial) {
   const std::vector<GivenOption> given = trial.given;  // the trial may be deleted
   const Physics physics = trial.physics;
   change([&] {
+    const bool is_same = have_same_collisions(session.scene().physics, physics);
     session.take(given, physics);
     player.forget_times();
+    if (!is_same) ghost_.reset();
   });
 }
 
 void Demo::set_physics(const Physics& physics) {
-  change([&] { session.take(session.given(), physics); });
+  change([&] {
+    const bool is_same = have_same_collisions(session.scene().physics, physics);
+    session.take(session.given(), physics);
+    if (!is_same) ghost_.reset();
+  });
 }
 
 void Demo::restart() {
-  change([&] { session.load(session.scene_name()); });
+  change([&] {
+    session.load(session.scene_name());
+    ghost_.reset();
+  });
 }
 
 void Demo::load(const std::string& scene) {
@@ -106,6 +125,7 @@ void Demo::load(const std::string& scene) {
     session.load(scene);
     view.selected = -1;
     trade_off.clear();
+    ghost_.reset();
   });
 }
 
@@ -115,7 +135,15 @@ void Demo::step() {
 
 void Demo::advance_to(double time, const std::function<bool()>& stop) {
   const World* const before = &session.world();
-  session.advance_to(time, stop);
+  const auto follow_and_ask = [&] {
+    follow();
+    return stop();
+  };
+  const auto forget = [&] {
+    if (ghost_) ghost_->forget_after(session.time());
+  };
+  session.advance_to(time, follow_and_ask, forget);
+  follow();
   if (&session.world() != before) begin_world();
 }
 
@@ -126,9 +154,40 @@ void Demo::go_to(int64_t step) {
     trade_off.interrupt();
     const auto start = std::chrono::steady_clock::now();
     const auto takes_too_long = [&] { return std::chrono::steady_clock::now() - start > kMaxReplay; };
-    if (!timeline->go_to(step, takes_too_long))
+    if (!go_on_to(step, takes_too_long))
       message_ = fmt::format("step {} so far; go there again to go on", timeline->step_now());
   });
+}
+
+/// Timeline::go_to(), but each step that the ghost has not seen is made or restored before it.
+bool Demo::go_on_to(int64_t step, const std::function<bool()>& stop) {
+  if (!ghost_ || !shows_ghost()) return timeline->go_to(step, stop);
+  const double since = ghost_->seen() - (session.time() - timeline->time_of(timeline->step_now()));
+  const auto seen = std::max(timeline->first(), int64_t{std::llround(since / session.settings().dt)});
+  const int64_t goal = std::clamp(step, timeline->first(), timeline->furthest());
+  if (!timeline->go_to(std::min(goal, seen), stop)) return false;
+  while (timeline->step_now() < goal) {
+    if (stop()) return false;
+    timeline->go_to(timeline->step_now() + 1);
+    follow();
+  }
+  return true;
+}
+
+void Demo::drop_ghost() {
+  attempt([&] {
+    if (!shows_ghost()) view.toggle("ghost");
+    ghost_ = std::make_unique<Ghost>(session.scene(), session.settings(), session.world(), session.time());
+  });
+}
+
+void Demo::follow() {
+  if (!shows_ghost()) return;
+  if (ghost_) {
+    ghost_->follow(session.world(), session.time(), session.settings().dt);
+  } else {
+    ghost_ = std::make_unique<Ghost>(session.scene(), session.settings(), session.world(), session.time());
+  }
 }
 
 /// The parts of an inspection that the view shows.
@@ -217,6 +276,11 @@ const Inspection& Demo::inspect(Wanted wanted) {
   wanted.candidates &= !left_out_.candidates;
   wanted.missed &= !left_out_.missed;
   inspection_ = session.world().inspect(wanted);
+  if (wanted.ghost) {
+    follow();
+    const bool is_exact = session.settings().response == Response::event_driven;
+    inspection_.ghost = ghost_->inspect(session.world(), session.time(), session.settings().dt, is_exact);
+  }
   inspected_ = version();
   return inspection_;
 }

@@ -15,6 +15,7 @@
 #include "show/timeline.h"
 #include "show/trade_off.h"
 #include "show/view.h"
+#include "world/ghost.h"
 
 namespace ballpit {
 
@@ -41,6 +42,8 @@ class Demo {
  public:
   /// Throws UserError as Session does.
   Demo(std::string_view scene, const std::vector<GivenOption>& given, const std::filesystem::path& kept = {});
+  Demo(const Demo&) = delete;
+  Demo& operator=(const Demo&) = delete;
 
   Session session;
   Player player;
@@ -60,6 +63,12 @@ class Demo {
   void restart();
   void step();
   void step_back() { go_to(timeline->step_now() - 1); }
+
+  /// Begins exact motion from the present state, beside this one, and shows it.
+  void drop_ghost();
+
+  /// Call after each step that the timeline does not make. Costs nothing while the ghost is hidden.
+  void follow();
 
   /// Pauses and goes to an earlier step of this world, or forward again, with bit-identical states.
   void go_to(int64_t step);
@@ -106,6 +115,8 @@ class Demo {
   void attempt(const std::function<void()>& action);
   void change(const std::function<void()>& action);  // the same for one that makes a new world
   void begin_world();
+  bool shows_ghost() const { return view.shows("ghost"); }
+  bool go_on_to(int64_t step, const std::function<bool()>& stop);
   const Inspection& inspect(Wanted wanted);
   void remember_moment(const Report& report);
   PageView captioned();
@@ -121,6 +132,7 @@ class Demo {
   PageView caption_;
   Wanted requested_, left_out_;
   std::vector<Moment> history_;
+  std::unique_ptr<Ghost> ghost_;  // once it is shown
 };
 
 }  // namespace ballpit

@@ -81,6 +81,7 @@ std::string line_named(const std::string& name, const std::vector<std::string>& 
 bool Film::advance(const std::function<bool()>& stop) {
   Session& session = demo_.session;
   const double time = plan.from + next() * plan.interval;
+  demo_.follow();  // a ghost begins where the film does
   while (plan.keeps_timeline && session.steps_until(time) > 0 && !stop()) demo_.timeline->step();
   demo_.advance_to(time, stop);
   return session.steps_until(time) == 0;

@@ -23,6 +23,8 @@ std::span<const Key> key_table() {
       Key{'N', "N", "numbers of spheres and cells", [](Demo& demo) { demo.view.toggle("labels"); }},
       Key{'V', "V", "velocities", [](Demo& demo) { demo.view.toggle("velocity"); }},
       Key{'W', "W", "swept ways", [](Demo& demo) { demo.view.toggle("swept"); }},
+      Key{'E', "E", "drop the exact ghost here", [](Demo& demo) { demo.drop_ghost(); }},
+      Key{'X', "X", "hide the exact ghost, or show it", [](Demo& demo) { demo.view.toggle("ghost"); }},
       Key{'T', "T", "other theme",
           [](Demo& demo) { demo.view.theme = themes()[demo.view.theme == themes()[0].name ? 1 : 0].name; }},
       Key{'H', "H", "view the whole domain again", [](Demo& demo) { demo.view.reset(); }},

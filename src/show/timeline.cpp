@@ -60,6 +60,7 @@ void Timeline::advance(bool keeps_recent) {
   }
   furthest_ = std::max(furthest_, step_now());
   remember(keeps_recent);
+  if (after_step) after_step();
 }
 
 /// The latest snapshot at or before a step.

@@ -31,6 +31,9 @@ class Timeline {
   /// [s] is its step, `budget` [bytes] the limit of all snapshots; the first one is kept even if it is larger.
   Timeline(World& world, double dt, int64_t budget = kBudget);
 
+  /// Called after each step, also of those that are computed again, but not where a state is restored.
+  std::function<void()> after_step;
+
   /// One step forward. Throws RunError as World::step() does, and restores the world to the state before the step.
   /// Interrupted is thrown without restoring.
   void step();

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "methods/methods.h"
+#include "render/ghost_chart.h"
 #include "render/sheet.h"
 #include "show/demo.h"
 
@@ -148,6 +149,8 @@ class Panel {
   void draw_physics(Demo& demo);
   void draw_numbers(Demo& demo);
   void draw_trade_off(Demo& demo);
+  void draw_ghost(Demo& demo);
+  void draw_ghost_chart(const GhostChart& chart, const std::string& theme_name);
   void draw_keys(Demo& demo);
   void draw_pages();
   void draw_handle(const PanelInput& input);
@@ -162,7 +165,7 @@ class Panel {
   std::optional<PanelTab> wanted_tab_;
   std::map<std::string, float> edited_;  // numbers that are being typed on sliders
   std::map<std::string, std::string> typed_;
-  size_t charted_error_ = 0;  // of played_errors()
+  size_t charted_error_ = 0;      // of played_errors()
   std::function<void()> chosen_;  // a key or page; acts after the frame, since it may replace the demonstration
   std::string hint_;
   float hint_left_ = 0, handle_left_ = 0;  // [s]

@@ -97,6 +97,7 @@ void Panel::draw_numbers(Demo& demo) {
   row("largest overlap", percent(report.max_overlap, false) + " r");
   plot("overlap", &history[0].max_overlap, history.size(), sizeof(Moment), 0);
   row("momentum", with_unit(length(report.momentum)) + " kg·m/s");
+  draw_ghost(demo);
   heading("Speed against accuracy");
   draw_trade_off(demo);
   heading("Stages of a step");

@@ -2,6 +2,7 @@
 // The world of the event-driven response.
 #include <chrono>
 
+#include "core/error.h"
 #include "event_driven/event_driven.h"
 #include "world/body_store.h"
 #include "world/make_world.h"
@@ -11,6 +12,7 @@ namespace ballpit {
 
 namespace {
 
+constexpr const char* kTooFast = "collisions follow each other so fast that a step takes too long";
 constexpr double kTouching = 1e-9;  // of the smaller radius: a gap that counts as a contact
 
 template <class V>
@@ -25,8 +27,11 @@ class EventDrivenWorld final : public World {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > patience_;
     };
     const double end = static_cast<double>(steps_ + 1) * dt_;
+    constexpr int64_t kEvents = 10'000;
     try {
-      motion_.run_until(end, takes_too_long);
+      while (!motion_.run_until(end, kEvents)) {
+        if (takes_too_long()) throw RunError(streamed("t = ", motion_.settled_time(), " s"), kTooFast);
+      }
     } catch (...) {
       time_ = std::max(time_, motion_.settled_time());
       throw;

@@ -5,6 +5,7 @@
 #include "bodies/body_snapshot.h"
 #include "bodies/pair.h"
 #include "broad_phase/inspection.h"
+#include "world/ghost_inspection.h"
 
 namespace ballpit {
 
@@ -15,12 +16,14 @@ struct Wanted {
   bool missed = false;     ///< brute force is the oracle: O(n²) tests
   bool endpoints = false;  ///< and the axis
   bool work = false;
+  bool ghost = false;  ///< by the demonstration that keeps one; worlds have none
 
   bool more_than_state() const { return candidates || missed || endpoints || work; }
 
   Wanted operator|(const Wanted& other) const {
-    return {state || other.state, candidates || other.candidates, missed || other.missed, endpoints || other.endpoints,
-            work || other.work};
+    return {state || other.state,   candidates || other.candidates,
+            missed || other.missed, endpoints || other.endpoints,
+            work || other.work,     ghost || other.ghost};
   }
   bool operator==(const Wanted&) const = default;
 };
@@ -37,6 +40,7 @@ struct Inspection {
   std::vector<Endpoint> endpoints;  ///< its sorted list, by `at`
   std::vector<int> work;            ///< candidates of each thread
   std::vector<int32_t> worker;      ///< the body of each thread; −1 for an idle thread
+  std::optional<GhostInspection> ghost;
 };
 
 }  // namespace ballpit

@@ -160,6 +160,32 @@ TEST_CASE("render reports each overlay that has nothing to draw with a broad pha
   }
 }
 
+TEST_CASE("a film with the exact ghost can be resumed, and has the same pictures") {
+  const auto frames = [](const std::string& folder, const char* count, bool resumes) {
+    std::vector<std::string> arguments{"render",  "lecture-grid", "--size",   "320x180", "--overlay", "ghost",
+                                       "--every", "60",           "--frames", count,     "--out",     folder};
+    if (resumes) arguments.emplace_back("--resume");
+    REQUIRE(run_program(arguments).status == 0);
+  };
+  const Scratch scratch;
+  frames(scratch / "whole", "4", false);
+  frames(scratch / "parts", "2", false);
+  frames(scratch / "parts", "4", true);
+  for (int k = 0; k < 4; ++k) {
+    const Image whole = read_png(scratch / "whole/" + frame(k)), parts = read_png(scratch / "parts/" + frame(k));
+    INFO(k);
+    CHECK(whole.pixels == parts.pixels);
+  }
+}
+
+TEST_CASE("render says where exact motion cannot serve") {
+  const Scratch scratch;
+  const Outcome outcome = run_program({"render", "stack", "--size", "64x36", "--frames", "1", "--from", "0.2",
+                                       "--overlay", "ghost", "--out", scratch / "film"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.err, Catch::Contains("note: --overlay ghost: exact motion ends here"));
+}
+
 TEST_CASE("a scene is rendered the same where its lengths are far from a metre") {
   const auto rendered = [](const std::string& exponent) {
     const Scratch scratch;

@@ -171,6 +171,28 @@ TEST_CASE("golden: swept ways past other spheres, planar and spatial") {
                       {1.2f, 0, 0, 0, 0, 0, 0.2f, -0.9f, 0.4f}, "dark") == "");
 }
 
+TEST_CASE("golden: spheres beside their ghosts, the curve, and the first wrong collision, on both grounds") {
+  GhostInspection ghost;
+  for (int k = 0; k <= 60; ++k) {
+    const double median = k < 2 ? 0 : std::min(1e-8 * std::exp(0.4 * k), 1.5);
+    ghost.curve.push_back({0.05 * k, median, std::min(30 * median, 6.0)});
+  }
+  ghost.wrong = WrongCollision{Timing::late, 0.913, 0.0021, 3, 5, {2.9f, 2.1f, 0}};
+  ghost.growth = 8;
+  ghost.growth_from = 0.8;
+  Inspection plane = stored("plane", kPlane, 0);
+  for (int k = 0; k < 20; ++k) ghost.ahead.emplace_back(0.03f * static_cast<float>(k), k % 3 == 0 ? 0.0f : -0.2f, 0);
+  plane.ghost = ghost;
+  CHECK(compare("ghost_plane", plane, kPlane, {"ghost"}, "projector") == "");
+
+  Inspection cloud = few("cloud", kBox, 0, 30);
+  ghost.wrong = WrongCollision{Timing::missed, 0.4, 0, 3, -1, {0.5f, 0, 0.5f}};
+  ghost.ahead.clear();
+  for (int k = 0; k < 30; ++k) ghost.ahead.emplace_back(0.01f * static_cast<float>(k % 7), 0.05f, -0.03f);
+  cloud.ghost = ghost;
+  CHECK(compare("ghost_cloud_dark", cloud, kBox, {"ghost"}, "dark") == "");
+}
+
 TEST_CASE("the comparison of pictures detects a missing or moved label, and a shifted line") {
   const Inspection plane = stored("plane", kPlane, 1);
   const FrameView view = view_of(plane, kPlane, kAspect, {"grid", "labels"});

@@ -370,7 +370,7 @@ TEST_CASE("a sphere that no cell lists has no block") {
 TEST_CASE("overlays without their data draw only a note in the upper left corner") {
   const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.01f}}, kPlane);
   const Image plain = draw(view_of(inspection, kPlane, 1), kSize, kSize);
-  for (const char* name : {"intervals", "lists", "velocity", "swept", "grid", "labels"}) {
+  for (const char* name : {"intervals", "lists", "velocity", "swept", "grid", "labels", "ghost"}) {
     INFO(name);
     const Image image = draw(view_of(inspection, kPlane, 1, {name}), kSize, kSize);
     int noted = 0, elsewhere = 0;
@@ -393,11 +393,12 @@ TEST_CASE("the table of overlays gives the reason if a broad phase lacks their d
     }
     return names;
   };
-  CHECK(lacks() == std::vector<std::string>{"grid", "lists", "intervals", "warps"});
+  CHECK(lacks() == std::vector<std::string>{"grid", "lists", "intervals", "warps", "ghost"});
   add_endpoints(inspection, 0);
   inspection.work = {1};
-  CHECK(lacks() == std::vector<std::string>{"grid", "lists"});
+  CHECK(lacks() == std::vector<std::string>{"grid", "lists", "ghost"});
   inspection = inspect({{{2.5f, 2.5f, 0}, 0.1f}}, kPlane, 1);
+  inspection.ghost.emplace();
   CHECK(lacks() == std::vector<std::string>{"intervals", "warps"});
 }
 

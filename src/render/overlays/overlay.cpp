@@ -24,6 +24,11 @@ std::string lacks_warps(const Inspection& inspection) {
   return inspection.work.empty() ? "this broad phase has no thread for each sphere" : "";
 }
 
+std::string lacks_ghost(const Inspection& inspection) {
+  if (!inspection.ghost) return "no exact motion runs beside this one";
+  return std::string(inspection.ghost->lack);
+}
+
 }  // namespace
 
 const std::vector<OverlayEntry>& overlay_table() {
@@ -36,6 +41,7 @@ const std::vector<OverlayEntry>& overlay_table() {
       {"lists", "Lists", draw_lists, {}, lists_room, lacks_lists},
       {"intervals", "Intervals", draw_intervals, {.endpoints = true}, intervals_room, lacks_intervals},
       {"warps", "Warps", draw_warps, {.work = true}, warps_room, lacks_warps},
+      {"ghost", "Exact ghost", draw_ghost, {.ghost = true}, ghost_room, lacks_ghost},
   };
   return table;
 }

@@ -40,6 +40,7 @@ void draw_labels(const FrameView& view, Painter& painter);
 void draw_lists(const FrameView& view, Painter& painter);
 void draw_intervals(const FrameView& view, Painter& painter);
 void draw_warps(const FrameView& view, Painter& painter);
+void draw_ghost(const FrameView& view, Painter& painter);
 
 /// Marks the selected sphere and its cells, if there is one; a part of the grid.
 void draw_selection(const FrameView& view, Painter& painter);
@@ -48,6 +49,7 @@ void draw_selection(const FrameView& view, Painter& painter);
 float lists_room(const Inspection& inspection, float text_scale);
 float intervals_room(const Inspection& inspection, float text_scale);
 float warps_room(const Inspection& inspection, float text_scale);
+float ghost_room(const Inspection& inspection, float text_scale);
 
 /// The number of bodies in every cell: the length of its list.
 std::vector<int> count_per_cell(const GridInspection& grid);
