@@ -208,6 +208,7 @@ void EventDriven<V>::hit_wall(int i) {
 
   if (axis == 1 && side < 0) tally_.floor_impulse += mass(i) * (approach + parting);
   ++flights_[size_t(i)].collisions;
+  if (parting > resting || approach > 2 * resting) ++tally_.wall_hits;  // the latter without restitution
   if (parting > resting) note_collision(i, axes);
   forecast(i);
 }

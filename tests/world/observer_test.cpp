@@ -56,6 +56,27 @@ TEST_CASE("an observation that begins later counts only what comes after") {
   CHECK(seen.ways[0].x == Approx(4.5));
 }
 
+TEST_CASE("an observation that begins later counts only the collisions and the hits of walls after that") {
+  // Two balls that swap velocities at 0.8, 4.0 and 7.2 s, and hit a wall each at 2.4 and 5.6 s.
+  Scene scene;
+  scene.domain.max = {2, 1, 1};
+  scene.physics.restitution = scene.physics.wall_restitution = 1;
+  add_sphere(scene, {0.5, 0.5, 0.5}, {0.5, 0, 0}, 0.1);
+  add_sphere(scene, {1.5, 0.5, 0.5}, {-0.5, 0, 0}, 0.1);
+  const std::string response = GENERATE("event-driven", "impulse", "penalty", "position-based");
+  Settings settings = event_driven_gas(1e-3);
+  settings.response = named<Response>(response);
+  settings.keeps_tally = true;
+  const auto count = [&](double from) {
+    const auto world = make_cpu_world(scene, settings);
+    return value_of("collisions", observe(*world, scene, from, 7.5));
+  };
+  INFO(response);
+  CHECK(count(0) == 3 + 4);
+  CHECK(count(2) == 2 + 4);
+  CHECK(count(3) == 2 + 2);
+}
+
 TEST_CASE("the centre of mass does not diffuse, and within walls nothing is said") {
   Scene scene = flights();
   scene.bodies.velocity[1] = scene.bodies.velocity[0];
