@@ -34,9 +34,10 @@ struct Settings {
   int threads = 0;               ///< 0: all cores
   std::optional<int64_t> count;  ///< spheres generated, in place of the scene's own number
   std::optional<uint64_t> seed;
-  double max_overlap = 1;    ///< of the smaller radius; more stops the run
-  double max_energy = 10;    ///< of the energy at the start; more stops the run
-  bool keeps_tally = false;  ///< fill Report::tally; not an option, set if observables need it
+  std::optional<double> mass_ratio;  ///< of heavy and light listed spheres, in place of the scene's own
+  double max_overlap = 1;            ///< of the smaller radius; more stops the run
+  double max_energy = 10;            ///< of the energy at the start; more stops the run
+  bool keeps_tally = false;          ///< fill Report::tally; not an option, set if observables need it
 };
 
 /// The skin of the candidate list. If none is set: a tenth if the program chooses the broad phase, else 0.

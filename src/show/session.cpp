@@ -20,6 +20,9 @@ bool is_of_detection(std::string_view option) {
   return std::find(kNames.begin(), kNames.end(), option) != kNames.end();
 }
 
+/// Options that change what the scene consists of.
+bool is_of_scene(std::string_view option) { return option == "count" || option == "seed" || option == "mass-ratio"; }
+
 }  // namespace
 
 Backend select_backend(BackendName name, Response response) {
@@ -39,7 +42,7 @@ Session::Session(std::string_view scene, const std::vector<GivenOption>& given, 
 void Session::start(std::string name, std::vector<GivenOption> given) {
   Settings overrides;
   apply_given(overrides, given);
-  Scene scene = load_scene(name, {overrides.count, overrides.seed});
+  Scene scene = load_scene(name, {overrides.count, overrides.seed, overrides.mass_ratio});
   const Settings settings = combine(scene.defaults, given);
   const std::vector<std::string> notes = std::exchange(scene.notes, {});
   use(std::move(scene), settings);
@@ -98,7 +101,7 @@ void Session::set(const std::string& name, const std::string& value) {
     if (option.name != name && fits) given.push_back(option);
   }
   if (!value.empty()) given.push_back({name, value});
-  if (name == "count" || name == "seed") {
+  if (is_of_scene(name)) {
     start(scene_name_, given);
   } else if (is_of_detection(name) && detect_by(given)) {
     given_ = std::move(given);
