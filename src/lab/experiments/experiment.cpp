@@ -43,6 +43,7 @@ const std::vector<Experiment>& experiments() {
       equation_of_state_experiment(),
       cooling_experiment(),
       drift_experiment(),
+      pi_experiment(),
   };
   return table;
 }
