@@ -44,6 +44,7 @@ const std::vector<Experiment>& experiments() {
       cooling_experiment(),
       drift_experiment(),
       pi_experiment(),
+      substeps_experiment(),
   };
   return table;
 }

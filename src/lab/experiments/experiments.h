@@ -97,6 +97,14 @@ double leaving_step(double ratio);
 /// As counted with these settings; infinite if the run stops. Springs have the stiffness whose contacts last 20 steps.
 double collisions_counted(Settings settings, double ratio);
 
+// The same work as n iterations in a step of dt [s], or as n substeps with one iteration each.
+
+Settings equal_work(const std::string& response, double dt, int work, bool is_substeps);
+
+/// The largest overlap, as a fraction of the radius, after three seconds of spheres that lie one upon the other; infinite
+/// if the run stops.
+double overlap_at_rest(const std::vector<double>& masses, const Settings& settings);
+
 // The change of energy and momentum, which should stay constant, in long runs.
 
 /// Largest changes up to a time, relative to the start.
