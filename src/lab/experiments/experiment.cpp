@@ -45,6 +45,7 @@ const std::vector<Experiment>& experiments() {
       drift_experiment(),
       pi_experiment(),
       substeps_experiment(),
+      far_origin_experiment(),
   };
   return table;
 }

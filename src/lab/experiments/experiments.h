@@ -105,6 +105,17 @@ Settings equal_work(const std::string& response, double dt, int work, bool is_su
 /// if the run stops.
 double overlap_at_rest(const std::vector<double>& masses, const Settings& settings);
 
+/// A stack of ten discs and a heap of a hundred that have settled at (x, −0.8·x). Both are fractions of the radius, and
+/// infinite if the run stops.
+struct FarHeaps {
+  double height_error;  ///< of the stack's centre of mass above the floor, against the origin in double precision
+  double overlap;       ///< the largest in the heap
+
+  bool fails() const { return !(height_error <= 0.1 && overlap <= 0.1); }
+};
+
+FarHeaps heaps_at(double x, const Settings& settings);
+
 // The change of energy and momentum, which should stay constant, in long runs.
 
 /// Largest changes up to a time, relative to the start.
