@@ -30,7 +30,7 @@ class ChooseCommand {
     catch_interrupts();
     Settings overrides;
     apply_given(overrides, arguments_.given);
-    const Scene scene = load_scene(arguments_.scene, {overrides.count, overrides.seed});
+    const Scene scene = load_scene(arguments_.scene, {overrides.count, overrides.seed, overrides.mass_ratio});
     if (overrides.response != Response::automatic) check_given(overrides, arguments_.given);
     try {
       const Choice choice = choose({scene, arguments_.given, budget_, remeasure_});

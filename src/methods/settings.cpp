@@ -156,6 +156,10 @@ const std::vector<SettingInfo>& setting_table() {
       number(kRun, {"count", "N", "number of spheres to generate", "the scene's"}, &Settings::count,
              Range{int64_t{1}, int64_t{100'000'000}}),
       number(kRun, {"seed", "N", "start of the random numbers", "1"}, &Settings::seed, Range{uint64_t{0}, UINT64_MAX}),
+      number(kRun,
+             {"mass-ratio", "RATIO", "mass of the heavy spheres in units of the light ones', in a scene of two masses",
+              "the scene's"},
+             &Settings::mass_ratio, Range{1.0, 1e12}),
   };
   return table;
 }

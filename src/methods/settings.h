@@ -46,8 +46,9 @@ struct Settings {
   int threads = 0;               ///< 0: all cores
   std::optional<int64_t> count;  ///< spheres generated, in place of the scene's own number
   std::optional<uint64_t> seed;
-  double max_overlap = 1;    ///< of the smaller radius; more stops the run
-  double max_energy = 10;    ///< of the energy at the start; more stops the run
+  std::optional<double> mass_ratio;  ///< of heavy and light listed spheres, in place of the scene's own
+  double max_overlap = 1;            ///< of the smaller radius; more stops the run
+  double max_energy = 10;            ///< of the energy at the start; more stops the run
 
   // No options:
   bool keeps_tally = false;  ///< fill Report::tally; set if observables need it

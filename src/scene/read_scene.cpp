@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/file.h"
+#include "scene/mass_ratio.h"
 #include "scene/read_sections.h"
 #include "scene_files.h"
 
@@ -242,6 +243,7 @@ Scene parse_scene(std::string_view text, std::string_view file_name, const std::
   const TableReader root = reader_of(table, file_name);
   Scene scene = read_values(root, overrides);
   const SphereLines lines = read_listed_spheres(root, folder, scene);
+  override_masses(root, overrides.mass_ratio, scene.bodies);
   const std::vector<Fill> fills = read_counted_fills(root, scene, overrides);
   check_periodic_edges(scene.domain, largest_radius(scene.bodies, fills), root.place("domain"));
   SphereIndex index(scene.domain);

@@ -17,8 +17,9 @@ namespace ballpit {
 
 /// Changes from the command line, made before the scene is filled.
 struct SceneOverrides {
-  std::optional<int64_t> count;  ///< spheres of all [[fill]] together, distributed in proportion
-  std::optional<uint64_t> seed;  ///< of the random spheres; else `seed` of [defaults], else 1
+  std::optional<int64_t> count;      ///< spheres of all [[fill]] together, distributed in proportion
+  std::optional<uint64_t> seed;      ///< of the random spheres; else `seed` of [defaults], else 1
+  std::optional<double> mass_ratio;  ///< of heavy and light listed spheres; see mass_ratio.h
 };
 
 /// Reads the scene in the file `path`. The path of its CSV file is relative to it.

@@ -256,7 +256,9 @@ PageView Demo::captioned() {
   const int64_t n = last.count;
   const std::string spheres = counted(n, "sphere"), contacts = counted(last.contacts, "contact");
   if (session.settings().response == Response::event_driven) {
-    page.caption = phrase("{}: {} events so far", spheres, grouped(last.events));
+    const int64_t collisions = last.tally.collisions + last.tally.wall_hits;
+    page.caption =
+        phrase("{}: {}, {} so far", spheres, counted(collisions, "collision"), counted(last.events, "event"));
   } else if (last.candidates == 0) {
     page.caption = phrase("{}, {}", spheres, contacts);
   } else {

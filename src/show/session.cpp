@@ -21,6 +21,9 @@ bool is_of_detection(std::string_view option) {
   return std::find(kNames.begin(), kNames.end(), option) != kNames.end();
 }
 
+/// Options that change what the scene consists of.
+bool is_of_scene(std::string_view option) { return option == "count" || option == "seed" || option == "mass-ratio"; }
+
 }  // namespace
 
 Backend select_backend(BackendName name, Response response) {
@@ -41,7 +44,7 @@ Session::Session(std::string_view scene, const std::vector<GivenOption>& given, 
 void Session::start(std::string name, std::vector<GivenOption> given, const std::filesystem::path& kept) {
   Settings overrides;
   apply_given(overrides, given);
-  Scene scene = load_scene(name, {overrides.count, overrides.seed});
+  Scene scene = load_scene(name, {overrides.count, overrides.seed, overrides.mass_ratio});
   choice_.reset();
   watch_.reset();
   if (!kept.empty()) choice_ = read_choice(kept, scene, given);
@@ -173,7 +176,7 @@ void Session::set(const std::string& name, const std::string& value) {
   const std::optional<Choice> choice = choice_;
   try {
     if (name == "response") choice_.reset();  // it is made again if it is wanted
-    if (name == "count" || name == "seed") {
+    if (is_of_scene(name)) {
       start(scene_name_, given);
     } else if (is_of_detection(name) && detect_by(given)) {
       given_ = std::move(given);

@@ -74,6 +74,10 @@ double collisions_per_sphere(const Observation& o) {
   return 2 * static_cast<double>(o.report.tally.collisions) / count_of(o);
 }
 
+double collisions(const Observation& o) {
+  return static_cast<double>(o.report.tally.collisions + o.report.tally.wall_hits);
+}
+
 double collision_rate(const Observation& o) { return collisions_per_sphere(o) / o.report.time; }
 
 double mean_free_time(const Observation& o) { return 1 / collision_rate(o); }
@@ -145,9 +149,14 @@ constexpr std::array kObservables{
                "⟨v⁴⟩/⟨v²⟩², in a periodic domain relative to the centre of mass; 1 for equal speeds, 1 + 2/d for equal "
                "masses in equilibrium",
                false, number<velocity_moment>},
+    Observable{
+        "collisions", "Collisions", "1", "1",
+        "of two spheres, or of a sphere and a wall, since the start or since --observe-from; what lies on a wall "
+        "does not hit it",
+        true, number<collisions>},
     Observable{"collisions-per-sphere", "Collisions per sphere", "1", "1",
-               "2·collisions/n since the start: each collision is one of either sphere", true,
-               number<collisions_per_sphere>},
+               "2·C/n with the number C of collisions of two spheres, walls left out: each is one of either sphere",
+               true, number<collisions_per_sphere>},
     Observable{"collision-rate", "Collision rate", "1/s", "1/s",
                "collisions per sphere / T: those of one sphere in a second", true, number<collision_rate>},
     Observable{"mean-free-time", "Mean free time", "s", "s", "1/collision rate: between two collisions of a sphere",

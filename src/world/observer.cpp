@@ -36,6 +36,7 @@ Observation Observer::observation(World& world, const Report& report) const {
   tally.collisions -= before_.collisions;
   tally.virial -= before_.virial;
   tally.floor_impulse -= before_.floor_impulse;
+  tally.wall_hits -= before_.wall_hits;
   return result;
 }
 

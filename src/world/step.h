@@ -44,7 +44,7 @@ template <class V, class Exec>
 void sort_bodies(WorldParts<V, Exec>& world) {
   world.bodies.sort([&](const auto& rearrange) {
     if (auto* const values = world.motion->kept()) rearrange(*values);
-    rearrange(world.tally.kept());
+    for (auto* const values : world.tally.kept()) rearrange(*values);
     for (auto* const values : world.guard.kept()) rearrange(*values);
   });
   world.collider.discard();
@@ -73,9 +73,10 @@ void make_step(WorldParts<V, Exec>& world, int64_t step, double time, int subste
       }
 
       // Respond
-      const ImpulseNotes<V> notes = tally.begin(exec, bodies.count(), contacts.pairs.size());
+      const bool counts = motion->counts_collisions(pass);
+      const ImpulseNotes<V> notes = tally.begin(exec, bodies.view(), bodies.box(), contacts.pairs.size(), counts);
       if (motion->respond(bodies, contacts, h, pass, notes)) world.moved();
-      tally.end(exec, bodies.view(), bodies.box(), contacts.pairs, contacts.geometry, motion->counts_collisions(pass));
+      tally.end(exec, bodies.view(), bodies.box(), contacts.pairs, contacts.geometry, counts);
 
       // Kick, drift
       if (motion->after_contacts(bodies, h, pass)) world.moved();

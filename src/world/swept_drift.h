@@ -15,6 +15,7 @@
 #include "bodies/contacts.h"
 #include "bodies/tally.h"
 #include "response/walls_view.h"
+#include "world/swept_impacts.h"
 
 namespace ballpit {
 
@@ -29,6 +30,15 @@ HOST_DEVICE Real time_to_wall(Real distance, Real speed, Real acceleration) {
   return (-speed + std::sqrt(squared > 0 ? squared : Real(0))) / acceleration;
 }
 
+/// What a sphere did at the two walls along one axis.
+template <class Real>
+struct Bounces {
+  Real given = 0;    ///< [m/s] speed that the wall at `low` gave it
+  int64_t hits = 0;  ///< of either wall; those with which it comes to rest are one
+
+  HOST_DEVICE void add(Real count) { hits += count < Real(1e15) ? int64_t(count) : int64_t(1e15); }
+};
+
 /// The two walls along one axis.
 template <class Real>
 struct BetweenWalls {
@@ -38,9 +48,10 @@ struct BetweenWalls {
 
   static constexpr int kMaxBounces = 32;  ///< in a step; after that the rest of the step is lost
 
-  /// Advances a sphere by `left` [s]; returns the speed that the wall at `low` gave it [m/s].
-  HOST_DEVICE Real fly(Real& position, Real& velocity, Real left) const {
-    Real given = 0;
+  /// Advances a sphere by `left` [s].
+  HOST_DEVICE Bounces<Real> fly(Real& position, Real& velocity, Real left) const {
+    Bounces<Real> sum;
+    Real& given = sum.given;
     for (int k = 0; k < kMaxBounces; ++k) {
       const Real to_low = time_to_wall(position - low, -velocity, -acceleration);
       const Real to_high = time_to_wall(high - position, velocity, acceleration);
@@ -49,7 +60,7 @@ struct BetweenWalls {
       if (time >= left) {
         position = inside(position + velocity * left + acceleration * left * left / 2);
         velocity += acceleration * left;
-        return given;
+        return sum;
       }
       const Real wall = side < 0 ? low : high, pressing = side * acceleration;
       const Real squared = velocity * velocity + 2 * pressing * (side * (wall - position));
@@ -57,21 +68,23 @@ struct BetweenWalls {
       left -= time;
       position = wall;
       velocity = -side * parting;
+      if (arriving > 0) sum.add(1);  // it does not lie there
       if (side < 0) given += arriving + parting;
       if (!(pressing > 0)) continue;
       const Real period = 2 * parting / pressing;
       if (period <= left * (1 - restitution)) {  // comes to rest within the step
         if (side < 0) given += pressing * left - parting;
         velocity = 0;
-        return given;
+        return sum;
       }
       if (restitution == 1 && period < left) {  // identical bounces
         const Real bounces = std::floor(left / period);
         left -= bounces * period;
+        sum.add(bounces);
         if (side < 0) given += bounces * 2 * parting;
       }
     }
-    return given;
+    return sum;
   }
 
   HOST_DEVICE Real inside(Real position) const {
@@ -110,6 +123,7 @@ struct SweptDrift {
       if (is_flying(i)) end -= kick * (rest * rest * dt / 2);
     }
     if (!box.is_periodic()) keep_inside(p, bodies.radius[i], end);
+    if (!notes.wall_hits.empty()) notes.wall_hits[i] = hits_on_way(i);
     position[i] = end;
     velocity[i] = after;
     if (notes.are_kept() && !box.is_periodic() && change[1] < 0) {  // a body on the floor was not kicked
@@ -140,11 +154,23 @@ struct SweptDrift {
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       Real p = bodies.position[i][axis], v = bodies.velocity[i][axis];
       const BetweenWalls<Real> walls{low_of(i, axis), high_of(i, axis), change[axis] / dt, wall_restitution};
-      const Real given = walls.fly(p, v, dt);
-      if (notes.are_kept() && axis == 1) notes.floor[i] = given / bodies.inverse_mass[i];
+      const Bounces<Real> bounces = walls.fly(p, v, dt);
+      if (notes.are_kept() && axis == 1) notes.floor[i] = bounces.given / bodies.inverse_mass[i];
+      if (notes.are_kept()) notes.wall_hits[i] += bounces.hits;
       position[i][axis] = p;
       velocity[i][axis] = v;
     }
+  }
+
+  /// The walls that body i meets on its way before anything else. A later one is met in the next step, if at all.
+  HOST_DEVICE int64_t hits_on_way(int i) const {
+    int64_t hits = 0;
+    const V p = bodies.position[i], way = sweep.way[i];
+    box.for_each_wall_on_way(p, p + way, bodies.radius[i], [&](int axis, int side, Real) {
+      const bool is_moving_there = Real(side) * way[axis] > 0;
+      hits += is_moving_there && time_of_wall(box, p, way, bodies.radius[i], axis, side) <= sweep.first[i];
+    });
+    return hits;
   }
 
   /// Whether body i separates from everything that it meets. If not, it is held, and does not fall in the rest of the step.

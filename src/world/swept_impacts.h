@@ -86,6 +86,13 @@ struct MeasureImpact {
   }
 };
 
+/// When a sphere of this radius at p meets a wall on its way, as a fraction of the step.
+template <class V>
+HOST_DEVICE Scalar<V> time_of_wall(const Box<V>& box, const V& p, const V& way, Scalar<V> radius, int axis, int side) {
+  const Scalar<V> gap = (side < 0 ? p[axis] - box.min[axis] : box.max[axis] - p[axis]) - radius;
+  return gap <= 0 ? Scalar<V>(0) : gap / std::fabs(way[axis]);
+}
+
 /// Kernel: when body i meets its first contact.
 template <class V>
 struct FindFirst {
@@ -104,9 +111,8 @@ struct FindFirst {
     contacts.for_each_of(i, [&](int c, int, int) {
       if (time[c] < earliest) earliest = time[c];
     });
-    box.for_each_wall_on_way(p, p + way[i], radius, [&](int axis, int side, Real overlap) {
-      const Real gap = (side < 0 ? p[axis] - box.min[axis] : box.max[axis] - p[axis]) - radius;
-      const Real met = overlap > 0 || gap <= 0 ? Real(0) : gap / std::fabs(way[i][axis]);
+    box.for_each_wall_on_way(p, p + way[i], radius, [&](int axis, int side, Real) {
+      const Real met = time_of_wall(box, p, way[i], radius, axis, side);
       if (met < earliest) earliest = met;
     });
     first[i] = earliest;

@@ -24,8 +24,8 @@ struct SnapshotOn final : Snapshot {
   int64_t bytes() const override {
     const auto size = [](const auto&... values) { return int64_t((0 + ... + (values.size() * sizeof(values[0])))); };
     return int64_t(sizeof(*this)) + size(bodies.position, bodies.velocity, bodies.radius, bodies.inverse_mass,
-                                         bodies.order, motion.acceleration, tally.before, guard.good_position,
-                                         guard.good_velocity);
+                                         bodies.order, motion.acceleration, tally.before, tally.found,
+                                         guard.good_position, guard.good_velocity);
   }
 };
 
@@ -40,7 +40,7 @@ class WorldOn final : public World {
         world_{BodyStore<V, Exec>(std::move(exec), scene),
                {},
                make_motion<V, Exec>(scene, settings),
-               TallyKeeper<V, Exec>(settings.keeps_tally),
+               TallyKeeper<V, Exec>(settings.keeps_tally, settings.is_swept),
                Guard<V, Exec>(settings.max_overlap, settings.max_energy, settings.dt / settings.substeps,
                               hint_of(scene, settings))} {
     world_.collider = make_collider(settings);

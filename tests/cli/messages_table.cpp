@@ -291,7 +291,7 @@ const std::vector<Unreached>& unreached() {
 
 std::vector<Row> all_rows() {
   std::vector<Row> rows = rows_of_commands();
-  for (const std::vector<Row>& more : {rows_of_scenes(), rows_of_lectures()}) {
+  for (const std::vector<Row>& more : {rows_of_scenes(), rows_of_lectures(), rows_of_masses()}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;

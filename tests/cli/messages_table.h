@@ -39,6 +39,7 @@ const std::string kBox = "[domain]\nmin = [0, 0, 0]\nmax = [10, 10, 10]\n";
 const std::string kSphere = "[[spheres]]\nposition = [5, 5, 5]\nradius = 1\n";
 
 std::vector<Row> rows_of_lectures();
+std::vector<Row> rows_of_masses();
 std::vector<Row> all_rows();
 const std::vector<Unreached>& unreached();
 

@@ -242,6 +242,36 @@ TEST_CASE("in the column the floor carries the weight of all, and heights are as
   CHECK(moment > 1.05 * thermal);  // spheres need room: the column is higher than an ideal gas's
 }
 
+TEST_CASE("two balls and a wall count the digits of π, and then both fly away from it") {
+  // Galperin 2003: ⌊π·√ratio⌋ for a ratio of 100^k, and ⌈π/atan(√(1/ratio))⌉ − 1 for any.
+  const auto count = [](const char* ratio) {
+    Session session = at_its_end("pi", {{"mass-ratio", ratio}});
+    const Bodies end = session.world().bodies();
+    CHECK(end.velocity[0].x > -1e-6);
+    CHECK(end.velocity[1].x > end.velocity[0].x);
+    CHECK(end.position[1].x + end.radius[1] < session.scene().domain.max.x);
+    return observed(session, "collisions");
+  };
+  CHECK(count("1") == 3);
+  CHECK(count("100") == 31);
+  CHECK(count("1e4") == 314);
+  CHECK(count("1e6") == 3141);
+  CHECK(count("1e8") == 31415);
+  CHECK(count("7") == 8);     // π/atan(√(1/7)) = 8.69
+  CHECK(count("1e3") == 99);  // 99.36
+}
+
+TEST_CASE("the mass ratio starts a scene again, as its count does") {
+  Session session("pi", {}, true);
+  step_to(session, 3);
+  session.set("mass-ratio", "1e4");
+  CHECK(session.time() == 0);
+  CHECK(session.world().bodies().mass[1] == 1e4);
+  CHECK_THROWS_AS(session.set("mass-ratio", "0"), UserError);
+  session.set("mass-ratio", "");
+  CHECK(session.world().bodies().mass[1] == 100);
+}
+
 TEST_CASE("the floor carries the weight of the dense bed") {
   Session session = at_its_end("dense-bed");
   CHECK(observed(session, "floor-force") == Approx(weight_of_all(session)).epsilon(0.001));

@@ -185,6 +185,7 @@ TEST_CASE("every response moves worlds on CUDA by the bits that it has on the CP
   const Tally expected = worlds.cpu->report().tally, tally = worlds.cuda->report().tally;
   CHECK(expected.virial > 0);
   CHECK(tally.collisions == expected.collisions);
+  CHECK(tally.wall_hits == expected.wall_hits);
   CHECK(tally.virial == expected.virial);
   CHECK(tally.floor_impulse == expected.floor_impulse);
   CHECK(worlds.cuda->report().elastic_energy == worlds.cpu->report().elastic_energy);

@@ -23,6 +23,26 @@ TEST_CASE("event-driven: a bouncing ball hits the floor at the times of the clos
   CHECK(world_at(dropped_ball(), t_n + 1e-9)->report().tally.floor_impulse == Approx(impulse_after(n)).epsilon(1e-12));
 }
 
+TEST_CASE("event-driven: hits of walls are counted, with any restitution, until a ball rests") {
+  const double t1 = std::sqrt(2 / 9.81), rest = t1 * 1.8 / 0.2;
+  CHECK(world_at(dropped_ball(), t1 - 1e-9)->report().tally.wall_hits == 0);
+  CHECK(world_at(dropped_ball(), t1 + 1e-9)->report().tally.wall_hits == 1);
+  CHECK(world_at(dropped_ball(), t1 * 2.61)->report().tally.wall_hits == 2);  // the second is at (1 + 2·0.8)·t1
+  const auto hits = [&](double t) { return world_at(dropped_ball(), t, 1e-4)->report().tally.wall_hits; };
+  CHECK(hits(rest + 1) == hits(rest + 2));
+  CHECK(hits(rest + 1) < 60);
+  CHECK(world_at(dropped_ball(), rest + 1, 1e-4)->report().events > 5000);  // it lies there by events
+
+  // A corner of walls, and walls that take all speed.
+  const double e = GENERATE(0.0, 0.5, 1.0);
+  Scene scene = empty_box(2.0);
+  scene.physics.wall_restitution = e;
+  add_sphere(scene, {0.6, 0.7, 1.0}, {-1, -1, 0}, 0.1);
+  CHECK(world_at(scene, 0.55)->report().tally.wall_hits == 1);
+  CHECK(world_at(scene, 0.65)->report().tally.wall_hits == 2);
+  CHECK(world_at(scene, 0.65)->report().tally.collisions == 0);
+}
+
 TEST_CASE("event-driven: two spheres exchange Δp = (1 + e)·μ·(v12·n)·n and keep their tangential parts") {
   const double e = GENERATE(0.0, 0.5, 1.0);
   Scene scene = empty_box();

@@ -187,6 +187,18 @@ TEST_CASE("event-driven: without a contact duration a ball that comes to rest st
   }
 }
 
+TEST_CASE("event-driven: collisions that come fast and end are no end of time") {
+  // A light ball between a wall and one that is 10^8 times as heavy: 31 415 collisions, most of them within 10^-4 s, at up
+  // to 10^4 times the speeds of the start.
+  Scene scene = empty_box(4.0);
+  add_sphere(scene, {0.5, 2, 2}, Vec3d(0.0), 0.1, 1.0);
+  add_sphere(scene, {1.6, 2, 2}, {-1, 0, 0}, 0.3, 1e8);
+  for (const double contact_duration : {0.0, 1e-6, 1e-3}) {
+    const Tally tally = world_at(scene, 3.0, contact_duration)->report().tally;
+    CHECK(tally.collisions + tally.wall_hits == 31415);
+  }
+}
+
 TEST_CASE("event-driven: a ball that runs into a corner loses the same part of its speed at each wall") {
   const int walls = GENERATE(2, 3);
   Scene scene = empty_box(2.0);

@@ -26,6 +26,9 @@ TEST_CASE("settings take values from text") {
   CHECK(settings.dt == 0.004166667);
   CHECK(settings.threads == 8);
   CHECK(settings.seed == UINT64_MAX);
+  CHECK_FALSE(settings.mass_ratio);
+  apply_setting(settings, "mass-ratio", "1e6", "--mass-ratio");
+  CHECK(settings.mass_ratio == 1e6);
 }
 
 TEST_CASE("a value that is not allowed names option, finding and choices") {

@@ -22,7 +22,7 @@ std::string default_of(const Scene& scene, std::string_view key) {
 }  // namespace
 
 TEST_CASE("the catalog starts with the default scene and describes each in two languages") {
-  REQUIRE(built_in_scenes().size() == 22);
+  REQUIRE(built_in_scenes().size() == 23);
   CHECK(built_in_scenes()[0].name == kDefaultScene);
   for (const SceneInfo& info : built_in_scenes()) {
     CAPTURE(info.name);
@@ -93,8 +93,8 @@ TEST_CASE("an unknown scene is refused with the names of those that exist") {
                     "SCENE: found \"bouncing-bal\", allowed bouncing-balls, open-box, lecture-grid, lecture-sweep, "
                     "lecture-cells, lecture-contacts, "
                     "lecture-periodic, lecture-zero, lecture-warps, rain, "
-                    "two-spheres, bouncing-ball, oblique-pair, cradle, stack, mass-ratio, bullet, gas-thin, gas-dense, "
-                    "cooling-gas, column, dense-bed, or a path that ends in .toml or contains a '/'");
+                    "two-spheres, bouncing-ball, oblique-pair, pi, cradle, stack, mass-ratio, bullet, gas-thin, "
+                    "gas-dense, cooling-gas, column, dense-bed, or a path that ends in .toml or contains a '/'");
   CHECK_THROWS_AS(load_scene(""), UserError);
 }
 

@@ -70,7 +70,7 @@ inline Scene crowd(int dimensions, int side, const Kind& kind, Boundary boundary
 /// What is to be the same again.
 struct Moment {
   uint64_t state_hash;
-  int64_t steps, collisions, events;
+  int64_t steps, collisions, wall_hits, events;
   double virial, floor_impulse, good_time;
   std::vector<Vec3d> good_position;
 
@@ -78,21 +78,22 @@ struct Moment {
   /// be another. All else is the same to the bit.
   bool operator==(const Moment& other) const {
     return state_hash == other.state_hash && steps == other.steps && collisions == other.collisions &&
-           events == other.events && virial == Approx(other.virial).epsilon(1e-12) &&
+           wall_hits == other.wall_hits && events == other.events && virial == Approx(other.virial).epsilon(1e-12) &&
            floor_impulse == other.floor_impulse && good_time == other.good_time && good_position == other.good_position;
   }
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Moment& moment) {
   return out << "hash " << moment.state_hash << ", steps " << moment.steps << ", collisions " << moment.collisions
-             << ", events " << moment.events << ", virial " << moment.virial << ", last good at " << moment.good_time;
+             << ", hits of walls " << moment.wall_hits << ", events " << moment.events << ", virial " << moment.virial
+             << ", last good at " << moment.good_time;
 }
 
 inline Moment moment_of(World& world) {
   const Report report = world.report();
-  return {
-      report.state_hash,          report.steps,           report.tally.collisions,   report.events, report.tally.virial,
-      report.tally.floor_impulse, world.last_good_time(), world.last_good().position};
+  return {report.state_hash,          report.steps,           report.tally.collisions,
+          report.tally.wall_hits,     report.events,          report.tally.virial,
+          report.tally.floor_impulse, world.last_good_time(), world.last_good().position};
 }
 
 /// A world with its timeline, and the moments that were seen when it first was there.

@@ -12,11 +12,12 @@ constexpr double kG = 9.81;
 
 struct State {
   double position, velocity, given;
+  int64_t hits;
 };
 
 State flown(const BetweenWalls<double>& walls, double position, double velocity, double duration) {
-  const double given = walls.fly(position, velocity, duration);
-  return {position, velocity, given};
+  const Bounces<double> bounces = walls.fly(position, velocity, duration);
+  return {position, velocity, bounces.given, bounces.hits};
 }
 
 }  // namespace
@@ -60,6 +61,17 @@ TEST_CASE("an elastic ball keeps its energy through any number of bounces in a s
       }
     }
   }
+}
+
+TEST_CASE("each bounce is a hit, those that end in rest are one, and what lies on a wall hits nothing") {
+  const double t1 = std::sqrt(2 / kG);
+  CHECK(flown({0, 2, -kG, 0.8}, 1, 0, 0.99 * t1).hits == 0);
+  CHECK(flown({0, 2, -kG, 0.8}, 1, 0, 1.01 * t1).hits == 1);
+  CHECK(flown({0, 2, -kG, 0.8}, 1, 0, 2.61 * t1).hits == 2);  // the second is at (1 + 2·0.8)·t1
+  CHECK(flown({0, 2, -kG, 0.5}, 1, 0, 9).hits == 1);
+  CHECK(flown({0, 2, -kG, 1}, 1, 0, 20 * t1).hits == 10);  // at t1, 3·t1, … 19·t1
+  CHECK(flown({0, 2, 0, 1}, 1, -5, 1.01).hits == 3);       // at 0.2, 0.6 and 1 s
+  CHECK(flown({0, 2, -kG, 0.5}, 0, 0, 1).hits == 0);
 }
 
 TEST_CASE("what lies on a wall, or a hair above it, stays there, and the wall carries it") {

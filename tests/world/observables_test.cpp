@@ -79,7 +79,7 @@ TEST_CASE("every observable has a name of its own, a label, units and a sentence
     CHECK(observable.estimator.size() > 2);
     CHECK(observable.compute != nullptr);
   }
-  CHECK(names.size() == 18);
+  CHECK(names.size() == 19);
 }
 
 TEST_CASE("observables that need no tally are the same with any tally, and the others are not") {
@@ -89,7 +89,7 @@ TEST_CASE("observables that need no tally are the same with any tally, and the o
     INFO(observable.name);
     observation.report.tally = {};
     const ObservedValue before = measure(observable, observation);
-    observation.report.tally = {11, 2.0, 3.0};
+    observation.report.tally = {11, 2.0, 3.0, 7};
     CHECK((measure(observable, observation) != before) == observable.needs_tally);
   }
 }
@@ -157,6 +157,16 @@ TEST_CASE("each collision counts for both of its spheres") {
   observation.report.tally.collisions = 1;
   CHECK(value("collisions-per-sphere", observation) == 1);
   CHECK(value("collision-rate", observation) == Approx(0.1));
+}
+
+TEST_CASE("collisions are those of spheres and those with walls, of which only the former have a rate") {
+  Observation observation = two_spheres(Boundary::walls);
+  observation.report.tally.wall_hits = 5;
+  CHECK(value("collisions", observation) == 5);
+  CHECK(value("collision-rate", observation) == 0);
+  observation.report.tally.collisions = 2;
+  CHECK(value("collisions", observation) == 7);
+  CHECK(value("collisions-per-sphere", observation) == 2);
 }
 
 TEST_CASE("pressure is that of an ideal gas, and the virial over time") {

@@ -43,6 +43,9 @@ const std::vector<Experiment>& experiments() {
       equation_of_state_experiment(),
       cooling_experiment(),
       drift_experiment(),
+      pi_experiment(),
+      substeps_experiment(),
+      far_origin_experiment(),
   };
   return table;
 }

@@ -26,6 +26,9 @@ Experiment crossover_experiment();
 Experiment cooling_experiment();
 Experiment drift_experiment();
 Experiment equation_of_state_experiment();
+Experiment far_origin_experiment();
+Experiment pi_experiment();
+Experiment substeps_experiment();
 Experiment stability_experiment();
 Experiment work_precision_experiment();
 
@@ -79,6 +82,39 @@ Settings elastic_impulses(double dt, bool is_swept);
 
 /// T/T₀ of one gas by exact motion at these times [τ of Haff's law], which are multiples of 0.01.
 std::vector<double> cooling(const GasRun& run, double restitution, const std::vector<double>& times);
+
+// Galperin's billiard: a light ball between a wall and a ball that is `ratio` times as heavy, without losses.
+
+/// Their collisions and hits of the wall together: ⌈π/atan(√(1/R))⌉ − 1, which is ⌊π·√R⌋ for R = 100^k.
+double exact_collisions(double ratio);
+
+/// [s] gap/R: how long after each other hits come where the heavy ball turns.
+double safe_step(double ratio);
+
+/// [s] radius/√R: how long the light ball needs there for a radius.
+double leaving_step(double ratio);
+
+/// As counted with these settings; infinite if the run stops. Springs have the stiffness whose contacts last 20 steps.
+double collisions_counted(Settings settings, double ratio);
+
+// The same work as n iterations in a step of dt [s], or as n substeps with one iteration each.
+
+Settings equal_work(const std::string& response, double dt, int work, bool is_substeps);
+
+/// The largest overlap, as a fraction of the radius, after three seconds of spheres that lie one upon the other; infinite
+/// if the run stops.
+double overlap_at_rest(const std::vector<double>& masses, const Settings& settings);
+
+/// A stack of ten discs and a heap of a hundred that have settled at (x, −0.8·x). Both are fractions of the radius, and
+/// infinite if the run stops.
+struct FarHeaps {
+  double height_error;  ///< of the stack's centre of mass above the floor, against the origin in double precision
+  double overlap;       ///< the largest in the heap
+
+  bool fails() const { return !(height_error <= 0.1 && overlap <= 0.1); }
+};
+
+FarHeaps heaps_at(double x, const Settings& settings);
 
 // The change of energy and momentum, which should stay constant, in long runs.
 
