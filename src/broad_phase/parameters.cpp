@@ -48,7 +48,7 @@ std::array<Prediction, 4> predict(const BroadPhaseParameters<V>& p, const Search
     diameter += 1.5 * largest * count / n;
   }
   for (int axis = 0; axis < kDimensions<V>; ++axis) longest = std::max(longest, p.box.extent(axis));
-  const double sweep = n * costs.sort + costs.vector_test * n * std::min(n / 2, n * diameter / longest);
+  const double sweep = n * costs.sort + costs.sweep_test * n * std::min(n / 2, n * diameter / longest);
   const double in_block = expected_in_block(p.box, n, 2 * double(p.largest_radius()) * cell_size);
   std::array predictions{Prediction{BroadPhase::sorted_grid, sorted_grid},
                          Prediction{BroadPhase::sort_and_sweep, sweep},

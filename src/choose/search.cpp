@@ -106,12 +106,12 @@ int64_t Search::pilot_size(const std::vector<Ladder>& ladders) const {
   return std::clamp(static_cast<int64_t>(std::min(affordable, 1e9)), kFewest, kMaxPilotSpheres);
 }
 
-/// By exact motion where it is allowed.
-void Search::find_exact_truth(const std::vector<Ladder>& ladders) {
-  const auto exact = std::ranges::find_if(
-      ladders, [](const Ladder& ladder) { return ladder.variant->response == Response::event_driven; });
-  if (exact == ladders.end()) return;
-  const PilotResult result = pilot(*settings_of(*exact->variant, 0), {}, left() / 2);
+/// By exact motion where it can serve, whatever options are given.
+void Search::find_exact_truth() {
+  const Variant& exact = *std::ranges::find(variants(), Response::event_driven, &Variant::response);
+  const Settings settings = *settings_at(exact, 0, base_settings(request_.scene, {}), {}, needs_.duration);
+  if (first_objection(judged(settings), {RuleKind::method})) return;
+  const PilotResult result = pilot(settings, {}, left() / 2);
   if (!result.stopped.empty()) return;
   until_ = result.reached;
   truth_ = result.truth;
@@ -163,7 +163,7 @@ Search::Tried Search::try_rung(const Ladder& ladder) {
 void Search::run() {
   std::vector<Ladder> ladders = allowed_ladders();
   part_ = part_of(request_.scene, pilot_size(ladders));
-  if (needs_truth()) find_exact_truth(ladders);
+  if (needs_truth()) find_exact_truth();
   while (left() > 0) {
     Ladder* cheapest = nullptr;
     for (Ladder& ladder : ladders) {

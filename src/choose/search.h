@@ -60,7 +60,7 @@ class Search {
   double predicted(const Variant& variant, int rung) const;
   int64_t pilot_size(const std::vector<Ladder>& ladders) const;
   bool needs_truth() const { return needs_.path_tolerance || !needs_.observables.empty(); }
-  void find_exact_truth(const std::vector<Ladder>& ladders);
+  void find_exact_truth();
   const Truth& truth_for(const Variant& variant, int rung);
   PilotResult pilot(const Settings& settings, const Truth& truth, double seconds) const;
   Tried try_rung(const Ladder& ladder);

@@ -26,7 +26,7 @@ struct Part {
   std::string_view name;
   double SearchCosts::*cost;
 };
-constexpr std::array kParts{Part{"vector_test", &SearchCosts::vector_test}, Part{"short_test", &SearchCosts::short_test},
+constexpr std::array kParts{Part{"vector_test", &SearchCosts::vector_test}, Part{"sweep_test", &SearchCosts::sweep_test}, Part{"short_test", &SearchCosts::short_test},
                             Part{"list_test", &SearchCosts::list_test},     Part{"sort", &SearchCosts::sort},
                             Part{"bin", &SearchCosts::bin},                 Part{"link", &SearchCosts::link},
                             Part{"each", &SearchCosts::each}};
@@ -67,6 +67,12 @@ double in_block(const Scene& scene) {
     part *= std::min(1.0, 3 * edge / (scene.domain.max[axis] - scene.domain.min[axis]));
   }
   return part * double(scene.bodies.size());
+}
+
+/// The expected tests of sort and sweep for each sphere, as --broadphase auto expects them.
+double swept(const Scene& scene) {
+  const double edge = scene.domain.max.x - scene.domain.min.x;
+  return double(scene.bodies.size()) * 1.5 * scene.bodies.radius[0] / edge;
 }
 
 /// Sets t = base + slope·x from two measured points; neither is negative.
@@ -123,7 +129,7 @@ void keep(const std::filesystem::path& path, const std::string& key, const Searc
 }  // namespace
 
 SearchCosts measure_search_costs(const Backend& backend, Precision precision) {
-  constexpr int64_t kFew = 500, kMany = 2000;
+  constexpr int64_t kFew = 1000, kMany = 3000;
   constexpr double kThin = 2;  // an eighth of the density
   const Scene few = gas_at_rest(kFew, 1), many = gas_at_rest(kMany, 1), thin = gas_at_rest(kMany, kThin);
   const auto time = [&](const Scene& scene, BroadPhase method) {
@@ -136,9 +142,8 @@ SearchCosts measure_search_costs(const Backend& backend, Precision precision) {
       costs.link, costs.list_test);
   fit(in_block(thin) / 2, time(thin, BroadPhase::sorted_grid), in_block(many) / 2,
       time(many, BroadPhase::sorted_grid), costs.bin, costs.short_test);
-  const double edge = many.domain.max.x - many.domain.min.x;
-  const double tests = double(kMany) * 1.5 * many.bodies.radius[0] / edge;
-  costs.sort = std::max(1.0, time(many, BroadPhase::sort_and_sweep) - costs.vector_test * tests);
+  fit(swept(thin), time(thin, BroadPhase::sort_and_sweep), swept(many), time(many, BroadPhase::sort_and_sweep),
+      costs.sort, costs.sweep_test);
   return costs;
 }
 

@@ -16,6 +16,7 @@ namespace ballpit {
 /// EPYC core in single precision; measure/search_costs.h measures them here.
 struct SearchCosts {
   double vector_test = 0.35;  ///< a test in a long range
+  double sweep_test = 0.35;   ///< a test of sort and sweep
   double short_test = 2.0;    ///< a test in a range of a few slots
   double list_test = 4.0;     ///< a test in a linked list
   double sort = 60.0;         ///< of sort and sweep, for each body: two endpoints sorted and numbered, and its range

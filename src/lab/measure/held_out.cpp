@@ -39,6 +39,7 @@ class Writer {
   void density() { number("density", kDensity * units_.mass / std::pow(units_.length, 3)); }
   void stiffness(double value) { number("stiffness", value * units_.mass / units_.time / units_.time); }
   void tolerance(std::string_view key, double value) { number(key, value * tolerance_); }
+  void largest_speed(double value) { speed("max_speed", value * tolerance_); }
 
   std::string text() const { return text_; }
 
@@ -118,7 +119,7 @@ void heap(Writer& w, Random& random, int dimensions) {
   w.section("[needs]");
   w.time("duration", fall * (2 + 2 * (1 + e) / (1 - e)));
   w.tolerance("max_overlap", log_uniform(random, 0.01, 0.2));
-  w.tolerance("max_speed", std::sqrt(kGravity * kRadius) * log_uniform(random, 0.1, 0.5));
+  w.largest_speed(std::sqrt(kGravity * kRadius) * log_uniform(random, 0.1, 0.5));
 }
 
 /// Spheres upon each other, at rest.
@@ -139,7 +140,7 @@ void stack(Writer& w, Random& random) {
   w.section("[needs]");
   w.time("duration", random.uniform(1, 5));
   w.tolerance("max_overlap", log_uniform(random, 1e-4, 0.02));
-  w.tolerance("max_speed", std::sqrt(kGravity * kRadius) * log_uniform(random, 0.003, 0.1));
+  w.largest_speed(std::sqrt(kGravity * kRadius) * log_uniform(random, 0.003, 0.1));
 }
 
 /// A row of spheres that touch, or nearly, hit by one: one hit after another, or springs.
@@ -190,7 +191,7 @@ void bullet(Writer& w, Random& random) {
   w.section("[needs]");
   w.time("duration", 20 * d / speed * log_uniform(random, 1, 4));
   w.tolerance("max_overlap", log_uniform(random, 0.003, 0.1));
-  w.tolerance("max_speed", speed);
+  w.largest_speed(speed);
 }
 
 /// A gas of two sizes.
