@@ -13,7 +13,7 @@
 #include "lab/experiments/contact_methods.h"
 #include "lab/experiments/experiments.h"
 #include "lab/measure/made_scenes.h"
-#include "lab/measure/theory.h"
+#include "measure/theory.h"
 
 namespace ballpit {
 
