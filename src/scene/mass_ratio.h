@@ -7,9 +7,9 @@
 
 namespace ballpit {
 
-/// If a ratio is given, as --mass-ratio, or else by [defaults] mass-ratio, makes the heavier ones of two kinds of spheres so
-/// many times as heavy as the lighter ones, which keep their mass. Throws UserError unless the spheres have exactly two
-/// masses: with one or three it is not clear which are meant.
+/// If a ratio is given, as --mass-ratio, or else by [defaults] mass-ratio, makes the heavier ones of two kinds of
+/// spheres so many times as heavy as the lighter ones, which keep their mass. Throws UserError unless the spheres have
+/// exactly two masses: with one or three it is not clear which are meant.
 void override_masses(const TableReader& root, std::optional<double> given, Bodies& bodies);
 
 }  // namespace ballpit

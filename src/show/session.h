@@ -27,9 +27,9 @@ class Session {
           const std::filesystem::path& kept = {});
 
   /// Sets an option, or resets it to the default if `value` is empty. Options of the detection change in the same
-  /// world. With any other option a new world goes on from the present state; count, seed and mass-ratio start
-  /// the scene again. A new response drops the options that do not fit it. Throws UserError if the value is not allowed; then nothing
-  /// changes.
+  /// world. With any other option a new world goes on from the present state; count, seed and mass-ratio start the
+  /// scene again. A new response drops the options that do not fit it. Throws UserError if the value is not allowed;
+  /// then nothing changes.
   void set(const std::string& name, const std::string& value);
 
   /// Replaces all options and the physics. A new world goes on from the present state. Throws as set().

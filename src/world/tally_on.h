@@ -4,9 +4,9 @@
 //     begin()  walls that are new,      ──▶ response adds   ──▶ end()  Σ Δp·d, impulse on the floor,
 //              notes cleared                impulses                   contacts that are new
 //
-// A collision is a contact of two spheres that did not touch in the substep before. A hit of a wall is a contact with it
-// that begins likewise, at the positions at which contacts are found: the position-based response then moves spheres out
-// of the walls. Where contacts are swept, the drift notes the hits. Costs nothing if no tally is kept.
+// A collision is a contact of two spheres that did not touch in the substep before. A hit of a wall is a contact with
+// it that begins likewise, at the positions at which contacts are found: the position-based response then moves spheres
+// out of the walls. Where contacts are swept, the drift notes the hits. Costs nothing if no tally is kept.
 #pragma once
 
 #include <array>

@@ -188,8 +188,8 @@ TEST_CASE("event-driven: without a contact duration a ball that comes to rest st
 }
 
 TEST_CASE("event-driven: collisions that come fast and end are no end of time") {
-  // A light ball between a wall and one that is 10^8 times as heavy: 31 415 collisions, most of them within 10^-4 s, at up
-  // to 10^4 times the speeds of the start.
+  // A light ball between a wall and one that is 10^8 times as heavy: 31 415 collisions, most of them within 10^-4 s, at
+  // up to 10^4 times the speeds of the start.
   Scene scene = empty_box(4.0);
   add_sphere(scene, {0.5, 2, 2}, Vec3d(0.0), 0.1, 1.0);
   add_sphere(scene, {1.6, 2, 2}, {-1, 0, 0}, 0.3, 1e8);

@@ -28,9 +28,10 @@ Scene flights() {
   return scene;
 }
 
-/// 4000 spheres in a periodic cube, 100 of them of diameter and mass 1, the others of half the diameter and a thousandth of
-/// the mass; 1.4 spheres in a volume of 1. kT = 1 on average, the total momentum is 0. `is_equal`: each species has kT = 1;
-/// else all have the speeds of one distribution, and the few heavy spheres 25 times the energy of all others.
+/// 4000 spheres in a periodic cube, 100 of them of diameter and mass 1, the others of half the diameter and a
+/// thousandth of the mass; 1.4 spheres in a volume of 1. kT = 1 on average, the total momentum is 0. `is_equal`: each
+/// species has kT = 1; else all have the speeds of one distribution, and the few heavy spheres 25 times the energy of
+/// all others.
 Scene binary_mixture(bool is_equal) {
   constexpr double kLightMass = 0.001;
   Scene scene = make_lattice_gas(10, 1.4, 5);
@@ -130,7 +131,8 @@ TEST_CASE("hard spheres have the mean free time and the diffusion of the literat
 
 TEST_CASE("a mixture of large and light small spheres has the mean free time of the literature", "[slow]") {
   // In equilibrium that of Enskog's theory: spheres of species i collide with those of j at the rate
-  // n_j·σ_ij²·g_ij·√(8π·kT/μ_ij), with the contact values g_ij of Boublík 1970 and Mansoori et al. 1971; 1/Σ x_i·rate_i.
+  // n_j·σ_ij²·g_ij·√(8π·kT/μ_ij), with the contact values g_ij of Boublík 1970 and Mansoori et al. 1971; 1/Σ
+  // x_i·rate_i.
   const Scene scene = binary_mixture(true);
   REQUIRE(std::count(scene.bodies.radius.begin(), scene.bodies.radius.end(), 0.5) == 100);
   const auto world = make_cpu_world(scene, event_driven_gas(0.25));
@@ -140,9 +142,9 @@ TEST_CASE("a mixture of large and light small spheres has the mean free time of 
 }
 
 TEST_CASE("a mixture that is not in equilibrium yet has the mean free time of DynamO's test", "[slow]") {
-  // DynamO's regression test of this mixture has 0.0098213 with bounds of 1 %, 4 % more than in equilibrium. It gives all
-  // spheres the same speeds, and observes the second million collisions. But light spheres gain little energy in each:
-  // after two million they have kT = 0.97 and the heavy ones 2.3.
+  // DynamO's regression test of this mixture has 0.0098213 with bounds of 1 %, 4 % more than in equilibrium. It gives
+  // all spheres the same speeds, and observes the second million collisions. But light spheres gain little energy in
+  // each: after two million they have kT = 0.97 and the heavy ones 2.3.
   const Scene scene = binary_mixture(false);
   const auto world = make_cpu_world(scene, event_driven_gas(0.025));
   const auto step_until_collisions = [&](int64_t count) {

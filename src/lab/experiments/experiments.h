@@ -101,8 +101,8 @@ double collisions_counted(Settings settings, double ratio);
 
 Settings equal_work(const std::string& response, double dt, int work, bool is_substeps);
 
-/// The largest overlap, as a fraction of the radius, after three seconds of spheres that lie one upon the other; infinite
-/// if the run stops.
+/// The largest overlap, as a fraction of the radius, after three seconds of spheres that lie one upon the other;
+/// infinite if the run stops.
 double overlap_at_rest(const std::vector<double>& masses, const Settings& settings);
 
 /// A stack of ten discs and a heap of a hundred that have settled at (x, −0.8·x). Both are fractions of the radius, and

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A stack and a heap far from the origin, as in the samples "Far" of solver2d (Catto,
-// https://github.com/erincatto/solver2d), which are up to (900 km, −800 km) away. The map far-out of `stability` shows one
-// sphere in flight; here spheres fall and press on each other, and the question is which response survives the rounding
-// of positions, and how far out.
+// https://github.com/erincatto/solver2d), which are up to (900 km, −800 km) away. The map far-out of `stability` shows
+// one sphere in flight; here spheres fall and press on each other, and the question is which response survives the
+// rounding of positions, and how far out.
 //
 //     ○     ○  ○  ○       spheres a quarter of a diameter apart fall onto each other
 //     ○      ○  ○  ○      in a box whose lower left corner is at (x, −0.8·x)

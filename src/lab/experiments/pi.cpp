@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Galperin's billiard: a light ball between a wall and a heavy one collides ⌊π·√R⌋ times with both together, at the mass
-// ratio R = 100^k (2003, Regular and Chaotic Dynamics 8, 375). Where does a response with steps begin to miscount?
+// Galperin's billiard: a light ball between a wall and a heavy one collides ⌊π·√R⌋ times with both together, at the
+// mass ratio R = 100^k (2003, Regular and Chaotic Dynamics 8, 375). Where does a response with steps begin to miscount?
 //
 //     │ ○        ◂── ⬤      the heavy ball, at 1 m/s, turns where the gap is 1/√R of the one at which it met the light
 //                            ball; there the light one has √R m/s: hits follow each other within gap/R seconds
 //
 // The velocities depend only on the order of hits, not on when they come. So a response that resolves one hit after the
-// other counts right although it is late, until the light ball leaves through the wall: it has √R m/s, so a step must be
-// at most radius/√R. A response that resolves both hits of a step at once, or misses one, needs gap/R.
+// other counts right although it is late, until the light ball leaves through the wall: it has √R m/s, so a step must
+// be at most radius/√R. A response that resolves both hits of a step at once, or misses one, needs gap/R.
 #include <numbers>
 
 #include "lab/experiments/contact_methods.h"

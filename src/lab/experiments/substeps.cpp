@@ -5,11 +5,11 @@
 //     iterations    ├────────────── dt ──────────────┤  contacts once, solved n times
 //     substeps      ├── h ──┼── h ──┼── h ──┼── h ──┤  h = dt/n: contacts n times, solved once each
 //
-// With one iteration in each substep, a contact that carries `load` times the weight of a sphere must lift it by load·g·h²,
-// as much as it falls. By positions, contacts are solved in two colours, so a contact between two spheres is pressed by
-// both neighbours afterwards. In a stack of n the third contact from the floor then overlaps most, by the loads of its
-// neighbours: ((n − 2) + (n − 4))·g·h². (From the floor upwards in turn it would be (n − 1)·g·h².) Under a sphere R times
-// as heavy as its carrier it is R·g·h².
+// With one iteration in each substep, a contact that carries `load` times the weight of a sphere must lift it by
+// load·g·h², as much as it falls. By positions, contacts are solved in two colours, so a contact between two spheres is
+// pressed by both neighbours afterwards. In a stack of n the third contact from the floor then overlaps most, by the
+// loads of its neighbours: ((n − 2) + (n − 4))·g·h². (From the floor upwards in turn it would be (n − 1)·g·h².) Under a
+// sphere R times as heavy as its carrier it is R·g·h².
 #include "lab/experiments/experiments.h"
 #include "lab/measure/made_scenes.h"
 
