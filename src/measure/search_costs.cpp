@@ -75,10 +75,10 @@ double swept(const Scene& scene) {
   return double(scene.bodies.size()) * 1.5 * scene.bodies.radius[0] / edge;
 }
 
-/// Sets t = base + slope·x from two measured points; neither is negative.
+/// Sets t = base + slope·x from two measured points, x1 < x2. At least a fifth of t1 counts as base, whatever noise makes of it.
 void fit(double x1, double t1, double x2, double t2, double& base, double& slope) {
-  slope = std::max(1e-3, (t2 - t1) / (x2 - x1));
-  base = std::max(1.0, t1 - slope * x1);
+  base = std::max(0.2 * t1, t1 - (t2 - t1) / (x2 - x1) * x1);
+  slope = std::max(1e-3, (t2 - base) / x2);
 }
 
 std::filesystem::path cache_file() {

@@ -57,8 +57,8 @@ TEST_CASE("unknown keys are refused at every level, with the valid ones") {
        "2: [[fill]] number: found an unknown key, allowed count, radius, speed, velocity, min, max, "
        "arrangement, mass"},
       {"[needs]\ntime = 1",
-       "2: [needs] time: found an unknown key, allowed duration, max_overlap, energy_tolerance, "
-       "momentum_tolerance, max_speed"},
+       "2: [needs] time: found an unknown key, allowed duration, max_overlap, max_overlap_ever, "
+       "energy_tolerance, momentum_tolerance, max_speed, path_tolerance, effects, observables"},
       {"\"a\\nb\" = 1",
        "1: a\\x0Ab: found an unknown key, allowed title, description, title_de, description_de, domain, "
        "physics, "
