@@ -36,7 +36,10 @@ Table table_of(const std::vector<std::pair<uint64_t, Judged>>& all) {
               {"seed", "family", "spheres", "holds", "regret", "cost [s]", "cheapest [s]", "method", "cheapest method",
                "chosen in [s]", "why"}};
   for (const auto& [seed, j] : all) {
-    table.add_row(static_cast<double>(seed), j.family, j.count, std::string(!j.has_choice ? "refused" : j.holds ? "yes" : "no"),
+    table.add_row(static_cast<double>(seed), j.family, j.count,
+                  std::string(!j.has_choice ? "refused"
+                              : j.holds     ? "yes"
+                                            : "no"),
                   j.regret(), j.cost, j.best_cost, j.method, j.best_method, j.chosen_in, j.why);
   }
   return table;
@@ -58,7 +61,10 @@ void run(const Options& options) {
     regrets.push_back(judged.regret());
     all.emplace_back(seed, judged);
     fmt::print("{:>6} {:<8} {:>5} spheres  {:<8} regret {:>6.2f}  {:>9} s of {:>9} s  {} ({})  in {:.1f} s  {}\n", seed,
-               judged.family, judged.count, !judged.has_choice ? "refused" : judged.holds ? "holds" : "BROKEN",
+               judged.family, judged.count,
+               !judged.has_choice ? "refused"
+               : judged.holds     ? "holds"
+                                  : "BROKEN",
                judged.regret(), three_digits(judged.cost), three_digits(judged.best_cost), judged.method,
                judged.best_method, judged.chosen_in, judged.why);
     std::fflush(stdout);

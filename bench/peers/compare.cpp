@@ -27,7 +27,7 @@ double milliseconds(Clock clock, Work work) {
   return 1e3 * (now_in_seconds(clock) - start);
 }
 
-Timing timing_of(const std::vector<double>& milliseconds) {
+PeerTiming timing_of(const std::vector<double>& milliseconds) {
   const Spread spread = spread_of(milliseconds);
   return {spread.median, spread.upper - spread.lower};
 }

@@ -51,7 +51,7 @@ struct Protocol {
 
 /// [ms] of a cold search; for updates, of a step, averaged over a drift, which includes the occasional rebuilding of a
 /// structure.
-struct Timing {
+struct PeerTiming {
   double median = 0;
   double spread = 0;  ///< between the quartiles
 };
@@ -62,8 +62,8 @@ struct Row {
   int threads = 0;
   std::string peer;
   std::string mode;  ///< "cold" or "update"
-  Timing ours;
-  Timing theirs;
+  PeerTiming ours;
+  PeerTiming theirs;
   int64_t pairs = 0;   ///< at the start
   bool equal = false;  ///< all sets, ours and theirs
 

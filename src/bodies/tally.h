@@ -16,8 +16,7 @@ struct Tally {
   int64_t wall_hits = 0;     ///< of spheres and walls; a sphere that lies on a wall does not hit it again
 
   Tally operator+(const Tally& o) const {
-    return {collisions + o.collisions, virial + o.virial, floor_impulse + o.floor_impulse,
-            wall_hits + o.wall_hits};
+    return {collisions + o.collisions, virial + o.virial, floor_impulse + o.floor_impulse, wall_hits + o.wall_hits};
   }
 };
 

@@ -13,7 +13,7 @@ namespace ballpit {
 namespace {
 
 constexpr int kFirstSteps = 60;
-constexpr int kExactSteps = 600;  // of event-driven motion: only frames, which it computes at any time
+constexpr int kExactSteps = 600;        // of event-driven motion: only frames, which it computes at any time
 constexpr double kShortContact = 1e-7;  // of the duration; collisions that follow sooner lose no energy
 constexpr double kLargestStep = 10, kSmallestStep = 1e-12;  // [s] of --dt
 
@@ -88,7 +88,8 @@ std::optional<Settings> settings_at(const Variant& variant, int rung, const Sett
   if (is_given(given, "dt")) return rung == 0 ? std::optional(settings) : std::nullopt;
   const bool is_exact = variant.response == Response::event_driven;
   if (is_exact && rung > 0) return std::nullopt;
-  if (is_exact && !is_given(given, "contact-duration")) settings.contact_duration = std::min(1.0, kShortContact * duration);
+  if (is_exact && !is_given(given, "contact-duration"))
+    settings.contact_duration = std::min(1.0, kShortContact * duration);
   settings.dt = std::min(kLargestStep, step_at(rung, is_exact, duration) * settings.substeps);
   return settings;
 }
@@ -117,7 +118,8 @@ std::vector<GivenOption> options_of(const Settings& settings, const std::vector<
     if (info.name == "iterations") value = typed(iterations_of(settings));
     if (is_wanted(info) && !value.empty()) options.push_back({std::string(info.name), value});
   }
-  if (settings.backend != BackendName::automatic) options.push_back({"backend", std::string(name_of(settings.backend))});
+  if (settings.backend != BackendName::automatic)
+    options.push_back({"backend", std::string(name_of(settings.backend))});
   return options;
 }
 

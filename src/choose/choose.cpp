@@ -51,13 +51,14 @@ class Chooser {
     };
     const Attempt *best = nullptr, *nearest = nullptr;
     for (const Attempt& attempt : choice_.tried) {
-      if (attempt.remark.empty() && (nearest == nullptr || attempt.worst < nearest->worst)) nearest = &attempt;
+      if (!attempt.errors.empty() && (nearest == nullptr || attempt.worst < nearest->worst)) nearest = &attempt;
       if (!attempt.holds) continue;
-      if (best == nullptr || std::tuple(cost(attempt), order(attempt), attempt.cost) <
-                                 std::tuple(cost(*best), order(*best), best->cost)) {
+      if (best == nullptr ||
+          std::tuple(cost(attempt), order(attempt), attempt.cost) < std::tuple(cost(*best), order(*best), best->cost)) {
         best = &attempt;
       }
     }
+    if (best == nullptr && nearest != nullptr && nearest->is_close) best = nearest;  // better a small margin than none
     if (best == nullptr) {
       if (nearest != nullptr) choice_.nearest = *nearest;
       choice_.reason = reason_for_nothing();
@@ -78,8 +79,8 @@ class Chooser {
     Scene scene = search.part();
     scene.bodies = search.middle_of(index);
     if (scene.bodies.size() == 0) return;
-    const CheapestSearch cheapest = with_cheapest_search(scene, needs(), chosen.settings, request_.given,
-                                                         request_.scene.bodies.size(), kSeconds);
+    const CheapestSearch cheapest =
+        with_cheapest_search(scene, needs(), chosen.settings, request_.given, request_.scene.bodies.size(), kSeconds);
     chosen.settings = cheapest.settings;
     chosen.cost *= cheapest.ratio;
   }
@@ -113,7 +114,7 @@ class Chooser {
     add(precision_of(s) == Precision::float32, phrase("double precision"));
     add(s.substeps == 1 && !is_exact, phrase("substeps"));
     add(!s.is_swept && !is_exact, phrase("swept contacts: the fastest sphere moves {} diameters in a step",
-                                        local_number(three_digits(n.flight(s.dt)))));
+                                         local_number(three_digits(n.flight(s.dt)))));
     add(!is_exact && skin_of(s) == 0, phrase("a candidate list"));
     add(!n.has_gravity, phrase("gravity"));
     add(n.has_equal_radii && n.count > 1, phrase("a radius for each sphere"));
@@ -133,9 +134,8 @@ class Chooser {
     const std::string step = chosen.settings.response == Response::event_driven
                                  ? phrase("{}, which has no steps,", chosen.method)
                                  : phrase("{} with steps of {} s", chosen.method, seconds(chosen.settings.dt));
-    const std::string first =
-        phrase("{} is the cheapest that holds all tolerances: {} s of computing for {} s", step, seconds(chosen.cost),
-               seconds(needs().duration));
+    const std::string first = phrase("{} is the cheapest that holds all tolerances: {} s of computing for {} s", step,
+                                     seconds(chosen.cost), seconds(needs().duration));
     return next == nullptr ? first : phrase("{}; next comes {} with {} s", first, next->method, seconds(next->cost));
   }
 
@@ -145,13 +145,14 @@ class Chooser {
     std::vector<std::string> broken;
     for (size_t k = 0; k < choice_.tolerances.size(); ++k) {
       const Tolerance& tolerance = choice_.tolerances[k];
-      if (k < nearest.errors.size() && !(nearest.errors[k] <= tolerance.allowed) && !nearest.is_unseen[k]) {
-        broken.push_back(phrase("{} {}, allowed {}", tolerance.name, seconds(nearest.errors[k]), seconds(tolerance.allowed)));
-      }
+      if (!nearest.knows(k) || nearest.errors[k] <= tolerance.allowed) continue;
+      broken.push_back(
+          phrase("{} {}, allowed {}", tolerance.name, seconds(nearest.errors[k]), seconds(tolerance.allowed)));
     }
-    return phrase("nothing holds all tolerances; nearest is {} with steps of {} s: {}", nearest.method,
-                  seconds(nearest.settings.dt),
-                  broken.empty() ? phrase("it holds them with too small a margin") : join(broken));
+    const auto out = std::ranges::find(choice_.ruled_out, nearest.method, &RuledOut::method);
+    if (out != choice_.ruled_out.end()) broken.push_back(out->reason);
+    return phrase("nothing holds all that is needed; nearest is {} with steps of {} s: {}", nearest.method,
+                  seconds(nearest.settings.dt), join(broken, "; "));
   }
 
   const ChoiceRequest& request_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Chooses the cheapest settings with which a scene shows what it needs (docs/choice.md).
 //
-//     numbers ──▶ rules ──▶ variants that can serve, each with its first rung ──▶ pilots ──▶ cheapest that holds ──▶ search
-//     numbers.h   rules.h   candidates.h, search.h                                pilot.h                            detection.h
+//     numbers ──▶ rules ──▶ variants, each with its first rung ──▶ pilots ──▶ cheapest that holds ──▶ search
+//     numbers.h   rules.h   candidates.h, search.h                 pilot.h                            detection.h
 //
 // Cost: the budget, and a second at most.
 #pragma once
@@ -37,9 +37,10 @@ struct Attempt {
   std::vector<double> errors{};   ///< of each tolerance
   std::vector<bool> is_unseen{};  ///< of each tolerance: the pilot was too short to show it
   bool holds = false;
-  double worst = 0;               ///< largest error by its tolerance
-  double largest_overlap = 0;     ///< that its pilot saw, as a fraction of the smaller radius
-  std::string remark{};           ///< why it has no errors: given up for its cost, stopped
+  bool is_close = false;       ///< within the tolerances, but not by the margin that is wanted
+  double worst = 0;            ///< largest error by its tolerance
+  double largest_overlap = 0;  ///< that its pilot saw, as a fraction of the smaller radius
+  std::string remark{};        ///< why it has no errors: given up for its cost, stopped
 
   /// Whether the error of tolerance k is known.
   bool knows(size_t k) const { return k < errors.size() && std::isfinite(errors[k]) && !is_unseen[k]; }
@@ -50,14 +51,14 @@ struct Choice {
   EffectiveNeeds needs;
   std::vector<Tolerance> tolerances;
   std::vector<RuledOut> ruled_out;
-  std::vector<Attempt> tried;       ///< in the order of the pilots
-  std::optional<Attempt> chosen;    ///< empty if nothing holds
-  std::optional<Attempt> nearest;   ///< where nothing holds: the one that comes nearest
-  std::vector<Settings> dearer;     ///< to go on with where the choice turns out not to hold, cheapest first
+  std::vector<Attempt> tried;      ///< in the order of the pilots
+  std::optional<Attempt> chosen;   ///< empty if nothing holds
+  std::optional<Attempt> nearest;  ///< where nothing holds: the one that comes nearest
+  std::vector<Settings> dearer;    ///< to go on with where the choice turns out not to hold, cheapest first
   std::vector<std::string> unneeded;
-  std::string reason;               ///< one sentence
+  std::string reason;  ///< one sentence
   int64_t pilot_spheres = 0;
-  double seconds = 0;               ///< [s] that it took
+  double seconds = 0;  ///< [s] that it took
 };
 
 /// Throws Interrupted; UserError for options or [needs] that are not allowed.

@@ -99,8 +99,8 @@ CheapestSearch with_cheapest_search(const Scene& scene, const Needs& needs, cons
     contest.enter(other);
   };
   if (!is_given(given, "broadphase")) {
-    for (const BroadPhase method : {BroadPhase::sorted_grid, BroadPhase::linked_cell, BroadPhase::sort_and_sweep,
-                                    BroadPhase::brute_force}) {
+    for (const BroadPhase method :
+         {BroadPhase::sorted_grid, BroadPhase::linked_cell, BroadPhase::sort_and_sweep, BroadPhase::brute_force}) {
       if (method == BroadPhase::brute_force && count > kMostForBruteForce) continue;
       Settings other = contest.best();
       other.skin = skin_of(settings);

@@ -11,8 +11,8 @@ struct CheapestSearch {
   double ratio;  ///< time of a step, by that before
 };
 
-/// The settings with the cheapest broad phase, skin, number of threads and processor, but for those that are given. `count`
-/// is the number of spheres that the choice is for; `scene` may be a part. Takes about `seconds` [s].
+/// The settings with the cheapest broad phase, skin, number of threads and processor, but for those that are given.
+/// `count` is the number of spheres that the choice is for; `scene` may be a part. Takes about `seconds` [s].
 CheapestSearch with_cheapest_search(const Scene& scene, const Needs& needs, const Settings& settings,
                                     const std::vector<GivenOption>& given, int64_t count, double seconds);
 

@@ -137,9 +137,11 @@ double rms_speed(const Report& report, const Bodies& bodies) {
 NeedsMeter::NeedsMeter(const Scene& scene, Needs needs, World& world, double seen_before)
     : domain_(scene.domain),
       needs_(std::move(needs)),
-      observer_(scene.domain, 0, std::ranges::any_of(needs_.observables, [](const NeededObservable& o) {
-                  return entry_named(ballpit::observables(), o.name, o.where).needs_ways;
-                })),
+      observer_(scene.domain, 0,
+                std::ranges::any_of(needs_.observables,
+                                    [](const NeededObservable& o) {
+                                      return entry_named(ballpit::observables(), o.name, o.where).needs_ways;
+                                    })),
       seen_(seen_before) {
   const Report report = world.report();
   const Bodies bodies = world.bodies();

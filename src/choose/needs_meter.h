@@ -20,7 +20,7 @@ EffectiveNeeds effective_needs(const Scene& scene);
 struct Tolerance {
   std::string name;  ///< as in [needs], or of an observable
   double allowed;
-  bool grows;        ///< in proportion to time, so that a shorter run has a smaller error
+  bool grows;  ///< in proportion to time, so that a shorter run has a smaller error
 };
 
 /// In the order of the table; without those that the needs do not name.

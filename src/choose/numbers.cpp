@@ -39,8 +39,8 @@ int axis_of_gravity(const Vec3d& g) {
 /// [m] The height above the lowest place that the sphere can have.
 double height_of(const Scene& scene, size_t i, int axis) {
   const double r = scene.bodies.radius[i], x = scene.bodies.position[i][axis];
-  const double height = scene.physics.gravity[axis] < 0 ? x - r - scene.domain.min[axis]
-                                                        : scene.domain.max[axis] - r - x;
+  const double height =
+      scene.physics.gravity[axis] < 0 ? x - r - scene.domain.min[axis] : scene.domain.max[axis] - r - x;
   return std::max(0.0, height);
 }
 
@@ -92,8 +92,8 @@ double rate_by_kinetic_theory(const SceneNumbers& n, double mean_radius) {
   return 2 * d / std::sqrt(pi) * (z - 1) * n.typical_speed / std::sqrt(d) / (2 * mean_radius);
 }
 
-/// Finds the longest chain of spheres that touch, one higher than the other, the largest overlap, and how far each sphere can
-/// fall [m]: not at all if it stands on the floor or on others that do.
+/// Finds the longest chain of spheres that touch, one higher than the other, the largest overlap, and how far each
+/// sphere can fall [m]: not at all if it stands on the floor or on others that do.
 double longest_chain(const Scene& scene, int axis, SceneNumbers& n, std::vector<double>& fall) {
   const Bodies& b = scene.bodies;
   const double up = scene.physics.gravity[axis] < 0 ? 1 : -1;
@@ -182,12 +182,15 @@ std::vector<NamedNumber> named_numbers(const SceneNumbers& n, double dt) {
           {"dimensions", "d", double(n.is_planar_motion ? 2 : n.dimensions), "dimensions in which anything moves"},
           {"packing_fraction", "η", n.packing, "packing fraction: volume of the spheres in that of the domain"},
           {"collision_rate", "Γ", n.collision_rate, "collisions of a sphere in a second, by kinetic theory"},
-          {"contact_share", "Γ·t_c", n.collision_rate * n.contact_duration, "part of its time that a sphere is in contact, with the scene's springs"},
-          {"flight", "v·dt/D", n.flight(dt), "way of the fastest sphere in a step, in diameters; from 1 on it may pass through others"},
+          {"contact_share", "Γ·t_c", n.collision_rate * n.contact_duration,
+           "part of its time that a sphere is in contact, with the scene's springs"},
+          {"flight", "v·dt/D", n.flight(dt),
+           "way of the fastest sphere in a step, in diameters; from 1 on it may pass through others"},
           {"layers", "n", n.layers, "spheres on top of each other, once they lie"},
           {"size_ratio", "q", n.size_ratio(), "largest radius by smallest"},
           {"mass_ratio", "R", n.mass_ratio(), "largest mass by smallest"},
-          {"float_steps", "v·dt/ulp", n.float_steps(dt) / 2, "way of a typical sphere in a step, in distances of neighbouring floats at the border"}};
+          {"float_steps", "v·dt/ulp", n.float_steps(dt) / 2,
+           "way of a typical sphere in a step, in distances of neighbouring floats at the border"}};
 }
 
 double stable_step(const Scene& scene, const SceneNumbers& n) {

@@ -19,19 +19,19 @@ struct SceneNumbers {
   bool is_planar_motion = false;  ///< nothing moves along z
   bool has_equal_radii = true, has_equal_masses = true;
 
-  double radius_min = 0, radius_max = 0;   ///< [m]
-  double mass_min = 0, mass_max = 0;       ///< [kg]
-  double packing = 0;                      ///< η: the volume of all spheres in that of the domain
-  double typical_speed = 0;                ///< [m/s] RMS, or of a fall from the mean height
-  double largest_speed = 0;                ///< [m/s] of the fastest sphere, also after its fall to the bottom
-  double narrowest = 0;                    ///< [m] r_i + r_j of the fastest sphere and the smallest other one
-  double collision_rate = 0;               ///< Γ [1/s] of a sphere, by kinetic theory
-  double contact_duration = 0;             ///< t_c [s] of the scene's springs
-  double gravity = 0;                      ///< [m/s²]
-  double layers = 1;                       ///< n: spheres on top of each other, once they lie
-  double rest_time = 0;                    ///< [s] after which contacts last; infinite if they never do
-  double reach = 0;                        ///< [m] the largest coordinate
-  double start_overlap = 0;                ///< at the start, as a fraction of the smaller radius
+  double radius_min = 0, radius_max = 0;  ///< [m]
+  double mass_min = 0, mass_max = 0;      ///< [kg]
+  double packing = 0;                     ///< η: the volume of all spheres in that of the domain
+  double typical_speed = 0;               ///< [m/s] RMS, or of a fall from the mean height
+  double largest_speed = 0;               ///< [m/s] of the fastest sphere, also after its fall to the bottom
+  double narrowest = 0;                   ///< [m] r_i + r_j of the fastest sphere and the smallest other one
+  double collision_rate = 0;              ///< Γ [1/s] of a sphere, by kinetic theory
+  double contact_duration = 0;            ///< t_c [s] of the scene's springs
+  double gravity = 0;                     ///< [m/s²]
+  double layers = 1;                      ///< n: spheres on top of each other, once they lie
+  double rest_time = 0;                   ///< [s] after which contacts last; infinite if they never do
+  double reach = 0;                       ///< [m] the largest coordinate
+  double start_overlap = 0;               ///< at the start, as a fraction of the smaller radius
 
   double size_ratio() const { return radius_min > 0 ? radius_max / radius_min : 1; }  ///< q
   double mass_ratio() const { return mass_min > 0 ? mass_max / mass_min : 1; }        ///< R

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A pilot: a short run that measures what settings cost and whether they hold the tolerances of a scene. A scene of many
-// spheres is piloted as a smaller one of its kind: a part of its domain, as deep as the whole, with the spheres in it.
+// A pilot: a short run that measures what settings cost and whether they hold the tolerances of a scene. A scene of
+// many spheres is piloted as a smaller one of its kind: a part of its domain, as deep as the whole, with the spheres in
+// it.
 #pragma once
 
 #include "choose/needs_meter.h"
@@ -14,12 +15,12 @@ inline constexpr int64_t kMaxPilotSpheres = 2000;
 Scene part_of(const Scene& scene, int64_t most);
 
 struct PilotPlan {
-  const Scene& scene;        ///< to be run: the whole, or a part of it
+  const Scene& scene;  ///< to be run: the whole, or a part of it
   const Needs& needs;
-  const Truth& truth;        ///< of the time `until`
-  double until;              ///< [s] of simulated time at which the pilot ends; at most the needs' duration
-  double seconds = 1;        ///< [s] of computing after which the pilot ends
-  double dearest = INFINITY; ///< [s] of computing for the needs' duration; a pilot that will cost more is given up
+  const Truth& truth;         ///< of the time `until`
+  double until;               ///< [s] of simulated time at which the pilot ends; at most the needs' duration
+  double seconds = 1;         ///< [s] of computing after which the pilot ends
+  double dearest = INFINITY;  ///< [s] of computing for the needs' duration; a pilot that will cost more is given up
 };
 
 struct PilotResult {

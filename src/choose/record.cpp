@@ -37,15 +37,18 @@ Json object_of(const Attempt& attempt, const std::vector<Tolerance>& tolerances,
   for (size_t k = 0; k < tolerances.size(); ++k) {
     errors[tolerances[k].name] = attempt.knows(k) ? Json(attempt.errors[k]) : Json();
   }
-  Json json{{"method", attempt.method}, {"options", object_of(options_of(attempt.settings, scene.defaults))},
-            {"cost", attempt.cost},     {"errors", errors},
+  Json json{{"method", attempt.method},
+            {"options", object_of(options_of(attempt.settings, scene.defaults))},
+            {"cost", attempt.cost},
+            {"errors", errors},
             {"holds", attempt.holds}};
   if (!attempt.remark.empty()) json["remark"] = attempt.remark;
   return json;
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& found) {
-  throw UserError(path.string(), found, "the choice of an earlier run with these options; without the file it is made anew");
+  throw UserError(path.string(), found,
+                  "the choice of an earlier run with these options; without the file it is made anew");
 }
 
 /// The settings that an object of options stands for.
@@ -80,7 +83,8 @@ Json json_of(const Choice& choice, std::string_view name, const Scene& scene, co
   json["chosen"] = choice.chosen ? object_of(options_of(choice.chosen->settings, scene.defaults)) : Json();
   json["largest_overlap"] = choice.chosen ? Json(choice.chosen->largest_overlap) : Json();
   json["dearer"] = Json::array();
-  for (const Settings& settings : choice.dearer) json["dearer"].push_back(object_of(options_of(settings, scene.defaults)));
+  for (const Settings& settings : choice.dearer)
+    json["dearer"].push_back(object_of(options_of(settings, scene.defaults)));
   json["command"] = choice.chosen ? Json(command_of(name, scene, given, choice.chosen->settings)) : Json();
   json["reason"] = choice.reason;
   json["unneeded"] = choice.unneeded;

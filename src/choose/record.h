@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A choice as JSON. It depends on measured times, so a run writes it down, and runs that must have the same bits (--resume)
-// read it again: the settings, and those to go on with where they do not hold.
+// A choice as JSON. It depends on measured times, so a run writes it down, and runs that must have the same bits
+// (--resume) read it again: the settings, and those to go on with where they do not hold.
 #pragma once
 
 #include <filesystem>

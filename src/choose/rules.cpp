@@ -89,7 +89,8 @@ std::string contacts_last(C c) {
 std::string starts_in_contact(C c) {
   constexpr double kAllowed = 1e-6;
   if (!is_exact(c) || c.numbers.start_overlap <= kAllowed) return "";
-  return phrase("spheres overlap at the start by {} of a radius, and hard spheres cannot", text(c.numbers.start_overlap));
+  return phrase("spheres overlap at the start by {} of a radius, and hard spheres cannot",
+                text(c.numbers.start_overlap));
 }
 
 std::string hits_at_once(C c) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The conditions that rule a method out, one row each, with formula and source. The program uses the same rows to choose a
-// method, to find the step at which its pilots start, and to warn of a run that cannot work. docs/choice.md lists them with
-// commands that show the failures.
+// The conditions that rule a method out, one row each, with formula and source. The program uses the same rows to
+// choose a method, to find the step at which its pilots start, and to warn of a run that cannot work. docs/choice.md
+// lists them with commands that show the failures.
 #pragma once
 
 #include <span>
@@ -29,7 +29,7 @@ enum class RuleKind {
 struct Rule {
   std::string_view name;
   RuleKind kind;
-  bool warns;  ///< also before a run whose settings were given
+  bool warns;                ///< also before a run whose settings were given
   std::string_view methods;  ///< that it concerns, for the reader
   std::string_view formula;
   std::string_view source;

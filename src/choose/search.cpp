@@ -58,8 +58,9 @@ bool Search::is_given(std::string_view name) const {
   return std::ranges::any_of(request_.given, [&](const GivenOption& option) { return option.name == name; });
 }
 
-std::vector<Ladder> Search::allowed_ladders() {
+std::vector<Ladder> Search::ladders_within(std::initializer_list<RuleKind> kinds) {
   std::vector<Ladder> result;
+  ruled_out.clear();
   for (const Variant& variant : variants()) {
     if (!settings_of(variant, 0)) continue;  // other options are given
     int first = -1, start = -1;
@@ -67,7 +68,7 @@ std::vector<Ladder> Search::allowed_ladders() {
     for (int rung = 0; rung < kRungs && start < 0; ++rung) {
       const std::optional<Settings> settings = settings_of(variant, rung);
       if (!settings) break;
-      const Objection hard = first_objection(judged(*settings), {RuleKind::method, RuleKind::step});
+      const Objection hard = first_objection(judged(*settings), kinds);
       if (hard) last = hard;
       if (hard && hard.rule->kind == RuleKind::method && hard.rule->name != "chaos") break;
       if (hard) continue;
@@ -143,27 +144,36 @@ Search::Tried Search::try_rung(const Ladder& ladder) {
   const PilotResult result = pilot(settings, truth, std::max(0.05, left() / 2));
   const bool is_whole = part_.bodies.size() == request_.scene.bodies.size();
   const double margin = is_whole && result.is_complete ? kMarginOfWhole : kMarginOfPart;
-  Attempt attempt{std::string(ladder.variant->name), settings, result.cost * scale(), result.errors,
-                  result.is_unseen, ballpit::holds(result, tolerances_, margin),
-                  worst_ratio(result, tolerances_), result.largest_overlap, result.stopped};
-  const bool is_close = !attempt.holds && attempt.worst <= 1 && !result.is_given_up && result.stopped.empty();
-  if (is_close) attempt.remark = phrase("too close");
+  Attempt attempt{std::string(ladder.variant->name),
+                  settings,
+                  result.cost * scale(),
+                  result.errors,
+                  result.is_unseen,
+                  ballpit::holds(result, tolerances_, margin),
+                  ballpit::holds(result, tolerances_, 1),
+                  worst_ratio(result, tolerances_),
+                  result.largest_overlap,
+                  result.stopped};
+  if (attempt.is_close && !attempt.holds) attempt.remark = phrase("too close");
   if (result.is_given_up) attempt.remark = phrase("dearer");
-  if (attempt.holds) {
-    best_cost_ = std::min(best_cost_, result.cost);
-    middles_.emplace_back(tried.size(), result.middle);
-  }
+  if (attempt.holds) best_cost_ = std::min(best_cost_, result.cost);
+  if (attempt.is_close) middles_.emplace_back(tried.size(), result.middle);
   const Tried outcome{attempt.holds, result.is_given_up, attempt.worst, attempt.cost};
   tried.push_back(std::move(attempt));
   return outcome;
 }
 
-/// Makes pilots in the order of their predicted costs. So the first that holds is nearly the cheapest one, and later ones
-/// are given up as soon as they cost more.
+/// Makes pilots in the order of their predicted costs. So the first that holds is nearly the cheapest one, and later
+/// ones are given up as soon as they cost more.
 void Search::run() {
-  std::vector<Ladder> ladders = allowed_ladders();
+  std::vector<Ladder> ladders = ladders_within({RuleKind::method, RuleKind::step});
+  const std::vector<RuledOut> by_rules = ruled_out;
+  const bool are_all_out = ladders.empty();
+  if (are_all_out) ladders = ladders_within({RuleKind::step});
+  ruled_out = by_rules;
   part_ = part_of(request_.scene, pilot_size(ladders));
   if (needs_truth()) find_exact_truth();
+  if (are_all_out) return find_nearest(ladders);
   while (left() > 0) {
     Ladder* cheapest = nullptr;
     for (Ladder& ladder : ladders) {
@@ -176,6 +186,16 @@ void Search::run() {
       continue;
     }
     climb(*cheapest);
+  }
+}
+
+/// Where all methods are ruled out: one pilot of each, none of which holds.
+void Search::find_nearest(std::vector<Ladder>& ladders) {
+  for (Ladder& ladder : ladders) {
+    if (left() <= 0 || ladder.variant->response == Response::kinematic) continue;
+    climb(ladder);
+    tried.back().holds = tried.back().is_close = false;
+    if (tried.back().remark.empty()) tried.back().remark = phrase("ruled out");
   }
 }
 

@@ -17,13 +17,13 @@ namespace ballpit {
 /// A variant that rules allow, and what is known of its rungs.
 struct Ladder {
   const Variant* variant;
-  int fails;                          ///< the finest rung that is known to fail, or the one before the first allowed one
-  int next;                           ///< the rung to be tried
-  double predicted;                   ///< [s] cost of its pilot for all spheres, roughly
+  int fails;         ///< the finest rung that is known to fail, or the one before the first allowed one
+  int next;          ///< the rung to be tried
+  double predicted;  ///< [s] cost of its pilot for all spheres, roughly
   int works = kRungs, dear = kRungs;  ///< the coarsest rungs that are known to hold, and to be too dear
   bool has_failed = false, is_done = false;
-  int stuck = 0;           ///< pilots that were no better than the one before
-  double worst = INFINITY; ///< of the last pilot that failed
+  int stuck = 0;            ///< pilots that were no better than the one before
+  double worst = INFINITY;  ///< of the last pilot that failed
   Precision precision{};
   std::optional<int> threads{};
 };
@@ -56,7 +56,8 @@ class Search {
   RuleCase judged(const Settings& settings) const { return {request_.scene, needs_, numbers_, settings}; }
   std::optional<Settings> settings_of(const Variant& variant, int rung) const;
 
-  std::vector<Ladder> allowed_ladders();
+  /// Those that rules of these kinds allow; fills the list of what is ruled out.
+  std::vector<Ladder> ladders_within(std::initializer_list<RuleKind> kinds);
   double predicted(const Variant& variant, int rung) const;
   int64_t pilot_size(const std::vector<Ladder>& ladders) const;
   bool needs_truth() const { return needs_.path_tolerance || !needs_.observables.empty(); }
@@ -64,6 +65,7 @@ class Search {
   const Truth& truth_for(const Variant& variant, int rung);
   PilotResult pilot(const Settings& settings, const Truth& truth, double seconds) const;
   Tried try_rung(const Ladder& ladder);
+  void find_nearest(std::vector<Ladder>& ladders);
   void climb(Ladder& ladder);
   void note_failure(Ladder& ladder, double worst) const;
 

@@ -14,8 +14,8 @@ namespace {
 
 std::string text(double value) { return local_number(three_digits(value)); }
 
-/// The largest overlap that the needs allow during a run. Where they limit it at the end only, a run may overlap as much as
-/// its pilot did before that.
+/// The largest overlap that the needs allow during a run. Where they limit it at the end only, a run may overlap as
+/// much as its pilot did before that.
 double allowed_during(const Needs& needs, const Attempt& chosen) {
   constexpr double kMoreThanPilot = 1.5;
   if (needs.max_overlap_ever) return *needs.max_overlap_ever;
@@ -43,8 +43,8 @@ std::string Watch::breach(World& world, const Settings& settings) const {
   for (size_t k = 0; k < tolerances_.size(); ++k) {
     const std::string& name = tolerances_[k].name;
     const bool is_of_end = name == "max_overlap" || name == "max_speed";
-    const double allowed = is_of_end && !is_end(world) ? (name == "max_overlap" ? allowed_overlap_ : INFINITY)
-                                                       : tolerances_[k].allowed;
+    const double allowed =
+        is_of_end && !is_end(world) ? (name == "max_overlap" ? allowed_overlap_ : INFINITY) : tolerances_[k].allowed;
     if (errors[k] > allowed) return phrase("{} {}, allowed {}", name, text(errors[k]), text(allowed));
   }
   if (settings.response == Response::event_driven || settings.is_swept) return "";

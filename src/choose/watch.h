@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Watches a run of --response auto: looks at overlap, energy and the fastest sphere now and then, and says when they break
-// what the scene needs. The run then goes back to the last good snapshot and on with dearer settings.
+// Watches a run of --response auto: looks at overlap, energy and the fastest sphere now and then, and says when they
+// break what the scene needs. The run then goes back to the last good snapshot and on with dearer settings.
 //
-//     snapshot ── 64 steps ── look ── good: snapshot ── 64 steps ── look ── broken: restore, next settings
+//     snapshot ── 128 steps ── look ── good: snapshot ── 128 steps ── look ── broken: restore, next settings
 //
 // Cost: a look and a snapshot take less than a step and come every kSteps steps.
 #pragma once
@@ -16,7 +16,7 @@ namespace ballpit {
 
 class Watch {
  public:
-  static constexpr int64_t kSteps = 64;  ///< between two looks
+  static constexpr int64_t kSteps = 128;  ///< between two looks
 
   /// At the start of a run. `choice` has settings.
   Watch(const Scene& scene, const Choice& choice, World& world);

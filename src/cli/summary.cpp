@@ -101,8 +101,9 @@ Json json_of_choice(Session& session, std::string_view scene) {
   Json json = json_of(*session.choice(), scene, session.scene(), session.given());
   json["steps_up"] = Json::array();
   for (const Session::StepUp& up : session.steps_up()) {
-    json["steps_up"].push_back(
-        {{"time", up.time}, {"reason", up.reason}, {"options", typed(options_of(up.settings, session.scene().defaults))}});
+    json["steps_up"].push_back({{"time", up.time},
+                                {"reason", up.reason},
+                                {"options", typed(options_of(up.settings, session.scene().defaults))}});
   }
   return json;
 }

@@ -26,9 +26,13 @@ struct Part {
   std::string_view name;
   double SearchCosts::*cost;
 };
-constexpr std::array kParts{Part{"vector_test", &SearchCosts::vector_test}, Part{"sweep_test", &SearchCosts::sweep_test}, Part{"short_test", &SearchCosts::short_test},
-                            Part{"list_test", &SearchCosts::list_test},     Part{"sort", &SearchCosts::sort},
-                            Part{"bin", &SearchCosts::bin},                 Part{"link", &SearchCosts::link},
+constexpr std::array kParts{Part{"vector_test", &SearchCosts::vector_test},
+                            Part{"sweep_test", &SearchCosts::sweep_test},
+                            Part{"short_test", &SearchCosts::short_test},
+                            Part{"list_test", &SearchCosts::list_test},
+                            Part{"sort", &SearchCosts::sort},
+                            Part{"bin", &SearchCosts::bin},
+                            Part{"link", &SearchCosts::link},
                             Part{"each", &SearchCosts::each}};
 
 /// The gas of `ballpit bench` at rest, in a box that is `stretch` times as long along each axis.
@@ -75,7 +79,8 @@ double swept(const Scene& scene) {
   return double(scene.bodies.size()) * 1.5 * scene.bodies.radius[0] / edge;
 }
 
-/// Sets t = base + slope·x from two measured points, x1 < x2. At least a fifth of t1 counts as base, whatever noise makes of it.
+/// Sets t = base + slope·x from two measured points, x1 < x2. At least a fifth of t1 counts as base, whatever noise
+/// makes of it.
 void fit(double x1, double t1, double x2, double t2, double& base, double& slope) {
   base = std::max(0.2 * t1, t1 - (t2 - t1) / (x2 - x1) * x1);
   slope = std::max(1e-3, (t2 - base) / x2);
@@ -140,8 +145,8 @@ SearchCosts measure_search_costs(const Backend& backend, Precision precision) {
       costs.vector_test);
   fit(in_block(thin), time(thin, BroadPhase::linked_cell), in_block(many), time(many, BroadPhase::linked_cell),
       costs.link, costs.list_test);
-  fit(in_block(thin) / 2, time(thin, BroadPhase::sorted_grid), in_block(many) / 2,
-      time(many, BroadPhase::sorted_grid), costs.bin, costs.short_test);
+  fit(in_block(thin) / 2, time(thin, BroadPhase::sorted_grid), in_block(many) / 2, time(many, BroadPhase::sorted_grid),
+      costs.bin, costs.short_test);
   fit(swept(thin), time(thin, BroadPhase::sort_and_sweep), swept(many), time(many, BroadPhase::sort_and_sweep),
       costs.sort, costs.sweep_test);
   return costs;

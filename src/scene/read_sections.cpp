@@ -103,9 +103,9 @@ Physics read_physics(const TableReader& root, int dimensions) {
 
 Needs read_needs(const TableReader& root) {
   Needs needs;
-  const auto reader = root.section("needs", {"duration", "max_overlap", "max_overlap_ever", "energy_tolerance",
-                                             "momentum_tolerance", "max_speed", "path_tolerance", "effects",
-                                             "observables"});
+  const auto reader =
+      root.section("needs", {"duration", "max_overlap", "max_overlap_ever", "energy_tolerance", "momentum_tolerance",
+                             "max_speed", "path_tolerance", "effects", "observables"});
   needs.are_declared = root.has("needs");
   set_if(needs.duration, reader.number("duration", kNotNegative));
   needs.max_overlap = reader.number("max_overlap", kNotNegative);
@@ -123,14 +123,13 @@ Needs read_needs(const TableReader& root) {
     const std::string name(key.str());
     const double tolerance = *wanted.number(name, kNotNegative);
     const Place place = wanted.place(name);
-    needs.observables.push_back({name, tolerance, fmt::format("{}:{}: [needs.observables] {}", place.file, place.line, name)});
+    needs.observables.push_back(
+        {name, tolerance, fmt::format("{}:{}: [needs.observables] {}", place.file, place.line, name)});
   }
   return needs;
 }
 
-std::string read_because(const TableReader& root) {
-  return root.section("defaults", {}).text("because").value_or("");
-}
+std::string read_because(const TableReader& root) { return root.section("defaults", {}).text("because").value_or(""); }
 
 std::vector<DefaultOption> read_defaults(const TableReader& root, std::string_view section) {
   std::vector<DefaultOption> options;

@@ -82,9 +82,9 @@ inline constexpr std::array<std::string_view, 5> kEffectNames{"resting", "contac
 
 /// An entry of [needs.observables].
 struct NeededObservable {
-  std::string name;    ///< as in the table of observables
-  double tolerance;    ///< largest allowed relative error
-  std::string where;   ///< "file.toml:12: [needs.observables] pressure", for errors
+  std::string name;   ///< as in the table of observables
+  double tolerance;   ///< largest allowed relative error
+  std::string where;  ///< "file.toml:12: [needs.observables] pressure", for errors
 };
 
 /// What a scene asks for: conditions at the end of a run, which tests check for every built-in scene, and some during

@@ -143,8 +143,8 @@ void Session::step_up(const std::string& breach) {
   Scene scene = scene_;
   scene.bodies = world_->bodies();
   const double now = time();
-  note("--response auto", fmt::format("{}; goes on from t = {:g} s with {}", when, now,
-                                       typed(options_of(*next, scene.defaults))));
+  note("--response auto",
+       fmt::format("{}; goes on from t = {:g} s with {}", when, now, typed(options_of(*next, scene.defaults))));
   steps_up_.push_back({now, when, *next});
   go_on_with(std::move(scene), *next, now);
   watch_->accept(*world_);

@@ -16,9 +16,10 @@ TEST_CASE("a search is chosen among those that are not given, and changes no bit
   Settings settings;
   settings.broadphase = BroadPhase::sort_and_sweep;
   settings.threads = 1;
-  const Settings kept = with_cheapest_search(scene, {}, settings,
-                                             {{"broadphase", "sort-and-sweep"}, {"skin", "0"}, {"threads", "1"}}, 512, 0.1)
-                            .settings;
+  const Settings kept =
+      with_cheapest_search(scene, {}, settings, {{"broadphase", "sort-and-sweep"}, {"skin", "0"}, {"threads", "1"}},
+                           512, 0.1)
+          .settings;
   CHECK(kept.broadphase == BroadPhase::sort_and_sweep);
   CHECK(skin_of(kept) == 0);
   CHECK(kept.threads == 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A change of units or of the order of spheres changes no choice beyond ties, and a smaller tolerance never makes it cheaper.
-// Two choices tie if both hold and cost about the same in the same scene; costs below 10 ms are equal.
+// A change of units or of the order of spheres changes no choice beyond ties, and a smaller tolerance never makes it
+// cheaper. Two choices tie if both hold and cost about the same in the same scene; costs below 10 ms are equal.
 #include <algorithm>
 #include <numeric>
 

@@ -230,7 +230,9 @@ TEST_CASE("late contacts change the pressure by 3η·Z′·√π/2 of a step") {
 
 TEST_CASE("a stack of n needs 7.46·n² sweeps of Jacobi, a quarter of it by Gauss-Seidel") {
   const Needs needs = with_overlap(0.01);
-  const auto sinks = [](int n, int iterations, double h) { return 4 * stack_sweeps(n) / iterations * 10 * h * h / 0.1; };
+  const auto sinks = [](int n, int iterations, double h) {
+    return 4 * stack_sweeps(n) / iterations * 10 * h * h / 0.1;
+  };
   Settings s = settings(Response::impulse);
   const double limit = s.dt * std::sqrt(0.01 / sinks(10, 4, s.dt));
   s.dt = 0.99 * limit;

@@ -92,7 +92,7 @@ TEST_CASE("a sphere that became too fast for the step is a breach") {
   CHECK(watch.breach(*fast, swept).empty());
 }
 
-TEST_CASE("a watch looks every 64 steps") {
+TEST_CASE("a watch looks every 128 steps") {
   const Settings settings = impulses(0.001);
   const auto world = make_cpu_world(pair(), settings);
   Watch watch(pair(), choice_with({}, settings), *world);
@@ -103,5 +103,5 @@ TEST_CASE("a watch looks every 64 steps") {
     ++looks;
     watch.accept(*world);
   }
-  CHECK(looks == 10);
+  CHECK(looks == 5);
 }

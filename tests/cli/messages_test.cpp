@@ -127,6 +127,9 @@ void write_files(const Scratch& scratch) {
   write_text(scratch / "no-egl/libEGL.so.1", "");
   write_program(scratch / "no-shell/gnuplot", "#!/nowhere\n");
   write_program(scratch / "broken/gnuplot", "#!/bin/sh\necho broken >&2\nexit 1\n");
+  for (const char* folder : {"no-choice", "poor-choice"}) fs::create_directory(scratch / folder);
+  write_text(scratch / "no-choice/choice.json", "nonsense");
+  write_text(scratch / "poor-choice/choice.json", "{\"chosen\": {\"response\": \"impulse\", \"dt\": 0.1}}");
   write_text(scratch / "b.toml", kBox + kSphere);
   write_text(scratch / "b.csv", "x,y,z,radius\n0,0,0,1\n");
   write_text(scratch / "heavy.csv", "x,y,z,radius\n0,0,0,1e12\n");

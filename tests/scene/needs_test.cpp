@@ -42,10 +42,12 @@ TEST_CASE("a scene without [needs] declares none") {
 }
 
 TEST_CASE("needs that are not allowed are refused with their place") {
-  check_error("[needs]\neffects = \"resting\"", "2: [needs] effects: found \"resting\", allowed an array of texts: some of "
-                                                "resting, contact-time, paths, momentum-order, kinematic");
-  check_error("[needs]\neffects = [\"friction\"]",
-              "2: [needs] effects: found \"friction\", allowed resting, contact-time, paths, momentum-order, kinematic");
+  check_error("[needs]\neffects = \"resting\"",
+              "2: [needs] effects: found \"resting\", allowed an array of texts: some of "
+              "resting, contact-time, paths, momentum-order, kinematic");
+  check_error(
+      "[needs]\neffects = [\"friction\"]",
+      "2: [needs] effects: found \"friction\", allowed resting, contact-time, paths, momentum-order, kinematic");
   check_error("[needs]\neffects = [1]",
               "2: [needs] effects: found 1, allowed resting, contact-time, paths, momentum-order, kinematic");
   check_error("[needs]\npath_tolerance = -1", "2: [needs] path_tolerance: found -1, allowed 0 to 1e+15");

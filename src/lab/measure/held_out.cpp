@@ -16,10 +16,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRadius = 0.05;    // [m] in units of 1
-constexpr double kDensity = 1000;   // [kg/m³], in the plane of spheres too
-constexpr double kGravity = 9.81;   // [m/s²]
-constexpr double kSpeed = 1;        // [m/s] of gases
+constexpr double kRadius = 0.05;   // [m] in units of 1
+constexpr double kDensity = 1000;  // [kg/m³], in the plane of spheres too
+constexpr double kGravity = 9.81;  // [m/s²]
+constexpr double kSpeed = 1;       // [m/s] of gases
 
 /// Writes a scene file in other units.
 class Writer {
@@ -53,9 +53,7 @@ class Writer {
   std::string text_;
 };
 
-double log_uniform(Random& random, double low, double high) {
-  return low * std::pow(high / low, random.uniform());
-}
+double log_uniform(Random& random, double low, double high) { return low * std::pow(high / low, random.uniform()); }
 
 double mass_of(double radius) { return kDensity * 4 / 3 * pi * radius * radius * radius; }
 
@@ -81,7 +79,8 @@ void gas(Writer& w, Random& random, int dimensions) {
   const int count = static_cast<int>(log_uniform(random, 100, 1500));
   const double packing = log_uniform(random, 0.02, dimensions == 2 ? 0.3 : 0.25);
   const double edge = edge_for(count, packing, dimensions);
-  const double free_time = kRadius / (packing * kSpeed) / (dimensions == 2 ? 1.5 : 3);  // roughly, between two collisions
+  const double free_time =
+      kRadius / (packing * kSpeed) / (dimensions == 2 ? 1.5 : 3);  // roughly, between two collisions
   const bool has_paths = random.uniform() < 0.25;
   const double duration = free_time * (has_paths ? log_uniform(random, 1, 4) : log_uniform(random, 5, 60));
   box(w, Vec3d(edge), random.uniform() < 0.5 ? "periodic" : "walls", dimensions);

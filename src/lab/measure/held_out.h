@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random scenes on which `choose` is judged, as scene files: families of motion, sizes, needs and units. A scene follows from
-// its seed; one of seed k is of family k mod 7.
+// Random scenes on which `choose` is judged, as scene files: families of motion, sizes, needs and units. A scene
+// follows from its seed; one of seed k is of family k mod 7.
 #pragma once
 
 #include <array>

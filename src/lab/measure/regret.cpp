@@ -93,6 +93,26 @@ void find_best(const Line& line, const Scene& scene, const Needs& needs, const T
   }
 }
 
+/// Other searches for the best point of the grid: broad phases, with and without a candidate list, on one thread or
+/// all.
+void find_best_search(const Scene& scene, const Needs& needs, Best& best) {
+  if (best.settings.response == Response::event_driven || best.cost <= kEqualCosts) return;
+  const Settings motion = best.settings;
+  for (const BroadPhase method :
+       {BroadPhase::brute_force, BroadPhase::sort_and_sweep, BroadPhase::linked_cell, BroadPhase::sorted_grid}) {
+    for (const double skin : {0.0, 0.1, 0.3}) {
+      for (const int threads : {0, 1}) {
+        Settings settings = motion;
+        settings.broadphase = method;
+        settings.skin = skin;
+        settings.threads = threads;
+        const FullRun run = full_run(scene, needs, {}, settings, best.cost);
+        if (run.seconds < best.cost) best.cost = run.seconds, best.settings = settings;
+      }
+    }
+  }
+}
+
 double median_cost(const std::vector<double>& values) { return spread_of(values).median; }
 
 }  // namespace
@@ -148,7 +168,8 @@ Judged judge(std::string_view family, const Scene& scene, double budget) {
   } else {
     judged.why = choice.reason;
   }
-  const bool needs_double = std::ranges::any_of(tolerances_of(needs), [](const Tolerance& t) { return t.allowed < 1e-4; });
+  const bool needs_double =
+      std::ranges::any_of(tolerances_of(needs), [](const Tolerance& t) { return t.allowed < 1e-4; });
   for (const Line& line : kLines) {
     find_best(line, scene, needs, truth, choice.numbers, Precision::float32, best);
     if (needs_double && line.response != Response::event_driven) {
@@ -156,6 +177,7 @@ Judged judge(std::string_view family, const Scene& scene, double budget) {
     }
   }
   judged.has_valid = std::isfinite(best.cost);
+  if (judged.has_valid) find_best_search(scene, needs, best);
   judged.best_method = best.method;
   if (!choice.chosen || !judged.has_valid) return judged;
   std::vector<double> own, others;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Judges a choice: does it hold the needs of its scene in a full run, and what does it cost against the cheapest of a wide
-// grid of options that holds them?
+// Judges a choice: does it hold the needs of its scene in a full run, and what does it cost against the cheapest of a
+// wide grid of options that holds them?
 //
-//     grid: methods × iterations × integrators × steps, each half as long as the one before × one thread or all
+//     grid: methods × iterations × integrators × steps, each half as long as the one before
+//           × broad phases × skins × one thread or all, for the best of these
 //
-// A point of the grid holds if the next finer step of its method holds as well, so that luck is not compared with. Runs that
-// cost less than 10 ms count as equal.
+// A point of the grid holds if the next finer step of its method holds as well, so that luck is not compared with. Runs
+// that cost less than 10 ms count as equal.
 #pragma once
 
 #include "choose/choose.h"
@@ -26,9 +27,9 @@ Truth full_truth(const Scene& scene, const Needs& needs);
 
 struct Judged {
   std::string family;
-  int64_t count = 0;       ///< spheres
+  int64_t count = 0;                           ///< spheres
   bool has_choice = false, has_valid = false;  ///< something was chosen; something in the grid holds
-  bool holds = false;      ///< the choice, in a full run
+  bool holds = false;                          ///< the choice, in a full run
   std::string method{}, best_method{};
   double cost = 0, best_cost = 0;  ///< [s] of computing, medians of five
   double chosen_in = 0;            ///< [s] that the choice took
