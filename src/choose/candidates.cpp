@@ -102,19 +102,18 @@ std::vector<GivenOption> options_of(const Settings& settings, const std::vector<
     const std::string_view name = info.name;
     if (name == "response" || name == "dt") return true;
     if (name == "broadphase" || name == "precision" || name == "threads" || name == "skin") return !is_exact;
-    if (name == "cell-size" && !is_exact && uses(broad_phase, name)) return true;
     const bool is_default = info.get(settings) == info.get(Settings{});
     if (is_default && std::ranges::find(defaults, name, &DefaultOption::key) == defaults.end()) return false;
     if (name == "substeps") return !is_exact;
     if (name == "integrator") return settings.response == Response::penalty;
-    if (name == "table" || name == "axis") return !is_exact && uses(broad_phase, name);
+    if (name == "cell-size" || name == "table" || name == "axis") return !is_exact && uses(broad_phase, name);
     return uses(response, name);
   };
   std::vector<GivenOption> options;
   for (const SettingInfo& info : setting_table()) {
     std::string value = info.get(settings);
     if (info.name == "skin") value = typed(skin_of(settings));
-    if (info.name == "cell-size" && value.empty()) value = "1";
+    if (info.name == "cell-size" && value.empty()) value = "1";  // where the scene has another one
     if (info.name == "iterations") value = typed(iterations_of(settings));
     if (is_wanted(info) && !value.empty()) options.push_back({std::string(info.name), value});
   }

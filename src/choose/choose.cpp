@@ -32,6 +32,7 @@ class Chooser {
     choice_.ruled_out = std::move(search.ruled_out);
     choice_.tried = search.tried;
     choice_.pilot_spheres = search.part().bodies.size();
+    choice_.is_out_of_time = search.is_out_of_time();
     conclude(search);
     choice_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return std::move(choice_);
@@ -50,13 +51,13 @@ class Chooser {
       return std::ranges::find(variants(), attempt.method, &Variant::name) - variants().begin();
     };
     const Attempt *best = nullptr, *nearest = nullptr;
+    const auto is_cheaper = [&](const Attempt& a, const Attempt& b) {
+      return std::tuple(!a.holds, cost(a), order(a), a.cost) < std::tuple(!b.holds, cost(b), order(b), b.cost);
+    };
     for (const Attempt& attempt : choice_.tried) {
       if (!attempt.errors.empty() && (nearest == nullptr || attempt.worst < nearest->worst)) nearest = &attempt;
-      if (!attempt.holds) continue;
-      if (best == nullptr ||
-          std::tuple(cost(attempt), order(attempt), attempt.cost) < std::tuple(cost(*best), order(*best), best->cost)) {
-        best = &attempt;
-      }
+      if (!attempt.holds && !attempt.may_hold) continue;
+      if (best == nullptr || is_cheaper(attempt, *best)) best = &attempt;
     }
     if (best == nullptr && nearest != nullptr && nearest->is_close) best = nearest;  // better a small margin than none
     if (best == nullptr) {
@@ -85,19 +86,24 @@ class Chooser {
     chosen.cost *= cheapest.ratio;
   }
 
-  /// Other attempts that hold, and the chosen one with finer steps.
+  /// The cheapest attempt of each method that holds, or nearly, with its own steps and finer ones.
   void list_dearer() {
+    constexpr int kHalvings = 10;
     const Attempt& chosen = *choice_.chosen;
     std::vector<std::pair<double, Settings>> list;
-    for (const Attempt& attempt : choice_.tried) {
-      if (attempt.holds && attempt.method != chosen.method && attempt.cost > chosen.cost) {
-        list.emplace_back(attempt.cost, attempt.settings);
+    for (const Variant& variant : variants()) {
+      const Attempt* first = variant.name == chosen.method ? &chosen : nullptr;
+      for (const Attempt& attempt : choice_.tried) {
+        if (attempt.method != variant.name || !attempt.is_close || variant.name == chosen.method) continue;
+        if (first == nullptr || attempt.cost < first->cost) first = &attempt;
       }
-    }
-    Settings finer = chosen.settings;
-    for (double factor = 2; factor <= 32 && finer.response != Response::event_driven && !is_given("dt"); factor *= 2) {
-      finer.dt /= 2;
-      list.emplace_back(chosen.cost * factor, finer);
+      if (first == nullptr) continue;
+      Settings settings = first->settings;
+      double cost = first->cost;
+      for (int k = 0; k <= kHalvings; ++k, settings.dt /= 2, cost *= 2) {
+        if (cost > chosen.cost && settings.dt > 1e-12) list.emplace_back(cost, settings);
+        if (variant.response == Response::event_driven || is_given("dt")) break;
+      }
     }
     std::ranges::stable_sort(list, {}, &std::pair<double, Settings>::first);
     for (auto& [cost, settings] : list) choice_.dearer.push_back(settings);
@@ -151,6 +157,8 @@ class Chooser {
     }
     const auto out = std::ranges::find(choice_.ruled_out, nearest.method, &RuledOut::method);
     if (out != choice_.ruled_out.end()) broken.push_back(out->reason);
+    if (choice_.is_out_of_time)
+      broken.push_back(phrase("the budget of {} s ended before all was tried", request_.budget));
     return phrase("nothing holds all that is needed; nearest is {} with steps of {} s: {}", nearest.method,
                   seconds(nearest.settings.dt), join(broken, "; "));
   }

@@ -37,6 +37,7 @@ struct Attempt {
   std::vector<double> errors{};   ///< of each tolerance
   std::vector<bool> is_unseen{};  ///< of each tolerance: the pilot was too short to show it
   bool holds = false;
+  bool may_hold = false;       ///< as far as its pilot, which was too short, has shown
   bool is_close = false;       ///< within the tolerances, but not by the margin that is wanted
   double worst = 0;            ///< largest error by its tolerance
   double largest_overlap = 0;  ///< that its pilot saw, as a fraction of the smaller radius
@@ -58,7 +59,8 @@ struct Choice {
   std::vector<std::string> unneeded;
   std::string reason;  ///< one sentence
   int64_t pilot_spheres = 0;
-  double seconds = 0;  ///< [s] that it took
+  bool is_out_of_time = false;  ///< the budget ended before all was tried
+  double seconds = 0;           ///< [s] that it took
 };
 
 /// Throws Interrupted; UserError for options or [needs] that are not allowed.

@@ -9,14 +9,7 @@
 
 namespace ballpit {
 
-namespace {
-
-bool is_given(const std::vector<GivenOption>& given, std::string_view name) {
-  return std::ranges::any_of(given, [&](const GivenOption& option) { return option.name == name; });
-}
-
-/// [s] of a step: the least of three blocks, each of at least `block` [s]. Infinite for a run that is stopped.
-double time_step(const Scene& scene, const Needs& needs, const Settings& settings, double block) {
+double time_of_step(const Scene& scene, const Needs& needs, const Settings& settings, double block) {
   using Clock = std::chrono::steady_clock;
   constexpr int kBlocks = 3, kLeastSteps = 4, kMostSteps = 64;
   double least = INFINITY;
@@ -42,6 +35,12 @@ double time_step(const Scene& scene, const Needs& needs, const Settings& setting
   return least;
 }
 
+namespace {
+
+bool is_given(const std::vector<GivenOption>& given, std::string_view name) {
+  return std::ranges::any_of(given, [&](const GivenOption& option) { return option.name == name; });
+}
+
 /// Keeps the settings unless others are clearly cheaper.
 class Contest {
  public:
@@ -58,7 +57,7 @@ class Contest {
   double ratio() const { return first_ > 0 && std::isfinite(least_) ? least_ / first_ : 1; }
 
  private:
-  double time(const Settings& settings) const { return time_step(scene_, needs_, settings, block_); }
+  double time(const Settings& settings) const { return time_of_step(scene_, needs_, settings, block_); }
 
   const Scene& scene_;
   const Needs& needs_;
@@ -74,8 +73,8 @@ Settings with_cheapest_backend(const Scene& scene, const Needs& needs, Settings 
   const Scene small = part_of(scene, std::max<int64_t>(1, scene.bodies.size() / 4));
   const auto predict = [&](BackendName backend) {
     settings.backend = backend;
-    const double large_time = time_step(scene, needs, settings, block);
-    const double small_time = time_step(small, needs, settings, block);
+    const double large_time = time_of_step(scene, needs, settings, block);
+    const double small_time = time_of_step(small, needs, settings, block);
     const auto difference = static_cast<double>(scene.bodies.size() - small.bodies.size());
     const double slope = difference > 0 ? std::max(0.0, (large_time - small_time) / difference) : 0;
     return large_time + slope * static_cast<double>(count - scene.bodies.size());

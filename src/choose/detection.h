@@ -16,6 +16,10 @@ struct CheapestSearch {
 CheapestSearch with_cheapest_search(const Scene& scene, const Needs& needs, const Settings& settings,
                                     const std::vector<GivenOption>& given, int64_t count, double seconds);
 
+/// [s] of a step from the state of the scene: the least of three blocks, each of at least `block` [s]. Infinite for a run
+/// that is stopped.
+double time_of_step(const Scene& scene, const Needs& needs, const Settings& settings, double block);
+
 /// One thread, or all: whichever makes the first steps sooner. As it is if threads are given.
 int cheapest_threads(const Scene& scene, const Needs& needs, const Settings& settings,
                      const std::vector<GivenOption>& given);

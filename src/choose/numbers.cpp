@@ -100,7 +100,7 @@ double longest_chain(const Scene& scene, int axis, SceneNumbers& n, std::vector<
   std::vector<int32_t> order(b.radius.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, {}, [&](int32_t i) { return up * b.position[size_t(i)][axis]; });
-  std::vector<double> level(b.radius.size(), 1);
+  std::vector<double> level(b.radius.size(), 1), load = b.mass;
   SphereIndex below(scene.domain);
   double longest = 1;
   const bool can_fall = n.has_gravity && scene.domain.boundary != Boundary::periodic;
@@ -111,12 +111,14 @@ double longest_chain(const Scene& scene, int axis, SceneNumbers& n, std::vector<
     fall[k] = height > kTouching * b.radius[k] ? height : 0;
     below.visit_near(b.position[k], b.radius[k], kTouching, [&](const SphereIndex::Sphere& other, double distance2) {
       level[k] = std::max(level[k], level[size_t(other.id)] + 1);
+      load[k] = std::max(load[k], load[size_t(other.id)] + b.mass[k]);
       if (fall[size_t(other.id)] == 0) fall[k] = 0;
       const double overlap = b.radius[k] + other.radius - std::sqrt(distance2);
       n.start_overlap = std::max(n.start_overlap, overlap / std::min(b.radius[k], other.radius));
       return false;
     });
     longest = std::max(longest, level[k]);
+    n.load = std::max(n.load, load[k]);
     below.insert(i, b.position[k], b.radius[k]);
   }
   return longest;
@@ -168,7 +170,13 @@ SceneNumbers numbers_of(const Scene& scene) {
   const double mean_radius =
       std::accumulate(scene.bodies.radius.begin(), scene.bodies.radius.end(), 0.0) / static_cast<double>(n.count);
   n.collision_rate = n.count > 1 ? rate_by_kinetic_theory(n, mean_radius) : 0;
-  if (n.has_gravity && has_walls) n.layers = std::max({1.0, chain, layers_of_heap(scene, n, axis, mean_radius)});
+  const double mean_mass =
+      std::accumulate(scene.bodies.mass.begin(), scene.bodies.mass.end(), 0.0) / static_cast<double>(n.count);
+  if (n.has_gravity && has_walls) {
+    const double heap = layers_of_heap(scene, n, axis, mean_radius);
+    n.layers = std::max({1.0, chain, heap});
+    n.load = std::max(n.load, heap * mean_mass);
+  }
   n.rest_time = time_to_rest(scene, n);
   const double speed = std::max(n.typical_speed, 1e-300), mu = n.mass_min / 2;
   const double zeta = damping_of(scene.physics.restitution, false);

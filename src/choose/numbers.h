@@ -29,6 +29,7 @@ struct SceneNumbers {
   double contact_duration = 0;            ///< t_c [s] of the scene's springs
   double gravity = 0;                     ///< [m/s²]
   double layers = 1;                      ///< n: spheres on top of each other, once they lie
+  double load = 0;                        ///< [kg] of the spheres on top of each other, with the lowest
   double rest_time = 0;                   ///< [s] after which contacts last; infinite if they never do
   double reach = 0;                       ///< [m] the largest coordinate
   double start_overlap = 0;               ///< at the start, as a fraction of the smaller radius

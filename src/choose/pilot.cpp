@@ -7,22 +7,13 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "scene/sphere_index.h"
 
 namespace ballpit {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Whether a sphere is in the part, and does not reach across a border of it that the whole does not have.
-bool is_in_part(const Domain& whole, const Domain& part, const Vec3d& p, double radius) {
-  for (int axis = 0; axis < part.dimensions; ++axis) {
-    const bool is_cut = part.max[axis] < whole.max[axis];
-    const double margin = is_cut ? radius : 0;
-    if (is_cut && (p[axis] > part.max[axis] - margin || p[axis] < part.min[axis] + margin)) return false;
-  }
-  return true;
-}
 
 /// Looks at the overlap near the end, since one moment may be lucky, and throughout if the needs say so.
 bool is_to_be_seen(const Needs& needs, int64_t step, int64_t steps) {
@@ -65,14 +56,25 @@ Scene part_of(const Scene& scene, int64_t most) {
     part.domain.max[axis] = scene.domain.min[axis] + std::min(edge, std::max(least, factor * edge));
   }
   part.bodies = {};
-  for (size_t i = 0; i < scene.bodies.radius.size(); ++i) {
+  const auto is_inside = [&](const Vec3d& p) {
+    return std::ranges::all_of(cut, [&](int axis) { return p[axis] <= part.domain.max[axis]; });
+  };
+  SphereIndex index(part.domain);  // in a periodic part spheres may meet across its new borders
+  const bool is_periodic = scene.domain.boundary == Boundary::periodic;
+  Vec3d end = part.domain.max;
+  for (size_t i = 0; i < scene.bodies.radius.size() && part.bodies.size() < most; ++i) {
     const Vec3d& p = scene.bodies.position[i];
-    if (part.bodies.size() >= most || !is_in_part(scene.domain, part.domain, p, scene.bodies.radius[i])) continue;
+    const double radius = scene.bodies.radius[i];
+    if (!is_inside(p) || (is_periodic && !index.is_free(p, radius, 0))) continue;
+    if (is_periodic) index.insert(static_cast<int32_t>(part.bodies.size()), p, radius);
+    for (const int axis : cut) end[axis] = std::max(end[axis], p[axis] + radius);
     part.bodies.position.push_back(p);
     part.bodies.velocity.push_back(scene.bodies.velocity[i]);
-    part.bodies.radius.push_back(scene.bodies.radius[i]);
+    part.bodies.radius.push_back(radius);
     part.bodies.mass.push_back(scene.bodies.mass[i]);
   }
+  // Walls stand where the spheres end, so that these are as dense as in the whole.
+  if (!is_periodic) part.domain.max = end;
   return part;
 }
 

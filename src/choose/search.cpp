@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kMarginOfWhole = 0.9;  // of a tolerance, for pilots of the scene itself
 constexpr double kMarginOfPart = 0.65;  // for pilots of a part of it, or of a part of its time
-constexpr double kStepOfSphere = 2e-7;  // [s] of computing, roughly, only to size pilots and to order them
-constexpr double kCollision = 1e-6;     // [s] of computing, roughly
+constexpr double kCollision = 1e-6;     // [s] of computing, roughly, only to size pilots and to order them
 
 }  // namespace
 
@@ -80,8 +79,8 @@ std::vector<Ladder> Search::ladders_within(std::initializer_list<RuleKind> kinds
       continue;
     }
     // Where formulas see no step that is fine enough, pilots come last, and begin with the coarsest step.
-    const double cost = predicted(variant, start < 0 && !is_given("dt") ? kRungs - 1 : std::max(start, first));
-    result.push_back({&variant, first - 1, std::max(start, first), cost});
+    const int believed = start < 0 && !is_given("dt") ? kRungs - 1 : std::max(start, first);
+    result.push_back({&variant, first - 1, std::max(start, first), believed});
     result.back().precision = settings_of(variant, result.back().next)->precision;
   }
   return result;
@@ -94,7 +93,25 @@ double Search::predicted(const Variant& variant, int rung) const {
     return kCollision * count * (1 + numbers_.collision_rate * needs_.duration);
   }
   const Settings settings = settings_of(variant, rung).value_or(base_);
-  return kStepOfSphere * (count + 20) * variant.work * double(steps_to(needs_.duration, settings)) * settings.substeps;
+  return step_of_sphere_ * (count + 20) * variant.work * double(steps_to(needs_.duration, settings)) *
+         settings.substeps;
+}
+
+/// Measures what a step costs for a few hundred spheres, for the predictions.
+void Search::calibrate(std::vector<Ladder>& ladders) {
+  constexpr int64_t kSpheres = 600;
+  constexpr double kBlock = 0.003, kLater = 1.3;  // [s]; later in a run there are more contacts
+  for (const Ladder& ladder : ladders) {
+    if (ladder.variant->response == Response::event_driven || request_.scene.bodies.size() == 0) continue;
+    const Scene few = part_of(request_.scene, kSpheres);
+    Settings settings = *settings_of(*ladder.variant, ladder.next);
+    settings.threads = 1;
+    const double step = time_of_step(few, needs_, settings, kBlock) / settings.substeps;
+    if (!std::isfinite(step)) continue;
+    step_of_sphere_ = kLater * step / (double(few.bodies.size()) + 20) / ladder.variant->work;
+    break;
+  }
+  for (Ladder& ladder : ladders) ladder.predicted = predicted(*ladder.variant, ladder.believed);
 }
 
 int64_t Search::pilot_size(const std::vector<Ladder>& ladders) const {
@@ -142,6 +159,7 @@ Search::Tried Search::try_rung(const Ladder& ladder) {
   settings.threads = *ladder.threads;
   const Truth truth = truth_for(*ladder.variant, ladder.next);
   const PilotResult result = pilot(settings, truth, std::max(0.05, left() / 2));
+  const bool is_seen = std::ranges::find(result.is_unseen, true) == result.is_unseen.end();
   const bool is_whole = part_.bodies.size() == request_.scene.bodies.size();
   const double margin = is_whole && result.is_complete ? kMarginOfWhole : kMarginOfPart;
   Attempt attempt{std::string(ladder.variant->name),
@@ -149,16 +167,19 @@ Search::Tried Search::try_rung(const Ladder& ladder) {
                   result.cost * scale(),
                   result.errors,
                   result.is_unseen,
-                  ballpit::holds(result, tolerances_, margin),
+                  is_seen && ballpit::holds(result, tolerances_, margin),
+                  !is_seen && ballpit::holds(result, tolerances_, margin),
                   ballpit::holds(result, tolerances_, 1),
                   worst_ratio(result, tolerances_),
                   result.largest_overlap,
                   result.stopped};
-  if (attempt.is_close && !attempt.holds) attempt.remark = phrase("too close");
+  if (attempt.is_close && !attempt.holds) {
+    attempt.remark = attempt.may_hold ? phrase("too short to see all") : phrase("too close");
+  }
   if (result.is_given_up) attempt.remark = phrase("dearer");
   if (attempt.holds) best_cost_ = std::min(best_cost_, result.cost);
   if (attempt.is_close) middles_.emplace_back(tried.size(), result.middle);
-  const Tried outcome{attempt.holds, result.is_given_up, attempt.worst, attempt.cost};
+  const Tried outcome{attempt.holds || attempt.may_hold, result.is_given_up, attempt.worst, attempt.cost};
   tried.push_back(std::move(attempt));
   return outcome;
 }
@@ -171,6 +192,7 @@ void Search::run() {
   const bool are_all_out = ladders.empty();
   if (are_all_out) ladders = ladders_within({RuleKind::step});
   ruled_out = by_rules;
+  calibrate(ladders);
   part_ = part_of(request_.scene, pilot_size(ladders));
   if (needs_truth()) find_exact_truth();
   if (are_all_out) return find_nearest(ladders);
@@ -187,6 +209,7 @@ void Search::run() {
     }
     climb(*cheapest);
   }
+  is_out_of_time_ = std::ranges::any_of(ladders, [](const Ladder& ladder) { return !ladder.is_done; });
 }
 
 /// Where all methods are ruled out: one pilot of each, none of which holds.
@@ -194,7 +217,7 @@ void Search::find_nearest(std::vector<Ladder>& ladders) {
   for (Ladder& ladder : ladders) {
     if (left() <= 0 || ladder.variant->response == Response::kinematic) continue;
     climb(ladder);
-    tried.back().holds = tried.back().is_close = false;
+    tried.back().holds = tried.back().may_hold = tried.back().is_close = false;
     if (tried.back().remark.empty()) tried.back().remark = phrase("ruled out");
   }
 }

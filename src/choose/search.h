@@ -19,7 +19,8 @@ struct Ladder {
   const Variant* variant;
   int fails;         ///< the finest rung that is known to fail, or the one before the first allowed one
   int next;          ///< the rung to be tried
-  double predicted;  ///< [s] cost of its pilot for all spheres, roughly
+  int believed;                       ///< the rung that formulas believe in; the last one if they see none
+  double predicted = 0;               ///< [s] cost of its pilot for all spheres, roughly
   int works = kRungs, dear = kRungs;  ///< the coarsest rungs that are known to hold, and to be too dear
   bool has_failed = false, is_done = false;
   int stuck = 0;            ///< pilots that were no better than the one before
@@ -41,6 +42,9 @@ class Search {
   /// The scene of the pilots: the whole, or a part of it.
   const Scene& part() const { return part_; }
 
+  /// Whether the budget ended before all was tried.
+  bool is_out_of_time() const { return is_out_of_time_; }
+
   /// The state in the middle of an attempt that holds; empty if it is unknown.
   Bodies middle_of(size_t attempt) const;
 
@@ -58,6 +62,7 @@ class Search {
 
   /// Those that rules of these kinds allow; fills the list of what is ruled out.
   std::vector<Ladder> ladders_within(std::initializer_list<RuleKind> kinds);
+  void calibrate(std::vector<Ladder>& ladders);
   double predicted(const Variant& variant, int rung) const;
   int64_t pilot_size(const std::vector<Ladder>& ladders) const;
   bool needs_truth() const { return needs_.path_tolerance || !needs_.observables.empty(); }
@@ -76,6 +81,8 @@ class Search {
   std::chrono::steady_clock::time_point begin_;
   Settings base_;
   Scene part_;
+  double step_of_sphere_ = 2e-7;  // [s] of computing, roughly
+  bool is_out_of_time_ = false;
   double until_;  // [s] of simulated time at which pilots end
   Truth truth_;
   bool has_exact_truth_ = false;

@@ -28,8 +28,16 @@ std::vector<Row> rows_of_choices() {
                   {"choose", "rain", "--count", "30000", "--budget", "60"}),
       {"choose/record.cpp: the choice of an earlier run",
        "choice.json: found no JSON, allowed the choice of an earlier run", resumed("no-choice")},
+      {"scene/table_reader.cpp: an array of texts", "[needs] effects: found \"resting\", allowed an array of texts",
+       {"choose", "a.toml"}, "[needs]\neffects = \"resting\"\n"},
+      {"scene/table_reader.cpp: describe(element), join(names)", "[needs] effects: found \"rest\", allowed resting",
+       {"choose", "a.toml"}, "[needs]\neffects = [\"rest\"]\n"},
       {"show/session.cpp: no dearer settings", "two-spheres: t = ", resumed("poor-choice")},
   };
+}
+
+std::vector<Unreached> unreached_of_choices() {
+  return {{"world/event_driven_world.cpp: kTooFast", "only pilots have no patience, and theirs is a result"}};
 }
 
 }  // namespace ballpit
