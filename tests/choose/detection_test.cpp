@@ -51,7 +51,7 @@ TEST_CASE("by the costs that are measured here, few spheres are tested one again
           ->report()
           .broadphase;
     };
-    CHECK(chosen(10, 0.05) == "brute-force");
+    CHECK(chosen(3, 0.05) == "brute-force");
     CHECK(chosen(30'000, 0.01) != "brute-force");
   }
 }

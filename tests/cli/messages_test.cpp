@@ -178,6 +178,7 @@ TEST_CASE("each place that makes an error has a row, or a reason why nothing rea
   std::vector<std::string> names;
   for (const Row& row : all_rows()) names.push_back(row.site);
   for (const Unreached& site : unreached()) names.push_back(site.site);
+  for (const Unreached& site : unreached_of_choices()) names.push_back(site.site);
   for (const std::string& name : names) site_named(sites, name);
   for (const Site& site : sites) {
     INFO(site.file << ": " << site.code << " is in no row of this file");
