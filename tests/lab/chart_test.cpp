@@ -90,6 +90,19 @@ TEST_CASE("cells of a map reach half way to their neighbours and have the colour
   CHECK_THAT(script, Contains("one") && Contains("two"));
 }
 
+TEST_CASE("labels of points are listed beside the plot, in their order, below those of lines") {
+  Chart chart = lines();
+  chart.lists_points = true;
+  chart.series.insert(chart.series.end(), {{"upper", "first", {{100, 1}}, Stroke::points},
+                                           {"none", "second", {}, Stroke::points},
+                                           {"lower", "third", {{10'000, 100}}, Stroke::points}});
+  const std::string script = gnuplot_script(chart, Ground::light);
+  CHECK(height_of(script, "upper") > height_of(script, "lower") + 0.04);
+  CHECK(height_of(script, "upper") < height_of(script, "linked cell"));
+  CHECK_THAT(script, !Contains("none"));
+  CHECK_THAT(script, Contains("△ upper' at screen 0.739,") && Contains("□ lower' at screen 0.739,"));
+}
+
 TEST_CASE("an unknown role is a bug") { CHECK_THROWS_AS(style_of("nonsense"), std::logic_error); }
 
 TEST_CASE("labels are readable on both backgrounds: every role has a contrast of at least 4") {

@@ -2,6 +2,7 @@
 #include "lab/charts/chart.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "core/language.h"
 #include "lab/charts/chart_script.h"
@@ -85,6 +86,7 @@ class ChartWriter {
     draw_bounds();
     if (chart_.map) draw_map(*chart_.map);
     for (const Series& series : chart_.series) draw(series);
+    if (chart_.lists_points) list_points();
     script_.write_labels(std::move(labels_));
     return script_.finish();
   }
@@ -139,6 +141,7 @@ class ChartWriter {
                    rgb(color_of("failed", script_.ground())));
       label_failed(data.last_failed->x);
     }
+    if (chart_.lists_points && series.stroke == Stroke::points) return;
     if (data.last_shown != nullptr && !series.label.empty()) add_label(series, *data.last_shown, color);
   }
 
@@ -152,6 +155,18 @@ class ChartWriter {
     labels_.push_back({script_.place_x(end.x) + kLabelGap, script_.place_y(end.y),
                        series.stroke == Stroke::line || is_theory ? series.label : with_marker,
                        is_theory ? style_.theory : text_color_of(series.role, script_.ground())});
+  }
+
+  /// Marker and label of each series of points, beside the lower right corner of the plot; the upper one is where lines
+  /// end.
+  void list_points() {
+    double y = kPlotBottom;
+    for (const Series& series : chart_.series | std::views::reverse) {
+      if (series.stroke != Stroke::points || series.points.empty()) continue;
+      labels_.push_back({kPlotRight + kLabelGap, y, std::string(style_of(series.role).glyph) + ' ' + series.label,
+                         text_color_of(series.role, script_.ground())});
+      y += 1.15 * kLabelHeight;
+    }
   }
 
   /// Explains the crosses once, beside the rightmost of them.

@@ -55,7 +55,7 @@ enum class Stroke { line, points, line_and_points };
 /// Points that belong together. The role gives colour, marker and dashes; the label stands at the line's end.
 struct Series {
   std::string label;  ///< empty: none is drawn
-  std::string role;   ///< a method's name, "theory", "front", "failed", or one of "first" to "sixth"
+  std::string role;   ///< a method's name, "theory", "front", "failed", or one of "first" to "seventh"
   std::vector<Point> points = {};
   Stroke stroke = Stroke::line_and_points;
   bool is_dashed = false;  ///< the second of two kinds
@@ -106,6 +106,9 @@ struct Chart {
   std::vector<Series> series = {};
   std::optional<Map> map = {};  ///< drawn below the series
   std::vector<Bound> bounds = {};
+  /// Series of points have their labels in a list beside the plot, the first at the top: for points without an order,
+  /// whose last one is anywhere.
+  bool lists_points = false;
 };
 
 /// The script with all its data; it makes gnuplot write an SVG to standard output. Equal charts give equal bytes.

@@ -34,6 +34,7 @@ constexpr std::array kRoles{
     RoleStyle{"fourth", kPurple, kPurple, 10, 11, "▽"},
     RoleStyle{"fifth", kSky, kSky, 6, 7, "○"},
     RoleStyle{"sixth", kBlack, kWhite, 14, 15, "⬠"},
+    RoleStyle{"seventh", kVermillion, kVermillion, 7, 7, "●"},
 };
 
 constexpr GroundStyle kLight{0xFFFFFF, 0x1A1A1A, 0xDDE1E6, kGrey};

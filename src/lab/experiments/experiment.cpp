@@ -46,6 +46,7 @@ const std::vector<Experiment>& experiments() {
       pi_experiment(),
       substeps_experiment(),
       far_origin_experiment(),
+      choice_experiment(),
   };
   return table;
 }

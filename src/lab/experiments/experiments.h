@@ -23,6 +23,7 @@ Experiment axis_experiment();
 Experiment divergence_experiment();
 Experiment tuning_experiment();
 Experiment crossover_experiment();
+Experiment choice_experiment();
 Experiment cooling_experiment();
 Experiment drift_experiment();
 Experiment equation_of_state_experiment();

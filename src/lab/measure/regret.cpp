@@ -145,6 +145,15 @@ Truth full_truth(const Scene& scene, const Needs& needs) {
   return run_pilot({scene, needs, {}, needs.duration, INFINITY, INFINITY}, springs).truth;
 }
 
+std::vector<std::string> judged_methods() {
+  std::vector<std::string> names;
+  for (const Variant& variant : variants()) names.emplace_back(variant.name);
+  for (const Line& line : kLines) {
+    if (std::ranges::find(names, line.name) == names.end()) names.emplace_back(line.name);
+  }
+  return names;
+}
+
 double Judged::regret() const {
   if (!has_choice) return has_valid ? INFINITY : 1;
   return std::max(cost, kEqualCosts) / std::max(best_cost, kEqualCosts);

@@ -39,6 +39,9 @@ struct Judged {
   double regret() const;
 };
 
+/// The methods that a Judged can name: the variants that `choose` knows, and the lines of the grid.
+std::vector<std::string> judged_methods();
+
 Judged judge(std::string_view family, const Scene& scene, double budget = 5);
 
 }  // namespace ballpit
