@@ -55,7 +55,7 @@ class Chooser {
       return std::tuple(!a.holds, cost(a), order(a), a.cost) < std::tuple(!b.holds, cost(b), order(b), b.cost);
     };
     for (const Attempt& attempt : choice_.tried) {
-      if (!attempt.errors.empty() && (nearest == nullptr || attempt.worst < nearest->worst)) nearest = &attempt;
+      if (std::isfinite(attempt.worst) && (nearest == nullptr || attempt.worst < nearest->worst)) nearest = &attempt;
       if (!attempt.holds && !attempt.may_hold) continue;
       if (best == nullptr || is_cheaper(attempt, *best)) best = &attempt;
     }

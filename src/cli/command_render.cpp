@@ -54,9 +54,10 @@ class RenderCommand {
     if (clicks_ && !has_panel_) throw UserError("--click", *clicks_ + " without --panel", "together with it");
 
     const auto [width, height] = size_;
-    const std::filesystem::path kept = std::filesystem::path(out_) / "choice.json";
+    const std::filesystem::path record = std::filesystem::path(out_) / "choice.json";
     std::error_code ignored;
-    Demo demo(arguments_.scene, arguments_.given, resume_ && std::filesystem::exists(kept, ignored) ? kept : "");
+    const bool has_record = resume_ && std::filesystem::exists(record, ignored);
+    Demo demo(arguments_.scene, arguments_.given, has_record ? record : "");
     warn_of_run(demo.session);
     demo.view = look_.view();
     demo.touch();
@@ -81,8 +82,9 @@ class RenderCommand {
     catch_interrupts();
     const auto start = std::chrono::steady_clock::now();
     Film film(demo, plan);
-    if (session.choice()) {
-      write_file(kept, json_of(*session.choice(), arguments_.scene, session.scene(), arguments_.given).dump(2) + "\n");
+    if (session.choice() && !has_record) {
+      write_file(record,
+                 json_of(*session.choice(), arguments_.scene, session.scene(), arguments_.given).dump(2) + "\n");
     }
     Progress progress("frames", frames_);
     while (!film.is_done() && !was_interrupted()) {
