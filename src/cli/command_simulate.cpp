@@ -55,9 +55,10 @@ class SimulateCommand {
   void run() {
     check_outputs();
     Session session(arguments_.scene, arguments_.given, need_tally(observables_));
-    warn_of_run(session);
     const double time = time_.value_or(session.scene().needs.duration);
     check_observation(time);
+    session.steps_until(time);  // throws if these are too many
+    warn_of_run(session);
     const bool follows_ways = std::ranges::any_of(observables_, &Observable::needs_ways);
     Observer observer(session.scene().domain, observe_from_.value_or(0), follows_ways);
     simulate(session, time, observer);
@@ -116,7 +117,8 @@ class SimulateCommand {
   void step_to(Session& session, double time, int64_t steps, std::optional<ExtendedXyz>& trajectory,
                Observer& observer) const {
     Progress progress("steps", steps);
-    const double interval = every_.value_or(1) * session.settings().dt;
+    const int64_t every = every_.value_or(1);
+    const double dt = session.settings().dt;  // of frames, also after a change of the step
     const std::string choice =
         session.choice() ? typed(options_of(session.settings(), session.scene().defaults)) : std::string();
     Observer good = observer;
@@ -125,12 +127,12 @@ class SimulateCommand {
       progress.show(steps - session.steps_until(time));
       return was_interrupted();
     };
-    for (int64_t frame = 0; trajectory && static_cast<double>(frame) * interval < time - interval / 2; ++frame) {
-      session.advance_to(static_cast<double>(frame) * interval, look, [&] { observer = good; });
+    for (int64_t step = 0; trajectory && step < steps; step += every) {
+      session.advance_to(static_cast<double>(step) * dt, look, [&] { observer = good; });
       if (was_interrupted()) return;
       observer.look(session.world());
       good = observer;
-      trajectory->append(session.world().time(), session.world().bodies(), frame == 0 ? choice : "");
+      trajectory->append(session.world().time(), session.world().bodies(), step == 0 ? choice : "");
     }
     session.advance_to(time, look, [&] { observer = good; });
     observer.look(session.world());

@@ -143,7 +143,7 @@ void Session::step_up(const std::string& breach) {
   Scene scene = scene_;
   scene.bodies = world_->bodies();
   const double now = time();
-  note("--response auto",
+  note(fmt::format("--response {}", name_of(Response::automatic)),
        fmt::format("{}; goes on from t = {:g} s with {}", when, now, typed(options_of(*next, scene.defaults))));
   steps_up_.push_back({now, when, *next});
   go_on_with(std::move(scene), *next, now);

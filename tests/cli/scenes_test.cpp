@@ -73,7 +73,7 @@ TEST_CASE("every built-in scene shows at its end what it needs") {
     CHECK(report.time == Approx(needs.duration).margin(session.settings().dt));
     const std::vector<double> errors = meter.errors(session.world(), {});
     for (size_t k = 0; k < errors.size(); ++k) {
-      const Tolerance& tolerance = tolerances_of(needs)[k];
+      const Tolerance tolerance = tolerances_of(needs)[k];
       INFO(info.name << ", " << tolerance.name << ", " << report.seconds << " s");
       CHECK(errors[k] <= tolerance.allowed);
     }

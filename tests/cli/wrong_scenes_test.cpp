@@ -66,7 +66,7 @@ TEST_CASE("options that a scene presets are checked as on the command line, with
       {"[defaults]\ndt = nan", "2: [defaults] dt: found nan, allowed 1e-12 to 10"},
       {"[defaults]\ndt = 'fast'", "2: [defaults] dt: found fast, allowed 1e-12 to 10"},
       {"[defaults]\nbroadphase = 'magic'", "2: [defaults] broadphase: found magic, allowed auto, brute-force"},
-      {"[defaults]\nresponse = 'magic'", "2: [defaults] response: found magic, allowed kinematic, impulse, penalty"},
+      {"[defaults]\nresponse = 'magic'", "2: [defaults] response: found magic, allowed auto, kinematic, impulse, penalty"},
       {"[defaults]\nthreads = 1.5", "2: [defaults] threads: found 1.5, allowed 0 to 256"},
       {"[defaults]\nsubsteps = true", "2: [defaults] substeps: found true, allowed 1 to 1000"},
       {"[defaults]\ncell-size = -1", "2: [defaults] cell-size: found -1, allowed 0.05 to 1000"},
