@@ -56,6 +56,8 @@ void Session::start(std::string name, std::vector<GivenOption> given, const std:
   scene_name_ = std::move(name);
   given_ = std::move(given);
   start_time_ = 0;
+  steps_before_ = 0;
+  seconds_before_ = 0;
   steps_up_.clear();
   if (choice_) watch_.emplace(whole, *choice_, *world_);
 }
@@ -66,6 +68,8 @@ void Session::take(std::vector<GivenOption> given, const Physics& physics) {
   scene.bodies = world_->bodies();
   const Settings settings = resolve(scene, given);
   go_on_with(std::move(scene), settings, time());
+  steps_before_ = 0;
+  seconds_before_ = 0;
   given_ = std::move(given);
   watch_.reset();  // of a run whose settings a person changes
 }
@@ -100,6 +104,7 @@ void Session::use(Scene scene, const Settings& settings) {
   if (world_) report = world->report();  // now: if memory is too small for its contacts, the old world stays
   world_ = std::move(world);
   report_ = std::move(report);
+  reported_ = 0;
   settings_ = own;
   backend_ = backend.name;
   scene_ = std::move(scene);
@@ -143,6 +148,8 @@ void Session::step_up(const std::string& breach) {
   Scene scene = scene_;
   scene.bodies = world_->bodies();
   const double now = time();
+  steps_before_ += world_->steps();
+  seconds_before_ += world_->report().seconds;
   note(fmt::format("--response {}", name_of(Response::automatic)),
        fmt::format("{}; goes on from t = {:g} s with {}", when, now, typed(options_of(*next, scene.defaults))));
   steps_up_.push_back({now, when, *next});
@@ -161,7 +168,11 @@ bool Session::detect_by(const std::vector<GivenOption>& given) {
 }
 
 const Report& Session::report() {
-  if (!report_ || report_->steps != world_->steps()) report_ = world_->report();
+  if (report_ && reported_ == world_->steps()) return *report_;
+  reported_ = world_->steps();
+  report_ = world_->report();
+  report_->steps += steps_before_;
+  report_->seconds += seconds_before_;
   return *report_;
 }
 

@@ -67,7 +67,8 @@ class Session {
   World& world() { return *world_; }
   const World& world() const { return *world_; }
 
-  /// Of the world's present state; made once for each step.
+  /// Of the world's present state; made once for each step. Steps and seconds are those of the whole run, also where
+  /// --response auto has changed the settings.
   const Report& report();
 
  private:
@@ -86,10 +87,13 @@ class Session {
   Settings settings_;
   std::string backend_;
   std::unique_ptr<World> world_;
-  std::optional<Report> report_;  // the last one of this world
+  std::optional<Report> report_;  // the last one of this world, after
+  int64_t reported_ = 0;          // steps of it
   std::optional<Choice> choice_;
   std::optional<Watch> watch_;
   std::vector<StepUp> steps_up_;
+  int64_t steps_before_ = 0;   // of worlds before these changes
+  double seconds_before_ = 0;  // [s] of computing, of the same
 };
 
 /// Writes the last good state of a run that failed to `path`. Returns "the last good state, of t = 0.32 s, is in FILE",

@@ -68,6 +68,7 @@ TEST_CASE("a growing stack makes a run step up, and it meets the needs in the en
     CHECK_THAT(up.reason, Catch::Contains("overlap") || Catch::Contains("left the domain"));
   }
   CHECK(session.time() == Approx(2.5).margin(session.settings().dt));
+  CHECK(session.report().steps > session.world().steps());  // those before the last change count, too
   REQUIRE(errors.size() == 2);
   CHECK(errors[0] <= 0.02);
   CHECK(errors[1] <= 0.5);
