@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cheapest settings that are good enough for a demonstration: chosen in the background from its present state, while
-// it goes on, and then used in one change.
+// The cheapest settings that are good enough for a demonstration: chosen in the background from its present state,
+// while it goes on, and then used in one change.
 #include <algorithm>
 #include <array>
 
@@ -17,7 +17,7 @@ bool is_one_of(const std::vector<GivenOption>& options, const GivenOption& optio
       options, [&](const GivenOption& other) { return other.name == option.name && other.value == option.value; });
 }
 
-/// Options that belong to the scene, the machine or the run. All others are the method's, which is to be chosen: a slider
+/// Whether an option belongs to the method, which is to be chosen, and not to the scene, the machine or the run. A slider
 /// that was moved, or a choice before this one, must not bind it.
 bool is_of_method(const GivenOption& option) {
   constexpr std::array<std::string_view, 7> kOthers{"count",   "seed",        "mass-ratio", "backend",
