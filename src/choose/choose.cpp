@@ -8,6 +8,7 @@
 #include "choose/detection.h"
 #include "choose/search.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/numbers.h"
 #include "core/phrase.h"
 
@@ -80,6 +81,7 @@ class Chooser {
     Scene scene = search.part();
     scene.bodies = search.middle_of(index);
     if (scene.bodies.size() == 0) return;
+    if (request_.stop.stop_requested()) throw Interrupted();
     const CheapestSearch cheapest =
         with_cheapest_search(scene, needs(), chosen.settings, request_.given, request_.scene.bodies.size(), kSeconds);
     chosen.settings = cheapest.settings;
@@ -128,7 +130,8 @@ class Chooser {
     add(request_.scene.domain.boundary == Boundary::periodic, phrase("walls"));
   }
 
-  static std::string seconds(double value) { return local_number(three_digits(value)); }
+  static std::string number(double value) { return local_number(three_digits(value)); }
+  static std::string seconds(double value) { return with_unit(value, "s", true); }
 
   std::string reason() const {
     const Attempt& chosen = *choice_.chosen;
@@ -139,10 +142,10 @@ class Chooser {
     }
     const std::string step = chosen.settings.response == Response::event_driven
                                  ? phrase("{}, which has no steps,", chosen.method)
-                                 : phrase("{} with steps of {} s", chosen.method, seconds(chosen.settings.dt));
-    const std::string first = phrase("{} is the cheapest that holds all tolerances: {} s of computing for {} s", step,
+                                 : phrase("{} with steps of {}", chosen.method, seconds(chosen.settings.dt));
+    const std::string first = phrase("{} is the cheapest that holds all tolerances: {} of computing for {}", step,
                                      seconds(chosen.cost), seconds(needs().duration));
-    return next == nullptr ? first : phrase("{}; next comes {} with {} s", first, next->method, seconds(next->cost));
+    return next == nullptr ? first : phrase("{}; next comes {} with {}", first, next->method, seconds(next->cost));
   }
 
   std::string reason_for_nothing() const {
@@ -153,13 +156,13 @@ class Chooser {
       const Tolerance& tolerance = choice_.tolerances[k];
       if (!nearest.knows(k) || nearest.errors[k] <= tolerance.allowed) continue;
       broken.push_back(
-          phrase("{} {}, allowed {}", tolerance.name, seconds(nearest.errors[k]), seconds(tolerance.allowed)));
+          phrase("{} {}, allowed {}", tolerance.name, number(nearest.errors[k]), number(tolerance.allowed)));
     }
     const auto out = std::ranges::find(choice_.ruled_out, nearest.method, &RuledOut::method);
     if (out != choice_.ruled_out.end()) broken.push_back(out->reason);
     if (choice_.is_out_of_time)
-      broken.push_back(phrase("the budget of {} s ended before all was tried", request_.budget));
-    return phrase("nothing holds all that is needed; nearest is {} with steps of {} s: {}", nearest.method,
+      broken.push_back(phrase("the budget of {} ended before all was tried", seconds(request_.budget)));
+    return phrase("nothing holds all that is needed; nearest is {} with steps of {}: {}", nearest.method,
                   seconds(nearest.settings.dt), join(broken, "; "));
   }
 

@@ -22,6 +22,7 @@ struct ChoiceRequest {
   std::vector<GivenOption> given{};  ///< options that are kept; --response auto is none
   double budget = 5;                 ///< [s] for all pilots
   bool remeasure = false;            ///< measure the machine again
+  std::stop_token stop{};            ///< ends the choice, by Interrupted
 };
 
 struct RuledOut {
@@ -42,6 +43,7 @@ struct Attempt {
   double worst = 0;            ///< largest error by its tolerance
   double largest_overlap = 0;  ///< that its pilot saw, as a fraction of the smaller radius
   std::string remark{};        ///< why it has no errors: given up for its cost, stopped
+  Seen seen{};                 ///< by its pilot
 
   /// Whether the error of tolerance k is known.
   bool knows(size_t k) const { return k < errors.size() && std::isfinite(errors[k]) && !is_unseen[k]; }
@@ -63,7 +65,8 @@ struct Choice {
   double seconds = 0;           ///< [s] that it took
 };
 
-/// Throws Interrupted; UserError for options or [needs] that are not allowed.
+/// Throws Interrupted if the program is interrupted, or the choice asked to stop; UserError for options or [needs] that
+/// are not allowed.
 Choice choose(const ChoiceRequest& request);
 
 /// "ballpit simulate SCENE --response …".

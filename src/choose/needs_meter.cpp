@@ -105,8 +105,8 @@ EffectiveNeeds effective_needs(const Scene& scene) {
   const bool falls_forever = is_periodic && length(scene.physics.gravity) > 0;
   const bool is_elastic = scene.physics.restitution == 1 && (is_periodic || scene.physics.wall_restitution == 1);
   if (is_elastic && !falls_forever) needs.energy_tolerance = kDefaultEnergy;
-  result.note = fmt::format("the scene has no [needs]: taken are duration = {}, max_overlap = {}{}", needs.duration,
-                            kDefaultOverlap, needs.energy_tolerance ? ", energy_tolerance = 0.01" : "");
+  result.note = phrase("the scene has no [needs]: taken are duration = {}, max_overlap = {}{}", needs.duration,
+                       kDefaultOverlap, needs.energy_tolerance ? ", energy_tolerance = 0.01" : "");
   return result;
 }
 

@@ -21,6 +21,20 @@ bool is_to_be_seen(const Needs& needs, int64_t step, int64_t steps) {
   return step == steps - steps / 20 || step == steps - steps / 40;
 }
 
+/// Steps between two looks that only the chart wants. Few spheres seldom touch, so they are looked at more often.
+int64_t steps_between_looks(int64_t steps, int64_t count) {
+  return std::max<int64_t>(1, steps / std::clamp<int64_t>(4000 / std::max<int64_t>(count, 1), 16, 128));
+}
+
+double energy_of(const Report& report) {
+  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
+}
+
+void see(Seen& seen, const Report& report, double start_energy) {
+  seen.overlap = std::max(seen.overlap, report.max_overlap);
+  if (start_energy != 0) seen.drift = std::max(seen.drift, std::fabs(energy_of(report) / start_energy - 1));
+}
+
 /// Errors at the end of a run, from those at a share of it.
 void judge(PilotResult& result, std::vector<double> errors, double share, const Needs& needs) {
   const std::vector<Tolerance> tolerances = tolerances_of(needs);
@@ -96,12 +110,15 @@ PilotResult run_pilot(const PilotPlan& plan, const Settings& settings) {
   own.patience = plan.seconds;
   const std::unique_ptr<World> world = make_pilot_world(plan.scene, plan.needs, own);
   NeedsMeter meter(plan.scene, plan.needs, *world);
+  const double start_energy = energy_of(world->report());
+  const int64_t stride = steps_between_looks(steps, plan.scene.bodies.size());
   double spent = 0;
   int64_t done = 0;
   const auto share = [&] { return all_steps > 0 ? double(done) / double(all_steps) : 1.0; };
   try {
     while (done < steps && spent <= plan.seconds && !result.is_given_up) {
       stop_if_interrupted();
+      if (plan.stop.stop_requested()) throw Interrupted();
       const auto start = Clock::now();
       world->step();
       spent += std::chrono::duration<double>(Clock::now() - start).count();
@@ -111,6 +128,7 @@ PilotResult run_pilot(const PilotPlan& plan, const Settings& settings) {
         meter.look(*world);
         result.largest_overlap = std::max(result.largest_overlap, world->report().max_overlap);
       }
+      if (done % stride == 0 || done == steps) see(result.seen, world->report(), start_energy);
       result.is_given_up = share() > kSure && spent / share() > plan.dearest;
     }
   } catch (const RunError& error) {
@@ -123,6 +141,7 @@ PilotResult run_pilot(const PilotPlan& plan, const Settings& settings) {
   if (!result.stopped.empty()) return result;
   result.is_at_truth = done == steps;
   result.is_complete = done == all_steps;
+  if (share() > 0) result.seen.drift /= share();
   if (result.middle.size() == 0) result.middle = world->bodies();
   result.truth = meter.truth(*world);
   judge(result, meter.errors(*world, result.is_at_truth ? plan.truth : Truth{}), share(), plan.needs);

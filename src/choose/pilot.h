@@ -4,6 +4,8 @@
 // it.
 #pragma once
 
+#include <stop_token>
+
 #include "choose/needs_meter.h"
 
 namespace ballpit {
@@ -21,6 +23,13 @@ struct PilotPlan {
   double until;               ///< [s] of simulated time at which the pilot ends; at most the needs' duration
   double seconds = 1;         ///< [s] of computing after which the pilot ends
   double dearest = INFINITY;  ///< [s] of computing for the needs' duration; a pilot that will cost more is given up
+  std::stop_token stop{};     ///< ends the pilot, by Interrupted
+};
+
+/// The largest errors that looks during a run saw, needed or not: those of the chart of speed against accuracy.
+struct Seen {
+  double overlap = 0;  ///< of the smaller radius
+  double drift = 0;    ///< change of energy, as a fraction of that at the start
 };
 
 struct PilotResult {
@@ -30,6 +39,7 @@ struct PilotResult {
   std::vector<bool> is_unseen;  ///< which of them a run that ends early cannot show
   double largest_overlap = 0;   ///< of the looks at it
   double end_overlap = 0;       ///< at the time reached
+  Seen seen{};                  ///< the drift scaled to the end
   std::string stopped;          ///< why the run was stopped by its guard; empty if it was not
   bool is_given_up = false;     ///< for its cost
   bool is_at_truth = false;     ///< it reached `until`
@@ -38,7 +48,7 @@ struct PilotResult {
   Bodies middle{};              ///< the state at half of the time, or at its own end
 };
 
-/// Throws Interrupted.
+/// Throws Interrupted if the program is interrupted, or the pilot asked to stop.
 PilotResult run_pilot(const PilotPlan& plan, const Settings& settings);
 
 /// Whether all errors are within `margin` of their tolerances.

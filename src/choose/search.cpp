@@ -138,7 +138,7 @@ void Search::find_exact_truth() {
 
 PilotResult Search::pilot(const Settings& settings, const Truth& truth, double seconds) const {
   const double dearest = best_cost_ < INFINITY ? std::max(1.15 * best_cost_, kEqualCosts) : INFINITY;
-  return run_pilot({part_, needs_, truth, until_, seconds, dearest}, settings);
+  return run_pilot({part_, needs_, truth, until_, seconds, dearest, request_.stop}, settings);
 }
 
 /// The truth for a variant: exact, or its own motion with a quarter of the step.
@@ -149,7 +149,8 @@ const Truth& Search::truth_for(const Variant& variant, int rung) {
   own_truth_of_ = &variant;
   own_truth_rung_ = rung + kQuarter;
   const std::optional<Settings> settings = settings_of(variant, own_truth_rung_);
-  truth_ = settings ? run_pilot({part_, needs_, {}, until_, left() / 3, INFINITY}, *settings).truth : Truth{};
+  const PilotPlan plan{part_, needs_, {}, until_, left() / 3, INFINITY, request_.stop};
+  truth_ = settings ? run_pilot(plan, *settings).truth : Truth{};
   return truth_;
 }
 
@@ -172,7 +173,8 @@ Search::Tried Search::try_rung(const Ladder& ladder) {
                   ballpit::holds(result, tolerances_, 1),
                   worst_ratio(result, tolerances_),
                   result.largest_overlap,
-                  result.stopped};
+                  result.stopped,
+                  result.seen};
   if (attempt.is_close && !attempt.holds) {
     attempt.remark = attempt.may_hold ? phrase("too short to see all") : phrase("too close");
   }

@@ -53,6 +53,9 @@ class RenderCommand {
     if (look_.ui_scale && !has_panel_) throw UserError("--ui-scale", "without --panel", "together with it");
     if (clicks_ && !has_panel_) throw UserError("--click", *clicks_ + " without --panel", "together with it");
 
+    if (resume_ && clicks_ && std::ranges::count(split_list(*clicks_), "cheapest") > 0) {
+      throw UserError("--resume", "with --click cheapest", "without it, since a choice depends on measured times");
+    }
     const auto [width, height] = size_;
     const std::filesystem::path record = std::filesystem::path(out_) / "choice.json";
     std::error_code ignored;
@@ -77,7 +80,7 @@ class RenderCommand {
       drawing.draw(demo, options);
       if (panel) panel->draw(demo, input);
     };
-    if (clicks_) click(*panel, draw);
+    if (clicks_) click(*panel, demo, draw);
     remove_frames(out_, first_, frames_);
     catch_interrupts();
     const auto start = std::chrono::steady_clock::now();
@@ -131,8 +134,8 @@ class RenderCommand {
     }
   }
 
-  /// Clicks as a user does: over the item, down, up; a frame for each.
-  void click(Panel& panel, const std::function<void(const PanelInput&)>& draw) const {
+  /// Clicks as a user does: over the item, down, up; a frame for each. The next click comes when a choice is made.
+  void click(Panel& panel, Demo& demo, const std::function<void(const PanelInput&)>& draw) const {
     const auto rest = [&] { draw(PanelInput{}); };
     rest();
     rest();
@@ -142,6 +145,7 @@ class RenderCommand {
       }
       const Vec2 at = panel.items().at(name).middle();
       for (const bool is_down : {false, true, false, false}) draw(PanelInput{.mouse = at, .is_down = is_down});
+      demo.finish_choosing();
     }
     panel.reveal("scene");
     rest();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/language.h"
 
+#include <atomic>
 #include <cctype>
 #include <functional>
 #include <map>
@@ -13,7 +14,7 @@ namespace ballpit {
 
 namespace {
 
-Language current = Language::english;
+std::atomic<Language> current = Language::english;  // read by threads that make choices, too
 
 using Table = std::map<std::string, std::string, std::less<>>;
 

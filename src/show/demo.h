@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/page_view.h"
+#include "show/background_choice.h"
 #include "show/session.h"
 #include "show/timeline.h"
 #include "show/trade_off.h"
@@ -64,6 +65,16 @@ class Demo {
   void step();
   void step_back() { go_to(timeline->step_now() - 1); }
 
+  /// Begins to choose the cheapest settings with which the scene shows what it needs, from the present state. The scene
+  /// goes on; once the choice is made, advance() goes on with its settings, or with those before if none hold. A second
+  /// call gives it up, and so does a change of settings, physics or scene.
+  void choose_cheapest();
+  bool is_choosing() const { return background_.is_running(); }
+  void finish_choosing() { take_choice(background_.wait()); }  ///< waits for the choice, for pictures without a window
+
+  /// The latest choice for this scene, or that of --response auto; null if there is none.
+  const Choice* choice() const { return choice_ ? &*choice_ : session.choice(); }
+
   /// Begins exact motion from the present state, beside this one, and shows it.
   void drop_ghost();
 
@@ -74,7 +85,10 @@ class Demo {
   void go_to(int64_t step);
 
   /// Plays for `elapsed` [s]; see Player::advance().
-  void advance(double elapsed, double share) { player.advance(*timeline, elapsed, share); }
+  void advance(double elapsed, double share) {
+    take_choice(background_.result());
+    player.advance(*timeline, elapsed, share);
+  }
 
   /// Steps to `time` [s] as Session::advance_to() does.
   void advance_to(double time, const std::function<bool()>& stop);
@@ -115,6 +129,11 @@ class Demo {
   void attempt(const std::function<void()>& action);
   void change(const std::function<void()>& action);  // the same for one that makes a new world
   void begin_world();
+  std::vector<GivenOption> kept_by_choice() const;
+  std::vector<GivenOption> options_by(const Choice& choice) const;
+  void predict(const Choice& choice);
+  void take_choice(std::optional<BackgroundChoice::Result> result);
+  void forget_choice();
   bool shows_ghost() const { return view.shows("ghost"); }
   bool go_on_to(int64_t step, const std::function<bool()>& stop);
   const Inspection& inspect(Wanted wanted);
@@ -133,6 +152,9 @@ class Demo {
   Wanted requested_, left_out_;
   std::vector<Moment> history_;
   std::unique_ptr<Ghost> ghost_;  // once it is shown
+  BackgroundChoice background_;
+  std::optional<Choice> choice_;
+  std::vector<GivenOption> chosen_;  // options of the session that a choice has set
 };
 
 }  // namespace ballpit

@@ -71,6 +71,7 @@ void TradeOff::observe(const Report& report) {
 
 void TradeOff::clear() {
   trials_.clear();
+  prediction.reset();
   current_ = -1;
   interrupt();
 }

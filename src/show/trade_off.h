@@ -66,6 +66,8 @@ class TradeOff {
   const std::vector<Played>& trials() const { return trials_; }
   int current() const { return current_; }  ///< −1 before the first
 
+  std::optional<Played> prediction;  ///< what a choice expects of its settings; not played
+
   /// Trials that no other trial beats in both cost and this error, ordered by cost.
   std::vector<int> front(const PlayedError& error) const;
 

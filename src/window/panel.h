@@ -2,7 +2,8 @@
 // The panel beside the picture, by Dear ImGui. Scene and time are always in view; below them are three tabs:
 //
 //     Scene      what is drawn, how it looks, export
-//     Method     broad phase, response, and their settings; those that the method does not use are grey
+//     Method     the cheapest settings that are good enough; broad phase, response, and their settings, of which those
+//                that the method does not use are grey
 //     Numbers    cost, accuracy, and the chart of one against the other
 //
 // Over the scene it shows the picked sphere as a card, and a hint that fades. Its choices come from the same tables as
@@ -136,6 +137,7 @@ class Panel {
   void settings(Demo& demo, SettingGroup group, const Method& method);
   bool slider(const std::string& name, const std::string& label, float& value, const SliderLook& look);
   void draw_marks(const SliderLook& look, float width);
+  void paragraph(const std::string& name, const std::string& text);
   void row(const char* what, const std::string& value);
   void plot(const char* name, const float* values, size_t count, int stride, float from);
 
@@ -145,10 +147,13 @@ class Panel {
   void draw_scene(Demo& demo);
   void draw_export();
   void draw_method(Demo& demo);
+  void draw_choice(Demo& demo);
+  void draw_reasons(const Choice& choice);
   void draw_broad_phases(Demo& demo);
   void draw_physics(Demo& demo);
   void draw_numbers(Demo& demo);
   void draw_trade_off(Demo& demo);
+  void draw_prediction(Vec2 at, Vec2 legend);
   void draw_ghost(Demo& demo);
   void draw_ghost_chart(const GhostChart& chart, const std::string& theme_name);
   void draw_keys(Demo& demo);

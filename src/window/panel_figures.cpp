@@ -40,7 +40,6 @@ template <class Value>
 LogAxis axis_of(const std::vector<Played>& trials, double least, const Value& value, float at_low, float at_high) {
   int low = 100, high = -100;
   for (const Played& trial : trials) {
-    if (trial.steps == 0) continue;
     const double power = std::log10(std::max(value(trial), least));
     low = std::min(low, static_cast<int>(std::floor(power)));
     high = std::max(high, static_cast<int>(std::ceil(power)));
@@ -109,7 +108,7 @@ void Panel::draw_numbers(Demo& demo) {
   }
 }
 
-/// A point for each trial, filled for the present one, and the front as a line.
+/// A point for each trial, filled for the present one, the front as a line, and a diamond for what a choice expects.
 void Panel::draw_trade_off(Demo& demo) {
   const auto errors = played_errors();
   for (size_t k = 0; k < errors.size(); ++k) {
@@ -118,19 +117,23 @@ void Panel::draw_trade_off(Demo& demo) {
   }
   const PlayedError& error = errors[charted_error_];
   const std::vector<Played>& trials = demo.trade_off.trials();
+  const std::optional<Played>& prediction = demo.trade_off.prediction;
+  std::vector<Played> shown;
+  std::ranges::copy_if(trials, std::back_inserter(shown), [](const Played& trial) { return trial.steps > 0; });
+  if (prediction) shown.push_back(*prediction);
   const float unit = sheet_.unit(), text = ImGui::GetTextLineHeight(), margin = 3.2f * text;
-  const ImVec2 low = ImGui::GetCursorScreenPos(), size{std::max(ImGui::GetContentRegionAvail().x, 1.0f), 11 * text};
-  const ImVec2 inner_low{low.x + margin, low.y + text / 2},
-      inner_high{low.x + size.x - text, low.y + size.y - 2.4f * text};
+  const ImVec2 low = ImGui::GetCursorScreenPos(),
+               size{std::max(ImGui::GetContentRegionAvail().x, 1.0f), (prediction ? 12.2f : 11) * text};
+  const ImVec2 inner_low{low.x + margin, low.y + text / 2}, inner_high{low.x + size.x - text, low.y + 8.6f * text};
   ImGui::InvisibleButton("##trade-off", size);
   const bool is_clicked = ImGui::IsItemClicked();
   note("trade-off");
   if (revealed_.rfind("trial ", 0) == 0) ImGui::SetScrollHereY();
 
   const LogAxis x = axis_of(
-      trials, kMinCost, [](const Played& t) { return t.cost(); }, inner_low.x, inner_high.x);
+      shown, kMinCost, [](const Played& t) { return t.cost(); }, inner_low.x, inner_high.x);
   const LogAxis y = axis_of(
-      trials, kMinError, [&](const Played& t) { return t.*error.value; }, inner_high.y, inner_low.y);
+      shown, kMinError, [&](const Played& t) { return t.*error.value; }, inner_high.y, inner_low.y);
   ImDrawList& lines = *ImGui::GetWindowDrawList();
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text), faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   const auto right_of = [&](const std::string& label, float at_x, float at_y, ImU32 color) {
@@ -162,6 +165,11 @@ void Panel::draw_trade_off(Demo& demo) {
   const float radius = 6 * unit, reach = 2 * radius;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Played* chosen = nullptr;
+  if (prediction) {
+    const ImVec2 at = place(*prediction);
+    draw_prediction({at.x, at.y}, {inner_low.x, inner_high.y + 2.5f * text});
+    if (std::hypot(mouse.x - at.x, mouse.y - at.y) <= reach) chosen = &*prediction;
+  }
   for (size_t k = 0; k < trials.size(); ++k) {
     if (trials[k].steps == 0) continue;
     const ImVec2 at = place(trials[k]);
@@ -169,10 +177,11 @@ void Panel::draw_trade_off(Demo& demo) {
     if (is_current) lines.AddCircleFilled(at, radius, ink);
     lines.AddCircle(at, radius, ink, 0, 2 * unit);
     items_["trial " + std::to_string(k)] = {{at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}};
-    if (std::hypot(mouse.x - at.x, mouse.y - at.y) > reach) continue;
-    chosen = &trials[k];
-    ImGui::SetTooltip("%s\n%s, %s %s", trials[k].label().c_str(), with_unit(trials[k].cost(), "s/s").c_str(),
-                      translated("error").c_str(), with_unit(trials[k].*error.value).c_str());
+    if (std::hypot(mouse.x - at.x, mouse.y - at.y) <= reach) chosen = &trials[k];
+  }
+  if (chosen) {
+    ImGui::SetTooltip("%s\n%s, %s %s", chosen->label().c_str(), with_unit(chosen->cost(), "s/s").c_str(),
+                      translated("error").c_str(), with_unit(chosen->*error.value).c_str());
   }
   if (is_clicked && chosen) demo.return_to(*chosen);
 }

@@ -121,6 +121,7 @@ void Panel::draw_physics(Demo& demo) {
 }
 
 void Panel::draw_method(Demo& demo) {
+  draw_choice(demo);
   heading("Detection");
   draw_broad_phases(demo);
   settings(demo, SettingGroup::detection, find_method(demo.session.settings().broadphase));

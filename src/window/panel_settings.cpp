@@ -140,6 +140,7 @@ void Panel::setting(Demo& demo, const SettingInfo& info) {
     const std::string name(info.name), current = info.get(demo.session.settings());
     combo(name, name, current, [&] {
       for (const std::string_view choice : info.choices) {
+        if (name == "response" && choice == name_of(Response::automatic)) continue;  // a button, since it takes long
         if (info.name != "response" && !goes_with(demo.session.settings().response, info.name, choice)) continue;
         if (entry(name + " " + std::string(choice), std::string(choice), choice == current))
           demo.set(name, std::string(choice));

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/interrupt.h"
 #include "tests/support/scenes.h"
 
 using namespace ballpit;
@@ -134,4 +135,33 @@ TEST_CASE("exact motion among lasting contacts ends a pilot in time") {
   const PilotResult result = run_pilot({scene, needs, {}, 1000, 0.1}, settings);
   CHECK_FALSE(result.is_complete);
   CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 5);
+}
+
+TEST_CASE("a pilot sees the largest overlap and the largest change of energy of its run, needed or not") {
+  Scene scene = make_crowd(3, 4, Boundary::periodic, 0.5, 0.05, 0.05);
+  Needs needs;
+  needs.duration = 0.5;
+  const PilotResult result = run_pilot({scene, needs, {}, 0.5, 10}, impulses(0.005));
+  const auto world = make_cpu_world(scene, impulses(0.005));
+  const double before = world->report().kinetic_energy;
+  double overlap = 0, drift = 0;
+  for (int k = 0; k < 100; ++k) {
+    world->step();
+    overlap = std::max(overlap, world->report().max_overlap);
+    drift = std::max(drift, std::fabs(world->report().kinetic_energy / before - 1));
+  }
+  CHECK(result.seen.overlap <= overlap);
+  CHECK(result.seen.overlap > 0.5 * overlap);
+  CHECK(result.seen.drift == Approx(drift).epsilon(0.05));
+}
+
+TEST_CASE("a pilot that is asked to stop makes no step") {
+  Scene scene = make_crowd(3, 4, Boundary::periodic, 1, 0.05, 0.05);
+  Needs needs;
+  needs.duration = 0.5;
+  std::stop_source source;
+  const PilotPlan plan{.scene = scene, .needs = needs, .truth = {}, .until = 0.5, .stop = source.get_token()};
+  CHECK_NOTHROW(run_pilot(plan, impulses(0.005)));
+  source.request_stop();
+  CHECK_THROWS_AS(run_pilot(plan, impulses(0.005)), Interrupted);
 }

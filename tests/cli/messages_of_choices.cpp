@@ -19,7 +19,10 @@ Arguments resumed(const std::string& folder) {
 
 std::vector<Row> rows_of_choices() {
   return {
-      {"cli/command_choose.cpp: choice.reason", "a: nothing holds all that is needed; nearest is", {"choose", "a.toml"}, kContradiction},
+      {"cli/command_choose.cpp: choice.reason",
+       "a: nothing holds all that is needed; nearest is",
+       {"choose", "a.toml"},
+       kContradiction},
       {"show/session.cpp: choice_->reason",
        "a: nothing holds all that is needed; nearest is",
        {"simulate", "a.toml", "--response", "auto"},
@@ -28,11 +31,18 @@ std::vector<Row> rows_of_choices() {
                   {"choose", "rain", "--count", "30000", "--budget", "60"}),
       {"choose/record.cpp: the choice of an earlier run",
        "choice.json: found no JSON, allowed the choice of an earlier run", resumed("no-choice")},
-      {"scene/table_reader.cpp: an array of texts", "[needs] effects: found \"resting\", allowed an array of texts",
-       {"choose", "a.toml"}, "[needs]\neffects = \"resting\"\n"},
-      {"scene/table_reader.cpp: describe(element), join(names)", "[needs] effects: found \"rest\", allowed resting",
-       {"choose", "a.toml"}, "[needs]\neffects = [\"rest\"]\n"},
+      {"scene/table_reader.cpp: an array of texts",
+       "[needs] effects: found \"resting\", allowed an array of texts",
+       {"choose", "a.toml"},
+       "[needs]\neffects = \"resting\"\n"},
+      {"scene/table_reader.cpp: describe(element), join(names)",
+       "[needs] effects: found \"rest\", allowed resting",
+       {"choose", "a.toml"},
+       "[needs]\neffects = [\"rest\"]\n"},
       {"show/session.cpp: no dearer settings", "two-spheres: t = ", resumed("poor-choice")},
+      {"cli/command_render.cpp: with --click cheapest",
+       "--resume: found with --click cheapest, allowed without it, since a choice depends on measured times",
+       render({"--panel", "--click", "cheapest", "--resume"})},
   };
 }
 

@@ -32,6 +32,8 @@ TEST_CASE("German readers have a text for whatever a table shows") {
   for (const WindowKey& key : window_keys()) check(key.help);
   for (const PresenterKey& key : presenter_keys()) check(key.help);
   for (const PlayedError& error : played_errors()) check(error.label);
+  check(find_method(Response::automatic).label);
+  check("choosing…");
   for (const Method& method : methods()) {
     if (method.family == Family::broadphase && !is_of_lecture(named<BroadPhase>(method.name))) check(method.label);
   }
@@ -41,10 +43,10 @@ TEST_CASE("German readers have a text for whatever a table shows") {
   for (const SceneInfo& scene : built_in_scenes()) CHECK(scene.title_de != scene.title);
 }
 
-TEST_CASE("German readers have a text for each that the sources of picture, panel and report show") {
-  const std::regex shown(R"re((?:translated|phrase|note|row|heading|hint)\("([^"]+)")re");
+TEST_CASE("German readers have a text for each that the sources of picture, panel, report and choice show") {
+  const std::regex shown(R"re((?:translated|phrase|note|row|heading|hint|title)\("([^"]+)")re");
   int texts = 0;
-  for (const char* folder : {"/src/lab", "/src/render", "/src/show", "/src/window"}) {
+  for (const char* folder : {"/src/choose", "/src/lab", "/src/render", "/src/show", "/src/window"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(BALLPIT_SOURCE_DIR + std::string(folder))) {
       if (!entry.is_regular_file() || entry.path().extension() != ".cpp") continue;
       const std::string source = read_file(entry.path());
@@ -52,7 +54,7 @@ TEST_CASE("German readers have a text for each that the sources of picture, pane
       for (std::sregex_iterator at(source.begin(), source.end(), shown), end; at != end; ++at) {
         const std::string text = (*at)[1], call = (*at)[0];
         const bool names_item = call.starts_with("note") && entry.path().parent_path().filename() == "window";
-        if (names_item || is_of_items) continue;  // note() names an item of the panel there
+        if (names_item || is_of_items || text.starts_with("--")) continue;  // note() names an item of the panel there
         CAPTURE(entry.path().string());
         check(text);
         ++texts;
