@@ -101,6 +101,13 @@ TEST_CASE("half of the tolerance is not cheaper", "[slow]") {
   }
 }
 
+TEST_CASE("held-out scenes are scenes in all units that are drawn", "[slow]") {
+  for (uint64_t seed = 1; seed <= 700; ++seed) {
+    INFO(seed);
+    CHECK_NOTHROW(scene_of(seed, drawn_units(seed)));
+  }
+}
+
 TEST_CASE("held-out scenes follow from their seeds, and units change only their figures") {
   for (uint64_t seed = 1; seed <= 14; ++seed) {
     const HeldOutScene scene = held_out_scene(seed, {});

@@ -215,15 +215,16 @@ void mixture(Writer& w, Random& random) {
   w.tolerance("energy_tolerance", log_uniform(random, 1e-3, 0.1));
 }
 
-double power_of_ten(Random& random, int largest) {
-  return std::pow(10.0, std::floor(random.uniform(-largest, largest + 1)));
+double power_of_ten(Random& random, int smallest, int largest) {
+  return std::pow(10.0, std::floor(random.uniform(smallest, largest + 1)));
 }
 
 }  // namespace
 
 Units drawn_units(uint64_t seed) {
   Random random(mix_bits(seed) + 1);
-  const double length = power_of_ten(random, 3), time = power_of_ten(random, 2), mass = power_of_ten(random, 3);
+  const double length = power_of_ten(random, -3, 3), time = power_of_ten(random, -1, 2),
+               mass = power_of_ten(random, -3, 3);
   return {length, time, mass};
 }
 

@@ -20,7 +20,8 @@ struct Units {
   double mass = 1;    ///< [kg]
 };
 
-/// Powers of ten that a seed draws: lengths from 1e-3 to 1e3 m, times from 1e-2 to 1e2 s, masses from 1e-3 to 1e3 kg.
+/// Powers of ten that a seed draws: lengths from 1e-3 to 1e3 m, times from 0.1 to 100 s (shorter ones
+/// would take stiffer springs than a scene may have), masses from 1e-3 to 1e3 kg.
 Units drawn_units(uint64_t seed);
 
 struct HeldOutScene {
