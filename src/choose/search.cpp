@@ -172,7 +172,7 @@ Search::Tried Search::try_rung(const Ladder& ladder) {
                   !is_seen && ballpit::holds(result, tolerances_, margin),
                   ballpit::holds(result, tolerances_, 1),
                   worst_ratio(result, tolerances_),
-                  result.largest_overlap,
+                  std::max(result.largest_overlap, result.seen.overlap),
                   result.stopped,
                   result.seen};
   if (attempt.is_close && !attempt.holds) {

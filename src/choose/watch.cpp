@@ -14,10 +14,10 @@ namespace {
 
 std::string text(double value) { return local_number(three_digits(value)); }
 
-/// The largest overlap that the needs allow during a run. Where they limit it at the end only, a run may overlap as
-/// much as its pilot did before that.
+/// The largest overlap that the needs allow during a run. Where they limit it at the end only, a run may overlap twice as
+/// much as its pilot did before that: a pilot looks now and then, and may be a part of the scene.
 double allowed_during(const Needs& needs, const Attempt& chosen) {
-  constexpr double kMoreThanPilot = 1.5;
+  constexpr double kMoreThanPilot = 2;
   if (needs.max_overlap_ever) return *needs.max_overlap_ever;
   if (!needs.max_overlap) return std::numeric_limits<double>::infinity();
   return std::max(*needs.max_overlap, kMoreThanPilot * chosen.largest_overlap);
@@ -42,12 +42,13 @@ std::string Watch::breach(World& world, const Settings& settings) const {
   const std::vector<double> errors = meter_.errors(world, {});
   for (size_t k = 0; k < tolerances_.size(); ++k) {
     const std::string& name = tolerances_[k].name;
-    const bool is_of_end = name == "max_overlap" || name == "max_speed";
-    const double allowed =
-        is_of_end && !is_end(world) ? (name == "max_overlap" ? allowed_overlap_ : INFINITY) : tolerances_[k].allowed;
+    // What counts at the end is only a sign of trouble before it, and none where nothing else could be done.
+    const bool is_early = !is_end(world) && (name == "max_overlap" || name == "max_speed");
+    const bool is_sign = name == "max_overlap" && !dearer_.empty();
+    const double allowed = !is_early ? tolerances_[k].allowed : is_sign ? allowed_overlap_ : INFINITY;
     if (errors[k] > allowed) return phrase("{} {}, allowed {}", name, text(errors[k]), text(allowed));
   }
-  if (settings.response == Response::event_driven || settings.is_swept) return "";
+  if (settings.response == Response::event_driven || settings.is_swept || dearer_.empty()) return "";
   double fastest = 0;
   for (const Vec3d& v : world.bodies().velocity) fastest = std::max(fastest, length(v));
   SceneNumbers now = numbers_;

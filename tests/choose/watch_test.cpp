@@ -77,6 +77,27 @@ TEST_CASE("what counts at the end is not a breach before it") {
   CHECK_THAT(watch.breach(*world, settings), Catch::Contains("max_speed"));
 }
 
+TEST_CASE(
+    "overlap that counts at the end may be twice that of the pilot before, and more where nothing dearer is left") {
+  Needs needs;
+  needs.duration = 100;
+  needs.max_overlap = 0.01;
+  const Settings settings = impulses(0.08);
+  Choice choice = choice_with(needs, settings);
+  choice.chosen->largest_overlap = 0.2;
+  Scene scene = pair();
+  const auto apart = make_cpu_world(scene, settings);
+  Watch watch(scene, choice, *apart);
+  const auto breach_at = [&](double overlap) {
+    scene.bodies.position[1].x = scene.bodies.position[0].x + 0.2 - 0.1 * overlap;
+    return watch.breach(*make_cpu_world(scene, settings), settings);
+  };
+  CHECK(breach_at(0.39) == "");
+  CHECK_THAT(breach_at(0.41), Catch::Contains("max_overlap"));
+  CHECK(watch.next());
+  CHECK(breach_at(0.41).empty());
+}
+
 TEST_CASE("a sphere that became too fast for the step is a breach") {
   Needs needs;
   const Settings settings = impulses(0.01);

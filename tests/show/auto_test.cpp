@@ -89,6 +89,20 @@ TEST_CASE("a growing stack makes a run step up, and it meets the needs in the en
   std::filesystem::remove(kRecord);
 }
 
+TEST_CASE("built-in scenes that come to rest, cool, or move forever give what they need with auto", "[slow]") {
+  for (const char* const name : {"dense-bed", "open-box", "stack", "mass-ratio", "cooling-gas", "cradle", "bullet"}) {
+    Session session(name, kAuto);
+    const Scene scene = load_scene(name);
+    const auto start = cpu_backend().make_world(scene, session.settings());
+    const std::vector<double> errors = run_to_end(session, scene, *start);
+    const std::vector<Tolerance> tolerances = tolerances_of(scene.needs);
+    for (size_t k = 0; k < errors.size(); ++k) {
+      INFO(name << ", " << tolerances[k].name << ": " << session.choice()->reason);
+      CHECK(errors[k] <= tolerances[k].allowed);
+    }
+  }
+}
+
 TEST_CASE("a state that others have seen stands: a run never goes back beyond it") {
   write_file(kScene, growing_stack());
   Session session(kScene.string(), kAuto);
