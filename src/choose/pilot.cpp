@@ -108,7 +108,13 @@ PilotResult run_pilot(const PilotPlan& plan, const Settings& settings) {
   const int64_t all_steps = steps_to(plan.needs.duration, settings), steps = steps_to(plan.until, settings);
   Settings own = settings;
   own.patience = plan.seconds;
-  const std::unique_ptr<World> world = make_pilot_world(plan.scene, plan.needs, own);
+  std::unique_ptr<World> world;
+  try {
+    world = make_pilot_world(plan.scene, plan.needs, own);
+  } catch (const RunError& error) {  // a start that the response cannot have
+    result.stopped = error.what();
+    return result;
+  }
   NeedsMeter meter(plan.scene, plan.needs, *world);
   const double start_energy = energy_of(world->report());
   const int64_t stride = steps_between_looks(steps, plan.scene.bodies.size());
