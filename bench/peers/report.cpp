@@ -16,7 +16,9 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 /// "12.3 (0.4)": the median and the distance between the quartiles.
-std::string with_spread(const PeerTiming& timing) { return fmt::format("{:9.3g} ({:.2g})", timing.median, timing.spread); }
+std::string with_spread(const PeerTiming& timing) {
+  return fmt::format("{:9.3g} ({:.2g})", timing.median, timing.spread);
+}
 
 }  // namespace
 

@@ -35,10 +35,6 @@ constexpr std::array kVariants{
     Variant{"kinematic", Response::kinematic, [](Settings&) {}, 0.9},
 };
 
-bool is_given(const std::vector<GivenOption>& given, std::string_view name) {
-  return std::ranges::any_of(given, [&](const GivenOption& option) { return option.name == name; });
-}
-
 /// Whether two variants differ in these settings.
 bool are_same(const Settings& a, const Settings& b) {
   return a.response == b.response && iterations_of(a) == iterations_of(b) && a.is_swept == b.is_swept &&
@@ -55,6 +51,10 @@ double step_at(int rung, bool is_exact, double duration) {
 }  // namespace
 
 std::span<const Variant> variants() { return kVariants; }
+
+bool is_given(const std::vector<GivenOption>& given, std::string_view name) {
+  return std::ranges::any_of(given, [&](const GivenOption& option) { return option.name == name; });
+}
 
 Settings base_settings(const Scene& scene, const std::vector<GivenOption>& given) {
   Settings settings;

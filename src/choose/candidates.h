@@ -24,6 +24,9 @@ std::span<const Variant> variants();
 
 inline constexpr int kRungs = 44;
 
+/// Whether an option of this name is among those given.
+bool is_given(const std::vector<GivenOption>& given, std::string_view name);
+
 /// The program's settings with those of the scene's [defaults] that bound a run, and the options that are given.
 Settings base_settings(const Scene& scene, const std::vector<GivenOption>& given);
 

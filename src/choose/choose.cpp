@@ -42,10 +42,6 @@ class Chooser {
  private:
   const Needs& needs() const { return choice_.needs.needs; }
 
-  bool is_given(std::string_view name) const {
-    return std::ranges::any_of(request_.given, [&](const GivenOption& option) { return option.name == name; });
-  }
-
   void conclude(const Search& search) {
     const auto cost = [](const Attempt& attempt) { return std::max(attempt.cost, kEqualCosts); };
     const auto order = [](const Attempt& attempt) {
@@ -104,7 +100,7 @@ class Chooser {
       double cost = first->cost;
       for (int k = 0; k <= kHalvings; ++k, settings.dt /= 2, cost *= 2) {
         if (cost > chosen.cost && settings.dt > 1e-12) list.emplace_back(cost, settings);
-        if (variant.response == Response::event_driven || is_given("dt")) break;
+        if (variant.response == Response::event_driven || is_given(request_.given, "dt")) break;
       }
     }
     std::ranges::stable_sort(list, {}, &std::pair<double, Settings>::first);

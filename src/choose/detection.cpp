@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "choose/candidates.h"
 #include "core/error.h"
 #include "measure/machine.h"
 
@@ -36,10 +37,6 @@ double time_of_step(const Scene& scene, const Needs& needs, const Settings& sett
 }
 
 namespace {
-
-bool is_given(const std::vector<GivenOption>& given, std::string_view name) {
-  return std::ranges::any_of(given, [&](const GivenOption& option) { return option.name == name; });
-}
 
 /// Keeps the settings unless others are clearly cheaper.
 class Contest {

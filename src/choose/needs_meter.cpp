@@ -27,10 +27,6 @@ double energy_at_bottom(const Scene& scene, const Bodies& bodies) {
   return per_mass * std::accumulate(bodies.mass.begin(), bodies.mass.end(), 0.0);
 }
 
-double energy_of(const Report& report) {
-  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
-}
-
 double relative(double change, double of) { return change == 0 ? 0 : change / of; }
 
 double distance(const Domain& domain, Vec3d d) {
@@ -127,6 +123,10 @@ bool need_tally(const Needs& needs) {
   return std::ranges::any_of(needs.observables, [](const NeededObservable& o) {
     return entry_named(observables(), o.name, o.where).needs_tally;
   });
+}
+
+double energy_of(const Report& report) {
+  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
 }
 
 double rms_speed(const Report& report, const Bodies& bodies) {

@@ -71,6 +71,9 @@ class NeedsMeter {
 /// Whether an observable needs Settings::keeps_tally.
 bool need_tally(const Needs& needs);
 
+/// [J] kinetic, potential and elastic.
+double energy_of(const Report& report);
+
 /// RMS speed, weighted by mass [m/s].
 double rms_speed(const Report& report, const Bodies& bodies);
 

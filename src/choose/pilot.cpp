@@ -26,10 +26,6 @@ int64_t steps_between_looks(int64_t steps, int64_t count) {
   return std::max<int64_t>(1, steps / std::clamp<int64_t>(4000 / std::max<int64_t>(count, 1), 16, 128));
 }
 
-double energy_of(const Report& report) {
-  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
-}
-
 void see(Seen& seen, const Report& report, double start_energy) {
   seen.overlap = std::max(seen.overlap, report.max_overlap);
   if (start_energy != 0) seen.drift = std::max(seen.drift, std::fabs(energy_of(report) / start_energy - 1));

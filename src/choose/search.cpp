@@ -45,16 +45,12 @@ Bodies Search::middle_of(size_t attempt) const {
 /// In double precision where single precision is ruled out.
 std::optional<Settings> Search::settings_of(const Variant& variant, int rung) const {
   std::optional<Settings> settings = settings_at(variant, rung, base_, request_.given, needs_.duration);
-  if (!settings || is_given("precision")) return settings;
+  if (!settings || is_given(request_.given, "precision")) return settings;
   for (const Rule& rule : rules()) {
     const bool is_of_float = rule.name == "frozen" || rule.name == "rounding" || rule.name == "chaos";
     if (is_of_float && !rule.objection(judged(*settings)).empty()) settings->precision = Precision::float64;
   }
   return settings;
-}
-
-bool Search::is_given(std::string_view name) const {
-  return std::ranges::any_of(request_.given, [&](const GivenOption& option) { return option.name == name; });
 }
 
 std::vector<Ladder> Search::ladders_within(std::initializer_list<RuleKind> kinds) {
@@ -79,7 +75,7 @@ std::vector<Ladder> Search::ladders_within(std::initializer_list<RuleKind> kinds
       continue;
     }
     // Where formulas see no step that is fine enough, pilots come last, and begin with the coarsest step.
-    const int believed = start < 0 && !is_given("dt") ? kRungs - 1 : std::max(start, first);
+    const int believed = start < 0 && !is_given(request_.given, "dt") ? kRungs - 1 : std::max(start, first);
     result.push_back({&variant, first - 1, std::max(start, first), believed});
     result.back().precision = settings_of(variant, result.back().next)->precision;
   }
@@ -257,7 +253,7 @@ void Search::note_failure(Ladder& ladder, double worst) const {
   constexpr int kPatience = 3;
   constexpr double kBetter = 0.8;
   ladder.stuck = ladder.has_failed && worst > kBetter * ladder.worst ? ladder.stuck + 1 : 0;
-  if (ladder.stuck >= kPatience && ladder.precision == Precision::float32 && !is_given("precision")) {
+  if (ladder.stuck >= kPatience && ladder.precision == Precision::float32 && !is_given(request_.given, "precision")) {
     ladder.precision = Precision::float64;
     ladder.stuck = 0;
   } else if (ladder.stuck >= kPatience) {

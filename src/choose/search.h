@@ -17,10 +17,10 @@ namespace ballpit {
 /// A variant that rules allow, and what is known of its rungs.
 struct Ladder {
   const Variant* variant;
-  int fails;         ///< the finest rung that is known to fail, or the one before the first allowed one
-  int next;          ///< the rung to be tried
-  int believed;                       ///< the rung that formulas believe in; the last one if they see none
-  double predicted = 0;               ///< [s] cost of its pilot for all spheres, roughly
+  int fails;             ///< the finest rung that is known to fail, or the one before the first allowed one
+  int next;              ///< the rung to be tried
+  int believed;          ///< the rung that formulas believe in; the last one if they see none
+  double predicted = 0;  ///< [s] cost of its pilot for all spheres, roughly
   int works = kRungs, dear = kRungs;  ///< the coarsest rungs that are known to hold, and to be too dear
   bool has_failed = false, is_done = false;
   int stuck = 0;            ///< pilots that were no better than the one before
@@ -56,7 +56,6 @@ class Search {
 
   double left() const;
   double scale() const;
-  bool is_given(std::string_view name) const;
   RuleCase judged(const Settings& settings) const { return {request_.scene, needs_, numbers_, settings}; }
   std::optional<Settings> settings_of(const Variant& variant, int rung) const;
 

@@ -22,10 +22,6 @@ bool is_same(const std::vector<GivenOption>& a, const std::vector<GivenOption>& 
 
 }  // namespace
 
-double energy_of(const Report& report) {
-  return report.kinetic_energy + report.potential_energy + report.elastic_energy;
-}
-
 std::string Played::label() const {
   std::string text;
   for (const GivenOption& option : given) {

@@ -14,13 +14,11 @@
 #include <string_view>
 #include <vector>
 
+#include "choose/needs_meter.h"
 #include "show/options.h"
 #include "world/world.h"
 
 namespace ballpit {
-
-/// [J] Kinetic, potential and elastic.
-double energy_of(const Report& report);
 
 /// Settings, and their cost and errors so far.
 struct Played {

@@ -17,8 +17,6 @@ namespace {
 
 using Given = std::vector<GivenOption>;
 
-double energy(const Report& report) { return report.kinetic_energy + report.potential_energy + report.elastic_energy; }
-
 double step_to(Session& session, double time) {
   session.advance_to(time, [] { return false; });
   return rms_speed(session.world().report(), session.world().bodies());
@@ -147,7 +145,7 @@ TEST_CASE("in the cradle springs hand all but a hundredth to the last ball, sing
     CHECK(springs.world().bodies().velocity[i].x == Approx(hertz[i]).margin(0.001));
     CHECK(collisions.world().bodies().velocity[i].x == Approx(one_by_one[i]).margin(1e-12));
   }
-  CHECK(energy(collisions.world().report()) == Approx(energy(springs.world().report())).epsilon(0.001));
+  CHECK(energy_of(collisions.world().report()) == Approx(energy_of(springs.world().report())).epsilon(0.001));
 }
 
 TEST_CASE("the stack sinks in by as much as gravity moves a sphere in a substep, times its height") {

@@ -6,8 +6,8 @@
 
 #include "lab/experiments/experiments.h"
 #include "lab/measure/made_scenes.h"
-#include "measure/theory.h"
 #include "measure/statistics.h"
+#include "measure/theory.h"
 
 using namespace ballpit;
 

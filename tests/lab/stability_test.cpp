@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "measure/theory.h"
 #include "lab/report/experiment.h"
+#include "measure/theory.h"
 
 using namespace ballpit;
 
