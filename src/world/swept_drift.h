@@ -3,8 +3,8 @@
 //
 //     low ├──▸────────────┤ high     p(t) = p + v·t + a·t²/2;  at a wall v ← −e·v, with the v at that moment
 //
-// Walls are at right angles and there is no friction, so coordinates are independent. A sphere that leaves a wall at speed w
-// against an acceleration a returns after 2w/a, and comes to rest after 2w/(a·(1 − e)).
+// Walls are at right angles and there is no friction, so coordinates are independent. A sphere that leaves a wall at
+// speed w against an acceleration a returns after 2w/a, and comes to rest after 2w/(a·(1 − e)).
 // Cost: O(bounces). Source: docs/responses.md, "Swept contacts".
 #pragma once
 
@@ -19,7 +19,8 @@
 
 namespace ballpit {
 
-/// The time [s] until a plane `distance` [m] ahead is reached at `speed` [m/s] and `acceleration` [m/s²]; 1e30 if it is not.
+/// The time [s] until a plane `distance` [m] ahead is reached at `speed` [m/s] and `acceleration` [m/s²]; 1e30 if it is
+/// not.
 template <class Real>
 HOST_DEVICE Real time_to_wall(Real distance, Real speed, Real acceleration) {
   constexpr Real kNever = Real(1e30);
@@ -33,10 +34,8 @@ HOST_DEVICE Real time_to_wall(Real distance, Real speed, Real acceleration) {
 /// What a sphere did at the two walls along one axis.
 template <class Real>
 struct Bounces {
-  Real given = 0;    ///< [m/s] speed that the wall at `low` gave it
-  int64_t hits = 0;  ///< of either wall; those with which it comes to rest are one
-
-  HOST_DEVICE void add(Real count) { hits += count < Real(1e15) ? int64_t(count) : int64_t(1e15); }
+  Real given = 0;  ///< [m/s] speed that the wall at `low` gave it
+  Real hits = 0;   ///< of either wall, a whole number (to 2²⁴ in float); those before it rests are one
 };
 
 /// The two walls along one axis.
@@ -68,7 +67,7 @@ struct BetweenWalls {
       left -= time;
       position = wall;
       velocity = -side * parting;
-      if (arriving > 0) sum.add(1);  // it does not lie there
+      if (arriving > 0) sum.hits += 1;  // it does not lie there
       if (side < 0) given += arriving + parting;
       if (!(pressing > 0)) continue;
       const Real period = 2 * parting / pressing;
@@ -80,7 +79,7 @@ struct BetweenWalls {
       if (restitution == 1 && period < left) {  // identical bounces
         const Real bounces = std::floor(left / period);
         left -= bounces * period;
-        sum.add(bounces);
+        sum.hits += bounces;
         if (side < 0) given += bounces * 2 * parting;
       }
     }
@@ -93,8 +92,8 @@ struct BetweenWalls {
   }
 };
 
-/// Kernel: position and velocity of body i after the step. It moves on its parabola up to its first contact, then with the
-/// velocity from the response, but not through a wall. A body that meets only walls bounces exactly.
+/// Kernel: position and velocity of body i after the step. It moves on its parabola up to its first contact, then with
+/// the velocity from the response, but not through a wall. A body that meets only walls bounces exactly.
 template <class V>
 struct SweptDrift {
   using Real = Scalar<V>;
@@ -111,7 +110,7 @@ struct SweptDrift {
   ImpulseNotes<V> notes;
 
   HOST_DEVICE void operator()(int i) const {
-    if (!box.is_periodic() && contacts.count_of(i) == 0 && is_inside(i)) {
+    if (meets_only_walls(i)) {
       bounce(i);
       return;
     }
@@ -123,12 +122,30 @@ struct SweptDrift {
       if (is_flying(i)) end -= kick * (rest * rest * dt / 2);
     }
     if (!box.is_periodic()) keep_inside(p, bodies.radius[i], end);
-    if (!notes.wall_hits.empty()) notes.wall_hits[i] = hits_on_way(i);
     position[i] = end;
     velocity[i] = after;
     if (notes.are_kept() && !box.is_periodic() && change[1] < 0) {  // a body on the floor was not kicked
       notes.floor[i] += (kicked[i] - bodies.velocity[i] - change)[1] / bodies.inverse_mass[i];
     }
+  }
+
+  /// The hits of walls by body i: all of one that meets only walls; of others, those before they meet anything else. A
+  /// later one comes in the next step, if at all.
+  HOST_DEVICE int64_t wall_hits_of(int i) const {
+    Real hits = 0;
+    const V start = bodies.position[i], way = sweep.way[i];
+    if (meets_only_walls(i)) {
+      for (int axis = 0; axis < kDimensions<V>; ++axis) {
+        Real p = start[axis], v = bodies.velocity[i][axis];
+        hits += walls_of(i, axis).fly(p, v, dt).hits;
+      }
+    } else {
+      box.for_each_wall_on_way(start, start + way, bodies.radius[i], [&](int axis, int side, Real) {
+        const bool is_moving_there = Real(side) * way[axis] > 0;
+        hits += is_moving_there && time_of_wall(box, start, way, bodies.radius[i], axis, side) <= sweep.first[i];
+      });
+    }
+    return hits < Real(1e15) ? int64_t(hits) : int64_t(1e15);
   }
 
  private:
@@ -150,30 +167,26 @@ struct SweptDrift {
     return axis == 1 && box.boundary == Boundary::open_top ? box.kFar : box.max[axis] - bodies.radius[i];
   }
 
+  HOST_DEVICE bool meets_only_walls(int i) const {
+    return !box.is_periodic() && contacts.count_of(i) == 0 && is_inside(i);
+  }
+
+  HOST_DEVICE BetweenWalls<Real> walls_of(int i, int axis) const {
+    return {low_of(i, axis), high_of(i, axis), change[axis] / dt, wall_restitution};
+  }
+
   HOST_DEVICE void bounce(int i) const {
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
       Real p = bodies.position[i][axis], v = bodies.velocity[i][axis];
-      const BetweenWalls<Real> walls{low_of(i, axis), high_of(i, axis), change[axis] / dt, wall_restitution};
-      const Bounces<Real> bounces = walls.fly(p, v, dt);
+      const Bounces<Real> bounces = walls_of(i, axis).fly(p, v, dt);
       if (notes.are_kept() && axis == 1) notes.floor[i] = bounces.given / bodies.inverse_mass[i];
-      if (notes.are_kept()) notes.wall_hits[i] += bounces.hits;
       position[i][axis] = p;
       velocity[i][axis] = v;
     }
   }
 
-  /// The walls that body i meets on its way before anything else. A later one is met in the next step, if at all.
-  HOST_DEVICE int64_t hits_on_way(int i) const {
-    int64_t hits = 0;
-    const V p = bodies.position[i], way = sweep.way[i];
-    box.for_each_wall_on_way(p, p + way, bodies.radius[i], [&](int axis, int side, Real) {
-      const bool is_moving_there = Real(side) * way[axis] > 0;
-      hits += is_moving_there && time_of_wall(box, p, way, bodies.radius[i], axis, side) <= sweep.first[i];
-    });
-    return hits;
-  }
-
-  /// Whether body i separates from everything that it meets. If not, it is held, and does not fall in the rest of the step.
+  /// Whether body i separates from everything that it meets. If not, it is held, and does not fall in the rest of the
+  /// step.
   HOST_DEVICE bool is_flying(int i) const {
     const V own = responded[i];
     const Real least = Real(0.01) * std::sqrt(dot(change, change));
@@ -196,6 +209,15 @@ struct SweptDrift {
       if (end[axis] > most && !(axis == 1 && box.boundary == Boundary::open_top)) end[axis] = most;
     }
   }
+};
+
+/// Kernel, for a tally. Apart from the drift, which would take more registers with it.
+template <class V>
+struct CountWallHits {
+  SweptDrift<V> drift;
+  Span<int64_t> wall_hits;
+
+  HOST_DEVICE void operator()(int i) const { wall_hits[i] = drift.wall_hits_of(i); }
 };
 
 }  // namespace ballpit

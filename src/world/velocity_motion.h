@@ -69,10 +69,23 @@ class VelocityMotion final : public Motion<V, Exec> {
     response_.respond(exec, swept_.bodies(bodies), {bodies.box(), sweep}, contacts, h, kicked, after_, notes);
     end_.resize(n);
     flown_.resize(n);
-    exec.parallel_for(
-        "swept drift", n,
-        SweptDrift<V>{bodies.view(), bodies.box(), contacts, sweep, after_.span(), response_.correction(), kicked,
-                      bodies.gravity() * h, h, wall_restitution_, end_.span(), flown_.span(), notes});
+    const SweptDrift<V> drift{bodies.view(),
+                              bodies.box(),
+                              contacts,
+                              sweep,
+                              after_.span(),
+                              response_.correction(),
+                              kicked,
+                              bodies.gravity() * h,
+                              h,
+                              wall_restitution_,
+                              end_.span(),
+                              flown_.span(),
+                              notes};
+    if (notes.are_kept() && !bodies.box().is_periodic()) {
+      exec.parallel_for("count hits of walls", n, CountWallHits<V>{drift, notes.wall_hits});
+    }
+    exec.parallel_for("swept drift", n, drift);
   }
 
   Response response_;

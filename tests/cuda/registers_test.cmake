@@ -38,6 +38,8 @@ set(allowed
   "FindFirst" 40
   # The same, and the bounces between two walls, without a spill.
   "SweptDrift" 64
+  # The hits on the same way, for a tally alone.
+  "CountWallHits" 48
   # Up to four obstacles at once, and the equations for how much a sphere presses on each.
   "MirrorVelocity" 96
   # A wall on each side of each axis, with what it has given, and a limit to it.

@@ -17,7 +17,7 @@ struct State {
 
 State flown(const BetweenWalls<double>& walls, double position, double velocity, double duration) {
   const Bounces<double> bounces = walls.fly(position, velocity, duration);
-  return {position, velocity, bounces.given, bounces.hits};
+  return {position, velocity, bounces.given, static_cast<int64_t>(bounces.hits)};
 }
 
 }  // namespace
