@@ -141,7 +141,7 @@ class Chooser {
                                  : phrase("{} with steps of {}", chosen.method, seconds(chosen.settings.dt));
     const std::string first = phrase("{} is the cheapest that holds all tolerances: {} of computing for {}", step,
                                      seconds(chosen.cost), seconds(needs().duration));
-    if (!chosen.holds) return phrase("{} ({})", first, chosen.remark);
+    if (!chosen.holds) return fmt::format("{} ({})", first, chosen.remark);
     return next == nullptr ? first : phrase("{}; next comes {} with {}", first, next->method, seconds(next->cost));
   }
 
