@@ -253,6 +253,15 @@ TEST_CASE("a sphere R times as heavy as what carries it needs 4.6·(R + 1) sweep
   CHECK(objection("mass-ratio", stack(2, 1), settings(Response::impulse, 1.01 * limit), needs).empty());
 }
 
+TEST_CASE("impulses leave an overlap of a hundredth of a radius in what rests") {
+  Settings s = settings(Response::impulse);
+  CHECK(objection("slop", stack(5), s, with_overlap(0.0101)).empty());
+  CHECK_FALSE(objection("slop", stack(5), s, with_overlap(0.0099)).empty());
+  CHECK(objection("slop", pair(), s, with_overlap(0.0099)).empty());  // nothing rests
+  s.correction = Correction::surface;
+  CHECK(objection("slop", stack(5), s, with_overlap(0.0099)).empty());
+}
+
 TEST_CASE("position-based stacks sag by (n − 1)·g·h²") {
   const double limit = std::sqrt(0.001 * 0.1 / (9 * 10));
   CHECK(objection("sag", stack(10), settings(Response::position_based, 0.99 * limit), with_overlap(0.001)).empty());
