@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A choice of settings (src/choose) on a thread of its own, so that whoever wants it goes on meanwhile.
+// A choice of settings (src/choose) on a thread of its own, so that the window does not wait for it.
 //
 //     begin() ──▶ thread: choose() on a copy of the scene ──▶ result(), asked now and then, or wait()
 //        └─ abandon(): the thread is asked to stop, and its result is ignored
