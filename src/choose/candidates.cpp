@@ -113,7 +113,7 @@ std::vector<GivenOption> options_of(const Settings& settings, const std::vector<
   for (const SettingInfo& info : setting_table()) {
     std::string value = info.get(settings);
     if (info.name == "skin") value = typed(skin_of(settings));
-    if (info.name == "cell-size" && value.empty()) value = "1";  // where the scene has another one
+    if (info.name == "cell-size" && value.empty()) value = typed(1);  // where the scene has another one
     if (info.name == "iterations") value = typed(iterations_of(settings));
     if (is_wanted(info) && !value.empty()) options.push_back({std::string(info.name), value});
   }
