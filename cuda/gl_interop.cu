@@ -79,11 +79,11 @@ void check_same_device() {
 
 class CudaBodyWriter final : public BodyWriter {
  public:
-  bool write(World& world, BodyBuffer& buffer) override {
+  bool write(World& world, BodyBuffer& buffer, bool with_occluders) override {
     if (!trouble_.empty()) return false;
     const BodyShape shape = world.shape();
-    if (!buffer.fits(shape)) shared_.clear();  // CUDA releases buffers before OpenGL does
-    buffer.resize(shape);
+    if (!buffer.fits(shape, with_occluders)) shared_.clear();  // CUDA releases buffers before OpenGL does
+    buffer.resize(shape, with_occluders);
     try {
       share(buffer, shape);
     } catch (const RunError& error) {
@@ -95,7 +95,9 @@ class CudaBodyWriter final : public BodyWriter {
     BodyTarget target;
     target.position = mapped.span<float>(0, shape.count * shape.dimensions);
     target.touching = mapped.span<uint8_t>(1, shape.count);
-    if (!shape.has_equal_radii) target.radius = mapped.span<float>(2, shape.count);
+    size_t next = 2;
+    if (!shape.has_equal_radii) target.radius = mapped.span<float>(next++, shape.count);
+    if (with_occluders) target.occluder = mapped.span<int>(next, shape.count * kOccluders);
     world.write_bodies(target);
     return true;
   }
@@ -115,11 +117,12 @@ class CudaBodyWriter final : public BodyWriter {
     shared_.emplace_back(buffer.position_buffer());
     shared_.emplace_back(buffer.mark_buffer());
     if (!shape.has_equal_radii) shared_.emplace_back(buffer.radius_buffer());
+    if (buffer.has_occluders()) shared_.emplace_back(buffer.occluder_buffer());
     generation_ = buffer.generation();
   }
 
   std::string trouble_;
-  std::vector<Registered> shared_;  // position, mark, radius where radii differ
+  std::vector<Registered> shared_;  // position, mark, radius where radii differ, and occluders
   int generation_ = -1;             // of the BodyBuffer that they belong to
 };
 

@@ -8,7 +8,10 @@ layout(std140, binding = 0) uniform Frame {
   vec4 units;           // of shaders: xyz: the origin, at the domain's lowest corner [m]; w: 1 / the domain's longest
                         // edge [1/m]
   vec4 shadow;          // x: darkness of shadows on the floor
+  vec4 box;             // xyz: edges of the domain
+  vec4 towards_eye;     // from the middle of the domain, length 1; not in view space
   vec4 background;      // colour
+  vec4 floor;           // colour
   vec4 rim;             // colour of the rim that some marks have
   vec4 mark_color[18];  // in the order of enum class Mark; w: width of the rim [line_unit], or 0
   vec2 viewport;        // [pixel]

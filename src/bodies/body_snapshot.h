@@ -9,6 +9,9 @@
 
 namespace ballpit {
 
+inline constexpr int kOccluders = 4;            ///< of each sphere, in the picture's ambient occlusion
+inline constexpr float kOcclusionReach = 1.5f;  ///< of the sum of two radii: spheres farther apart hide nothing
+
 /// The bodies in the layout of the vertex shader: `dimensions` floats of position a body (a missing z is 0), and one
 /// radius for all, or one each.
 struct BodySnapshot {
@@ -17,6 +20,7 @@ struct BodySnapshot {
   std::vector<float> position;  ///< [m] count × dimensions
   std::vector<float> velocity;  ///< [m/s] count × dimensions
   std::vector<float> radius;    ///< [m] 1 or count values
+  std::vector<int> occluder;    ///< count × kOccluders ids, the strongest first, −1 for none; empty unless wanted
 
   Vec3 position_of(int64_t i) const { return vector_at(position, i); }
   Vec3 velocity_of(int64_t i) const { return vector_at(velocity, i); }
@@ -43,6 +47,7 @@ struct BodyTarget {
   Span<float> position;    ///< [m] count × dimensions
   Span<float> radius;      ///< [m] count values; none if all are equal
   Span<uint8_t> touching;  ///< 1 for a body in contact, else 0
+  Span<int> occluder{};    ///< count × kOccluders ids, as in BodySnapshot; none if they are not wanted
 };
 
 }  // namespace ballpit

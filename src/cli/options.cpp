@@ -66,6 +66,9 @@ void LookArguments::add_to(CommandOptions& command) {
       [this](const std::string& text) { overlays = parse_overlays("--overlay", text); });
   add_name("--color", "what a sphere's colour shows: ", names_in(coloring_table()), preset.coloring, coloring);
   add_name("--theme", "", names_in(themes()), preset.theme, theme);
+  command.add({"--occlusion", "on|off", "darken spheres and floor where spheres hide the sky or the light",
+               preset.occlusion ? "on" : "off"},
+              [this](const std::string& text) { occlusion = parse_choice("--occlusion", text, {"on", "off"}); });
   command.add_number({"--ui-scale", "FACTOR", "size of the panel's text and widgets", typed(preset.ui_scale)}, ui_scale,
                      Range{kMinUiScale, kMaxUiScale});
   add_text_scale(command, text_scale, preset.text_scale);
@@ -76,6 +79,7 @@ View LookArguments::view(View base) const {
   base.overlays = overlays.value_or(base.overlays);
   base.coloring = coloring.value_or(base.coloring);
   base.theme = theme.value_or(base.theme);
+  if (occlusion) base.occlusion = *occlusion == "on";
   base.ui_scale = ui_scale.value_or(base.ui_scale);
   base.text_scale = text_scale.value_or(base.text_scale);
   return base;

@@ -38,7 +38,7 @@ void add_language(CommandOptions& command);
 /// --text-scale: of the scene's text.
 void add_text_scale(CommandOptions& command, std::optional<float>& scale, float preset);
 
-/// --overlay, --color, --theme, --ui-scale, --text-scale and --lang, for the commands that draw. Those that were not
+/// --overlay, --color, --theme, --occlusion, --ui-scale, --text-scale and --lang, for the commands that draw. Those that were not
 /// given are empty.
 struct LookArguments {
   void add_to(CommandOptions& command);
@@ -47,7 +47,7 @@ struct LookArguments {
   View view(View base = {}) const;
 
   std::optional<std::vector<std::string>> overlays{};
-  std::optional<std::string> coloring{}, theme{};
+  std::optional<std::string> coloring{}, theme{}, occlusion{};
   std::optional<float> ui_scale{}, text_scale{};
 };
 

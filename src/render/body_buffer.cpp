@@ -10,7 +10,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr GLuint kPosition = 0, kRadius = 1, kMark = 2;  // attributes of the vertex shaders
+constexpr GLuint kPosition = 0, kRadius = 1, kMark = 2, kOccluder = 3;  // attributes of the vertex shaders
 
 /// A new buffer of fixed size; at least one byte, since OpenGL has no empty buffers.
 GlBuffer make_buffer(int64_t bytes) {
@@ -23,14 +23,6 @@ template <class T>
 void fill(const GlBuffer& buffer, const std::vector<T>& values) {
   if (values.empty()) return;
   glNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data());
-}
-
-void draw_quads(const Shader& shader, const BodyBuffer& bodies, bool writes_depth) {
-  shader.use();
-  bodies.bind(1);
-  glDepthMask(writes_depth ? GL_TRUE : GL_FALSE);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(bodies.count()));
-  glDepthMask(GL_TRUE);
 }
 
 /// Whether every sphere in the domain is smaller than a pixel and a half, so that a point shows it as well.
@@ -55,23 +47,28 @@ std::vector<Mark> contact_marks(int64_t count, const std::vector<Pair>& contacts
 
 BodyBuffer::BodyBuffer() {
   const GLuint array = vertex_array_.name();
-  for (GLuint attribute : {kPosition, kRadius, kMark}) glVertexArrayAttribBinding(array, attribute, attribute);
+  for (GLuint attribute : {kPosition, kRadius, kMark, kOccluder}) {
+    glVertexArrayAttribBinding(array, attribute, attribute);
+  }
   glVertexArrayAttribFormat(array, kRadius, 1, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribIFormat(array, kMark, 1, GL_UNSIGNED_BYTE, 0);
+  glVertexArrayAttribIFormat(array, kOccluder, kOccluders, GL_INT, 0);
   glEnableVertexArrayAttrib(array, kPosition);
   glEnableVertexArrayAttrib(array, kMark);
   attach_buffers();
 }
 
-bool BodyBuffer::fits(const BodyShape& shape) const {
+bool BodyBuffer::fits(const BodyShape& shape, bool with_occluders) const {
   return shape.count <= capacity_ && shape.dimensions == shape_.dimensions &&
-         shape.has_equal_radii == shape_.has_equal_radii;
+         shape.has_equal_radii == shape_.has_equal_radii && (has_room_for_occluders_ || !with_occluders);
 }
 
-void BodyBuffer::resize(const BodyShape& shape) {
-  const bool can_stay = fits(shape);
+void BodyBuffer::resize(const BodyShape& shape, bool with_occluders) {
+  const bool can_stay = fits(shape, with_occluders);
   shape_ = shape;
+  has_occluders_ = with_occluders;
   if (can_stay) return;
+  has_room_for_occluders_ = with_occluders;
   capacity_ = std::max(shape.count, capacity_);
   attach_buffers();
 }
@@ -82,15 +79,22 @@ void BodyBuffer::attach_buffers() {
   position_ = make_buffer(capacity_ * shape_.dimensions * 4);
   radius_ = make_buffer(shape_.has_equal_radii ? 0 : capacity_ * 4);
   mark_ = make_buffer(capacity_);
+  occluder_ = make_buffer(has_room_for_occluders_ ? capacity_ * kOccluders * 4 : 0);
   const GLuint array = vertex_array_.name();
   glVertexArrayAttribFormat(array, kPosition, shape_.dimensions, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayVertexBuffer(array, kPosition, position_.name(), 0, shape_.dimensions * 4);
   glVertexArrayVertexBuffer(array, kRadius, radius_.name(), 0, 4);
   glVertexArrayVertexBuffer(array, kMark, mark_.name(), 0, 1);
+  glVertexArrayVertexBuffer(array, kOccluder, occluder_.name(), 0, kOccluders * 4);
   if (shape_.has_equal_radii) {
     glDisableVertexArrayAttrib(array, kRadius);
   } else {
     glEnableVertexArrayAttrib(array, kRadius);
+  }
+  if (has_room_for_occluders_) {
+    glEnableVertexArrayAttrib(array, kOccluder);
+  } else {
+    glDisableVertexArrayAttrib(array, kOccluder);
   }
 }
 
@@ -99,16 +103,20 @@ void BodyBuffer::upload(const BodySnapshot& bodies) {
   assert(static_cast<int64_t>(bodies.position.size()) == bodies.count * bodies.dimensions);
   assert(equal_radii || static_cast<int64_t>(bodies.radius.size()) == bodies.count);
   const float largest = bodies.radius.empty() ? 0 : *std::max_element(bodies.radius.begin(), bodies.radius.end());
-  resize({bodies.count, bodies.dimensions, equal_radii, largest});
+  const bool with_occluders = !bodies.occluder.empty();
+  resize({bodies.count, bodies.dimensions, equal_radii, largest}, with_occluders);
   fill(position_, bodies.position);
   if (!equal_radii) fill(radius_, bodies.radius);
+  if (with_occluders) fill(occluder_, bodies.occluder);
 }
 
 void BodyBuffer::map(const std::function<void(const BodyTarget&)>& write) {
   struct Unmap {
     const BodyBuffer& all;
     ~Unmap() {
-      for (const GlBuffer* buffer : {&all.position_, &all.radius_, &all.mark_}) glUnmapNamedBuffer(buffer->name());
+      for (const GlBuffer* buffer : {&all.position_, &all.radius_, &all.mark_, &all.occluder_}) {
+        glUnmapNamedBuffer(buffer->name());
+      }
     }
   };
   const Unmap unmap{*this};
@@ -118,10 +126,11 @@ void BodyBuffer::map(const std::function<void(const BodyTarget&)>& write) {
     if (!memory) throw RunError("OpenGL", "cannot map its buffer of bodies into memory");
     return memory;
   };
-  const int64_t n = shape_.count, radii = shape_.has_equal_radii ? 0 : n;
+  const int64_t n = shape_.count, radii = shape_.has_equal_radii ? 0 : n, occluders = has_occluders_ ? n * kOccluders : 0;
   write({{static_cast<float*>(memory_of(position_, n * shape_.dimensions * 4)), n * shape_.dimensions},
          {static_cast<float*>(memory_of(radius_, radii * 4)), radii},
-         {static_cast<uint8_t*>(memory_of(mark_, n)), n}});
+         {static_cast<uint8_t*>(memory_of(mark_, n)), n},
+         {static_cast<int*>(memory_of(occluder_, occluders * 4)), occluders}});
 }
 
 void BodyBuffer::set_marks(const std::vector<Mark>& marks) {
@@ -130,12 +139,20 @@ void BodyBuffer::set_marks(const std::vector<Mark>& marks) {
 }
 
 void BodyBuffer::bind(GLuint divisor) const {
-  for (GLuint attribute : {kPosition, kRadius, kMark}) {
+  for (GLuint attribute : {kPosition, kRadius, kMark, kOccluder}) {
     glVertexArrayBindingDivisor(vertex_array_.name(), attribute, divisor);
   }
   glBindVertexArray(vertex_array_.name());
   // The value of a disabled array belongs to the context's state, not to the vertex array's.
   if (shape_.has_equal_radii) glVertexAttrib1f(kRadius, shape_.radius);
+}
+
+void draw_quads(const Shader& shader, const BodyBuffer& bodies, bool writes_depth) {
+  shader.use();
+  bodies.bind(1);
+  glDepthMask(writes_depth ? GL_TRUE : GL_FALSE);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(bodies.count()));
+  glDepthMask(GL_TRUE);
 }
 
 void BodyRenderer::draw(const BodyBuffer& bodies, const FrameView& view, int height) {

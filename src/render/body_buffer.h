@@ -27,9 +27,10 @@ class BodyBuffer {
  public:
   BodyBuffer();
 
-  /// Makes room for bodies of this shape. If they do not fit, the buffers are replaced, and generation() changes.
-  void resize(const BodyShape& shape);
-  bool fits(const BodyShape& shape) const;
+  /// Makes room for bodies of this shape, and for their occluders. If they do not fit, the buffers are replaced, and
+  /// generation() changes.
+  void resize(const BodyShape& shape, bool with_occluders = false);
+  bool fits(const BodyShape& shape, bool with_occluders = false) const;
 
   /// resize() and copy from the host.
   void upload(const BodySnapshot& bodies);
@@ -40,27 +41,34 @@ class BodyBuffer {
 
   void set_marks(const std::vector<Mark>& marks);
 
-  /// Makes this the source of vertex attributes 0 (position), 1 (radius) and 2 (mark). `divisor` 1: of a body for each
-  /// instance; 0: for each vertex.
+  /// Makes this the source of vertex attributes 0 (position), 1 (radius), 2 (mark) and 3 (occluders, if it has them).
+  /// `divisor` 1: of a body for each instance; 0: for each vertex.
   void bind(GLuint divisor) const;
 
   int64_t count() const { return shape_.count; }
   float max_radius() const { return shape_.radius; }  ///< [m]
+  bool has_equal_radii() const { return shape_.has_equal_radii; }
+  bool has_occluders() const { return has_occluders_; }
 
   GLuint position_buffer() const { return position_.name(); }
   GLuint radius_buffer() const { return radius_.name(); }  ///< used if radii differ
   GLuint mark_buffer() const { return mark_.name(); }
+  GLuint occluder_buffer() const { return occluder_.name(); }
   int generation() const { return generation_; }  ///< identifies its buffers; no other BodyBuffer has the same
 
  private:
   void attach_buffers();
 
   GlVertexArray vertex_array_;
-  GlBuffer position_, radius_, mark_;
+  GlBuffer position_, radius_, mark_, occluder_;
   BodyShape shape_;
   int64_t capacity_ = 0;
+  bool has_occluders_ = false, has_room_for_occluders_ = false;
   int generation_ = 0;
 };
+
+/// Draws a quad for each body.
+void draw_quads(const Shader& shader, const BodyBuffer& bodies, bool writes_depth);
 
 /// Draws bodies without a triangle mesh. Spatial scenes: one quad for each sphere, in whose pixels the eye's ray meets
 /// the sphere exactly, with exact depth. A second pass blends the pixels of the outline by how much the sphere covers
@@ -87,9 +95,9 @@ class BodyWriter {
  public:
   virtual ~BodyWriter() = default;
 
-  /// Writes positions, radii and contact marks of the present state. Returns false if this is not possible, now and later:
+  /// Writes positions, radii, contact marks and perhaps occluders of the present state. Returns false if this is not possible, now and later:
   /// trouble() gives the reason, and the caller must upload an inspection.
-  virtual bool write(World& world, BodyBuffer& buffer) = 0;
+  virtual bool write(World& world, BodyBuffer& buffer, bool with_occluders) = 0;
 
   virtual std::string trouble() const = 0;
 

@@ -87,6 +87,18 @@ void Painter::draw_rimmed(const std::vector<Line>& lines_, const Vec3& rim_color
   lines.draw(lines_, width * line_unit);
 }
 
+void Painter::draw_shining(const std::vector<Line>& lines_, const Vec3& rim_color, float width, float rim) {
+  constexpr Rgba kFaint = 0x73000000u;  // 45 %
+  std::vector<Line> faint = lines_;
+  for (Line& line : faint) {
+    for (Rgba* end : {&line.color_a, &line.color_b}) *end = std::min(*end >> 24, kFaint >> 24) << 24 | (*end & 0xFFFFFFu);
+  }
+  glDepthFunc(GL_GREATER);
+  draw_rimmed(faint, rim_color, width, rim);
+  glDepthFunc(GL_LEQUAL);
+  draw_rimmed(lines_, rim_color, width, rim);
+}
+
 float Painter::take_strip(float height) {
   const float bottom = static_cast<float>(sheet.height()) - taken;
   taken += height;

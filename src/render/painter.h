@@ -57,6 +57,9 @@ struct Painter {
   /// in 1/1080 of the picture's height.
   void draw_rimmed(const std::vector<Line>& lines, const Vec3& rim_color, float width, float rim);
 
+  /// The same for lines that are the subject: where something hides them, they shine through it, fainter.
+  void draw_shining(const std::vector<Line>& lines, const Vec3& rim_color, float width, float rim);
+
   /// Takes a strip at the lower edge, over the whole width, and gives it a translucent ground. Returns its top [pixel].
   float take_strip(float height);
 

@@ -27,7 +27,7 @@ int checked_side(int width, int height, int side) {
 /// In the layout of shaders/frame/frame.glsl (std140).
 struct FrameBlock {
   Mat4 view, projection;
-  Vec4 key_light, halfway, sky, units, shadow, background, rim, mark_color[2 + kScaleColors];
+  Vec4 key_light, halfway, sky, units, shadow, box, towards_eye, background, floor, rim, mark_color[2 + kScaleColors];
   Vec2 viewport;
   float pixel, line_unit;
 };
@@ -48,7 +48,10 @@ void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& th
   uniforms.sky = Vec4(Vec3(uniforms.view * Vec4(0, 1, 0, 0)), theme.ambient);
   uniforms.units = Vec4(domain.min, 1 / domain.longest_edge());
   uniforms.shadow = Vec4(theme.shadow, 0, 0, 0);
+  uniforms.box = Vec4((domain.max - domain.min) / domain.longest_edge(), 0);
+  uniforms.towards_eye = Vec4(normalize(view.camera.eye - (domain.min + domain.max) / 2.0f), 0);
   uniforms.background = Vec4(theme.background, 1);
+  uniforms.floor = Vec4(theme.floor, 1);
   uniforms.rim = Vec4(rim_of(theme.contact), 0);
   for (int mark = 0; mark < 2 + kScaleColors; ++mark) {
     const bool is_contact = mark == static_cast<int>(Mark::contact);
@@ -154,11 +157,15 @@ void Renderer::draw(const FrameView& view) {
     bodies_.set_marks(colored.marks);
   }
   sheet_.begin(width(), height(), options_.left, options_.text_scale);
+  const int left = options_.left * options_.supersample;
+  set_uniforms(uniforms_, view, options_.theme, canvas().width - left, canvas().height);
+  if (bodies_.has_occluders()) {
+    if (!occlusion_) occlusion_.emplace();
+    occlusion_->make_floor_map(bodies_, view.domain);
+  }
   canvas().bind();
   set_state();
-  const int left = options_.left * options_.supersample;
   glViewport(left, 0, canvas().width - left, canvas().height);
-  set_uniforms(uniforms_, view, options_.theme, canvas().width - left, canvas().height);
   draw_scene(view, coloring, colored);
   if (large_) average();
   picture_.bind();
@@ -188,9 +195,14 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
     draw_page(*view.page, painter);
     if (view.page->has_no_scene) return;
   }
-  draw_floor(view.domain, painter);
-  draw_overlays(view, painter, true);
-  body_renderer_.draw(bodies_, view, height);
+  if (bodies_.has_occluders()) {
+    occlusion_->draw_floor();
+    occlusion_->draw_bodies(bodies_, canvas().depth);
+  } else {
+    draw_floor(view.domain, painter);
+    draw_overlays(view, painter, true);
+    body_renderer_.draw(bodies_, view, height);
+  }
   draw_overlays(view, painter, false);
   draw_edges(view.domain, painter);
   painter.draw_notes();

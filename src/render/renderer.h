@@ -7,6 +7,7 @@
 
 #include "render/coloring.h"
 #include "render/image.h"
+#include "render/occlusion.h"
 #include "render/painter.h"
 
 namespace ballpit {
@@ -68,6 +69,7 @@ class Renderer {
   BodyBuffer bodies_;
   GlBuffer uniforms_;  // what all shaders share: light, camera, colours (shaders/frame/frame.glsl)
   BodyRenderer body_renderer_;
+  std::optional<OcclusionRenderer> occlusion_;  // once it is needed
   LineRenderer lines_;
   FaceRenderer faces_;
   Shader average_{"average.vert", "average.frag"};

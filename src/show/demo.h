@@ -100,12 +100,18 @@ class Demo {
   bool shows_keys = false;
 
   /// The present state with what the view shows. Inspects the world once for each version().
-  const Inspection& inspection() { return inspect(wanted() | Wanted{}); }
+  const Inspection& inspection(bool with_occluders = false) {
+    return inspect(wanted() | Wanted{.occluders = with_occluders});
+  }
   const Report& report();
 
   /// The present state and view for the renderer, valid until either changes. If the bodies are already written to the
   /// renderer's buffer, they are copied only for overlays that need them.
-  FrameView frame_view(float aspect, bool is_written = false);
+  FrameView frame_view(float aspect, bool is_written = false, bool with_occluders = false);
+
+  /// Whether a picture of this height [pixel] has ambient occlusion: not in the plane, nor where spheres are too small to
+  /// show it.
+  bool shows_occlusion(int height = 1080) const;
 
   /// Whether the inspection holds candidates: they were wanted, and there were not too many.
   bool has_candidates() const { return requested_.candidates && !left_out_.candidates; }

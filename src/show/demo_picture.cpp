@@ -14,6 +14,7 @@ namespace {
 
 constexpr int64_t kMaxListedCandidates = 2'000'000;  // listed for an overlay
 constexpr int64_t kMaxForPicked = 100'000;           // candidates, and spheres, to search for the picked sphere
+constexpr double kSmallestOccluded = 4;              // [pixel] radius of the largest spheres
 constexpr int64_t kMaxForOracle = 20'000;            // spheres among which brute force searches for missed contacts
 
 /// [m/s] After a fall through the domain, or at the start if that is faster.
@@ -53,9 +54,17 @@ Wanted Demo::too_much(const Wanted& wanted) {
   return result;
 }
 
-FrameView Demo::frame_view(float aspect, bool is_written) {
+bool Demo::shows_occlusion(int height) const {
+  const Domain& domain = session.scene().domain;
+  const Vec3d size = domain.max - domain.min;
+  const double pixels = session.world().shape().radius * view.zoom * height / std::max({size.x, size.y, size.z});
+  return view.occlusion && domain.dimensions == 3 && pixels >= kSmallestOccluded;
+}
+
+FrameView Demo::frame_view(float aspect, bool is_written, bool with_occluders) {
   Wanted wanted = this->wanted();
   wanted.state |= !is_written;
+  wanted.occluders |= with_occluders && !is_written;
   const Inspection& seen = inspect(wanted);
   const Domain& domain = session.scene().domain;
   const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top,

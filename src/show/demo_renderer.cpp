@@ -10,13 +10,14 @@ void DemoRenderer::draw(Demo& demo, RenderOptions options) {
   options.theme = theme_named(demo.view.theme);
   options.text_scale = demo.view.text_scale;
   renderer_.set_options(options);
-  const bool is_written = write(demo);
+  const bool with_occluders = demo.shows_occlusion(renderer_.height());
+  const bool is_written = write(demo, with_occluders);
   const auto width = static_cast<float>(renderer_.width() - options.left),
              height = static_cast<float>(renderer_.height());
-  renderer_.draw(demo.frame_view(width / height, is_written));
+  renderer_.draw(demo.frame_view(width / height, is_written, with_occluders));
 }
 
-bool DemoRenderer::write(Demo& demo) {
+bool DemoRenderer::write(Demo& demo, bool with_occluders) {
   if (copies_) {
     path_ = "copied";
     return false;
@@ -24,12 +25,12 @@ bool DemoRenderer::write(Demo& demo) {
   World& world = demo.session.world();
   if (demo.session.backend() == "cpu") {
     if (by_cuda_) by_cuda_->release();
-    renderer_.bodies().resize(world.shape());
+    renderer_.bodies().resize(world.shape(), with_occluders);
     renderer_.bodies().map([&](const BodyTarget& target) { world.write_bodies(target); });
     path_ = "written by cpu";
     return true;
   }
-  const bool is_written = by_cuda_->write(world, renderer_.bodies());
+  const bool is_written = by_cuda_->write(world, renderer_.bodies(), with_occluders);
   const std::string path = is_written ? "written by cuda" : "copied: " + by_cuda_->trouble();
   if (!is_written && path != path_) demo.say("the GPU's spheres are copied to be drawn: " + by_cuda_->trouble());
   path_ = path;

@@ -30,7 +30,7 @@ class DemoRenderer {
   const std::string& path() const { return path_; }
 
  private:
-  bool write(Demo& demo);
+  bool write(Demo& demo, bool with_occluders);
 
   Renderer renderer_;
   std::unique_ptr<BodyWriter> by_cuda_;  // none in a program without CUDA

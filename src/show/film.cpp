@@ -104,6 +104,7 @@ std::string film_key(Demo& demo, const FilmPlan& plan, const FilmLook& look) {
   append_line(key, "view", joined({view.azimuth, view.elevation, view.zoom, static_cast<double>(view.selected)}));
   append_line(key, "text", joined({view.text_scale}) + " " + std::string(name_of(language())));
   append_line(key, "caption", view.has_caption ? "on" : "off");
+  append_line(key, "occlusion", view.occlusion ? "on" : "off");
   append_line(key, "supersample", std::to_string(look.supersample));
   append_line(key, "panel", look.has_panel ? joined({view.ui_scale}) + " " + look.clicks : "none");
   for (const SettingInfo& setting : setting_table()) {

@@ -159,7 +159,7 @@ std::string Presenter::caption() {
 }
 
 const Inspection& Presenter::inspect() {
-  inspection_ = demo_->inspection();
+  inspection_ = demo_->inspection(demo_->shows_occlusion());
   all_contacts_ = static_cast<int64_t>(inspection_.contacts.size() + inspection_.missed.size());
   if (kernel_) kernel_->show_in(inspection_);
   return inspection_;

@@ -95,7 +95,7 @@ FrameView Stepping::frame_view(float aspect) {
   for (const std::string_view overlay : overlays_of(cursor_->run().kernel)) {
     if (!view.shows(overlay)) view.overlays.emplace_back(overlay);
   }
-  inspection_ = demo_.inspection();
+  inspection_ = demo_.inspection(demo_.shows_occlusion());
   cursor_->show_in(inspection_);
   page_ = {};
   cursor_->describe(page_);

@@ -23,6 +23,7 @@ struct View {
   float ui_scale = 1;        ///< of the panel's text and widgets
   float text_scale = 1;      ///< of the scene's text
   bool has_caption = false;  ///< the scene's title, and how many tests it takes
+  bool occlusion = true;     ///< spheres and floor are darker where spheres hide the sky or the light
 
   bool shows(std::string_view overlay) const;
   void toggle(std::string_view overlay);

@@ -175,6 +175,8 @@ void Panel::draw_scene(Demo& demo) {
     value = std::clamp(value, kMinUiScale, kMaxUiScale);  // a typed number may be any
     demo.touch();
   };
+  if (ImGui::Checkbox((translated("ambient occlusion and shadow") + "##occlusion").c_str(), &view.occlusion)) demo.touch();
+  note("occlusion");
   if (pages.titles.empty()) {  // a lecture's pages have their own
     if (ImGui::Checkbox((translated("caption") + "##caption").c_str(), &view.has_caption)) demo.touch();
     note("caption");

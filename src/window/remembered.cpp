@@ -31,6 +31,7 @@ View view_from(const Json& json) {
   view.ui_scale = number_at(json, "ui_scale", {kMinUiScale, kMaxUiScale});
   if (json.contains("text_scale")) view.text_scale = number_at(json, "text_scale", {kMinUiScale, kMaxUiScale});
   view.has_caption = json.value("caption", true);
+  view.occlusion = json.value("occlusion", true);
   view.overlays = parse_overlays("overlays", json.at("overlays").get<std::string>());
   view.coloring = coloring_named(json.at("color").get<std::string>()).name;
   view.theme = theme_named(json.at("theme").get<std::string>()).name;
@@ -96,6 +97,7 @@ void write_remembered(const std::filesystem::path& file, const Remembered& remem
                     {"ui_scale", view.ui_scale},
                     {"text_scale", view.text_scale},
                     {"caption", view.has_caption},
+                    {"occlusion", view.occlusion},
                     {"overlays", view.overlays.empty() ? "none" : join(view.overlays, ",")},
                     {"color", view.coloring},
                     {"theme", view.theme}}},

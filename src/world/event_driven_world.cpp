@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "event_driven/event_driven.h"
 #include "world/body_store.h"
+#include "world/instances_cpu.h"
 #include "world/make_world.h"
 #include "world/sums.h"
 
@@ -57,6 +58,10 @@ class EventDrivenWorld final : public World {
     for (const auto& [pair, gap] : contacts()) result.contacts.push_back(pair);
     result.grids.push_back(grid());
     if (wanted.candidates) result.candidates = pairs_in_reach();
+    if (wanted.occluders && kDimensions<V> == 3) {
+      result.bodies.occluder.resize(static_cast<size_t>(motion_.size()) * kOccluders);
+      find_occluders({result.bodies.occluder.data(), int64_t(result.bodies.occluder.size())});
+    }
     return result;
   }
 
@@ -96,6 +101,7 @@ class EventDrivenWorld final : public World {
       target.touching[i] = 0;
     }
     for (const auto& [pair, gap] : contacts()) target.touching[pair.i] = target.touching[pair.j] = 1;
+    if (!target.occluder.empty()) find_occluders(target.occluder);
   }
 
   Bodies bodies() override {
@@ -200,6 +206,18 @@ class EventDrivenWorld final : public World {
     report.momentum = sum.momentum;
   }
 
+  void find_occluders(Span<int> occluder) {
+    std::vector<Vec3> place;
+    std::vector<float> radius;
+    for (int i = 0; i < motion_.size(); ++i) {
+      place.emplace_back(widen(position(i)));
+      radius.push_back(static_cast<float>(motion_.radius(i)));
+    }
+    const Box<V>& box = motion_.rules().box;
+    const BodiesView<Vec3> bodies{{place.data(), motion_.size()}, {}, {radius.data(), 1}, {}};
+    occluders_.find(exec_, bodies, {Vec3(widen(box.min)), Vec3(widen(box.max)), box.boundary}, radius, {}, occluder);
+  }
+
   GridInspection grid() const {
     const Cells<V>& cells = motion_.cells();
     GridInspection result;
@@ -217,6 +235,8 @@ class EventDrivenWorld final : public World {
   double time_ = 0;  // [s] since its own start: the end of the last step, or the moment at which it stopped
   double start_time_ = 0, seconds_ = 0;  // [s]
   Tally tally_before_;
+  CpuExecutor exec_{1};
+  OccluderSearch<Vec3, CpuExecutor> occluders_;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ struct Wanted {
   bool missed = false;     ///< brute force is the oracle: O(n²) tests
   bool endpoints = false;  ///< and the axis
   bool work = false;
+  bool occluders = false;  ///< of the bodies
   bool ghost = false;  ///< by the demonstration that keeps one; worlds have none
 
   bool more_than_state() const { return candidates || missed || endpoints || work; }
@@ -23,7 +24,8 @@ struct Wanted {
   Wanted operator|(const Wanted& other) const {
     return {state || other.state,   candidates || other.candidates,
             missed || other.missed, endpoints || other.endpoints,
-            work || other.work,     ghost || other.ghost};
+            work || other.work,     occluders || other.occluders,
+            ghost || other.ghost};
   }
   bool operator==(const Wanted&) const = default;
 };

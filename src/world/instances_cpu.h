@@ -12,6 +12,7 @@
 #include "narrow_phase/collider.h"
 #include "world/body_store.h"
 #include "world/inspect_more.h"
+#include "world/occluders.h"
 #include "world/tally_on.h"
 
 #define BALLPIT_DETECTION(EXTERN, V)                                   \
@@ -23,7 +24,8 @@
 #define BALLPIT_INSPECTION(EXTERN, V)                                                            \
   EXTERN template void ballpit::inspect_more(const ballpit::BodyStore<V, ballpit::CpuExecutor>&, \
                                              const ballpit::Collider<V, ballpit::CpuExecutor>&,  \
-                                             const ballpit::Wanted&, ballpit::Inspection&)
+                                             const ballpit::Wanted&, ballpit::Inspection&);  \
+  EXTERN template class ballpit::OccluderSearch<V, ballpit::CpuExecutor>
 
 BALLPIT_DETECTION(extern, ballpit::Vec2);
 BALLPIT_DETECTION(extern, ballpit::Vec3);

@@ -64,7 +64,7 @@ class World {
 
   virtual BodyShape shape() const = 0;
 
-  /// Writes the present state to memory that a vertex shader reads.
+  /// Writes the present state to memory that a vertex shader reads, and occluders if there is room for them.
   virtual void write_bodies(const BodyTarget& target) = 0;
 
   /// The present state in double precision.

@@ -7,6 +7,7 @@
 
 #include "world/inspect_more.h"
 #include "world/make_world.h"
+#include "world/occluders.h"
 #include "world/step.h"
 
 namespace ballpit {
@@ -69,6 +70,12 @@ class WorldOn final : public World {
     if (wanted.more_than_state()) inspect_more(bodies_, world_.collider, wanted, result);
     const std::vector<int> id_at = exec.download(bodies_.order().id_at());
     if (!id_at.empty()) name_by_id(result, id_at);
+    if (wanted.occluders && kDimensions<V> == 3) {
+      typename Exec::template Buffer<int> occluder;
+      occluder.resize(bodies_.count() * kOccluders);
+      find_occluders(occluder.span());
+      result.bodies.occluder = exec.download(occluder.span());
+    }
     return result;
   }
 
@@ -113,7 +120,10 @@ class WorldOn final : public World {
   }
 
   BodyShape shape() const override { return bodies_.shape(); }
-  void write_bodies(const BodyTarget& target) override { ballpit::write_bodies(bodies_, pairs(), target); }
+  void write_bodies(const BodyTarget& target) override {
+    ballpit::write_bodies(bodies_, pairs(), target);
+    if (!target.occluder.empty()) find_occluders(target.occluder);
+  }
 
   Bodies bodies() override { return bodies_.download(); }
   Bodies last_good() override { return world_.guard.is_started() ? world_.guard.last_good(bodies_) : bodies(); }
@@ -157,6 +167,10 @@ class WorldOn final : public World {
     return {settings, parameters};
   }
 
+  void find_occluders(Span<int> occluder) {
+    occluders_.find(bodies_.exec(), bodies_.view(), bodies_.box(), bodies_.radii(), bodies_.order().id_at(), occluder);
+  }
+
   /// The pairs in contact at the present positions.
   Span<const Pair> pairs() { return world_.collider.pairs(bodies_.exec(), bodies_.view()); }
 
@@ -192,6 +206,7 @@ class WorldOn final : public World {
   int substeps_;
   WorldParts<V, Exec> world_;
   BodyStore<V, Exec>& bodies_ = world_.bodies;
+  OccluderSearch<V, Exec> occluders_;
   int64_t steps_ = 0;
   double start_time_ = 0, seconds_ = 0;  // [s]
 };

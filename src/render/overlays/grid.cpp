@@ -3,25 +3,28 @@
 //
 //     spatial: edges of occupied cells        planar: tinted squares, and
 //     (an edge of several cells               thin lines of all cells
-//     is drawn once); for thousands             ┌──┬──┬──┐
-//     of cells only their floors                │  │▒▒│  │
+//     is drawn once); in a crowd                ┌──┬──┬──┐
+//     only of the densest ones                  │  │▒▒│  │
 //        ┌──┬──┐                                ├──┼──┼──┤
 //        ├──┼──┘                                │░░│  │▓▓│
 //        └──┘                                   └──┴──┴──┘
-// Cost: proportional to the number of cells and bodies.
+// The edges of thousands of cells would be a haze over the spheres. Cost: proportional to the number of cells and
+// bodies.
 #include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
 
+#include "core/phrase.h"
 #include "render/overlays/overlay.h"
 
 namespace ballpit {
 
 namespace {
 
-constexpr float kEdgeWidth = 2.0f;       // [1/1080 of the picture's height]
-constexpr int64_t kMaxWithEdges = 4000;  // occupied cells
+constexpr float kEdgeWidth = 2.0f, kDenseWidth = 3, kDenseRim = 1.5f;  // [1/1080 of the picture's height]
+constexpr int64_t kCrowd = 500;                                        // spheres in space
+constexpr size_t kDensest = 12;                                        // cells drawn in a crowd
 
 /// 0 to 1: one body is clearly visible, and counts up to about eight look different.
 float strength(int count) { return static_cast<float>(count) / static_cast<float>(count + 2); }
@@ -88,29 +91,56 @@ std::vector<Line> occupied_edges(const GridInspection& grid, const std::vector<i
   return lines;
 }
 
-/// A face in each occupied cell: in planar scenes its square; in spatial ones its floor, for grids with more edges than a
-/// viewer can distinguish.
+/// The squares of the occupied cells of a planar scene.
 std::vector<Face> occupied_faces(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view,
                                  const Theme& theme) {
-  const DomainBox& domain = view.domain;
-  const int across = domain.is_planar() ? 1 : 2;
   std::vector<Face> faces;
   IVec3 cell(0);
-  for (cell.z = 0; cell.z < grid.cells.z; ++cell.z) {
-    for (cell.y = 0; cell.y < grid.cells.y; ++cell.y) {
-      for (cell.x = 0; cell.x < grid.cells.x; ++cell.x) {
-        const int count = counts[index_of(grid, cell)];
-        if (count == 0) continue;
-        const Vec3 low = lattice_point(grid, domain, cell), size = lattice_point(grid, domain, cell + 1) - low;
-        const float opacity =
-            domain.is_planar() ? 0.6f * strength(count) : spatial_opacity(count) * fade_at(low, grid, view.camera);
-        Face face{low, {size.x, 0, 0}, Vec3(0), to_rgba(theme.grid, opacity)};
-        face.v[across] = size[across];
-        faces.push_back(face);
-      }
+  for (cell.y = 0; cell.y < grid.cells.y; ++cell.y) {
+    for (cell.x = 0; cell.x < grid.cells.x; ++cell.x) {
+      const int count = counts[index_of(grid, cell)];
+      if (count == 0) continue;
+      const Vec3 low = lattice_point(grid, view.domain, cell), size = lattice_point(grid, view.domain, cell + 1) - low;
+      faces.push_back({low, {size.x, 0, 0}, {0, size.y, 0}, to_rgba(theme.grid, 0.6f * strength(count))});
     }
   }
   return faces;
+}
+
+/// The edges of the fullest cells; of equally full ones, those nearest to the viewer. Writes how full they are.
+void draw_densest(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view, Painter& painter) {
+  struct Cell {
+    int count;
+    float distance;
+    IVec3 at;
+  };
+  std::vector<Cell> cells;
+  IVec3 at(0);
+  for (at.z = 0; at.z < grid.cells.z; ++at.z) {
+    for (at.y = 0; at.y < grid.cells.y; ++at.y) {
+      for (at.x = 0; at.x < grid.cells.x; ++at.x) {
+        const int count = counts[index_of(grid, at)];
+        if (count == 0) continue;
+        cells.push_back({count, length(lattice_point(grid, view.domain, at) - view.camera.eye), at});
+      }
+    }
+  }
+  const auto occupied = static_cast<int64_t>(cells.size());
+  const auto end = cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), kDensest));
+  std::partial_sort(cells.begin(), end, cells.end(), [](const Cell& a, const Cell& b) {
+    return a.count != b.count ? a.count > b.count : a.distance < b.distance;
+  });
+  cells.erase(end, cells.end());
+  if (cells.empty()) return;
+  std::vector<Line> lines;
+  for (const Cell& cell : cells) {
+    const Vec3 low = lattice_point(grid, view.domain, cell.at), high = lattice_point(grid, view.domain, cell.at + 1);
+    add_box_edges(low, high, to_rgba(painter.theme.grid), lines);
+  }
+  painter.draw_rimmed(lines, painter.theme.background, kDenseWidth, kDenseRim);
+  painter.note({{Swatch::line, painter.theme.grid,
+                 phrase("the densest {} of {} occupied cells: {} to {} spheres each", cells.size(), grouped(occupied),
+                        cells.back().count, cells.front().count)}});
 }
 
 /// The borders of all cells, except on the edges of the domain.
@@ -180,10 +210,10 @@ void draw_grid(const FrameView& view, Painter& painter) {
       painter.faces.draw(occupied_faces(grid, counts, view, painter.theme));
       painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
       if (!view.shows("labels")) draw_counts(grid, counts, view, painter);
-    } else if (std::count_if(counts.begin(), counts.end(), [](int count) { return count > 0; }) <= kMaxWithEdges) {
+    } else if (view.inspection.bodies.count <= kCrowd) {
       painter.lines.draw(occupied_edges(grid, counts, view, painter.theme), width);
     } else {
-      painter.faces.draw(occupied_faces(grid, counts, view, painter.theme));
+      draw_densest(grid, counts, view, painter);
     }
   }
   draw_selection(view, painter);

@@ -73,6 +73,9 @@ inline size_t index_of(const GridInspection& grid, const IVec3& cell) {
 /// The cell that holds the body's centre.
 IVec3 cell_of(const GridInspection& grid, const BodySnapshot& bodies, int64_t body);
 
+/// Adds the edges of a box; none along an axis in which it is flat.
+void add_box_edges(const Vec3& low, const Vec3& high, Rgba color, std::vector<Line>& lines);
+
 /// A corner of cells. The last cells along an axis may extend beyond the domain; they are drawn up to its wall.
 Vec3 lattice_point(const GridInspection& grid, const DomainBox& domain, const IVec3& corner);
 

@@ -43,17 +43,9 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
   } else {
     painter.faces.draw(far_sides(low, size, view.camera, tint));
   }
-  const Rgba color = to_rgba(painter.theme.selected);
   std::vector<Line> lines;
-  for (int corner = 0; corner < (domain.is_planar() ? 4 : 8); ++corner) {
-    const Vec3 from = corner_of(low, low + size, corner);
-    for (int axis = 0; axis < 3; ++axis) {
-      Vec3 to = from;
-      to[axis] += size[axis];
-      if (!(corner >> axis & 1) && size[axis] > 0) lines.push_back({from, color, to, color});
-    }
-  }
-  painter.draw_rimmed(lines, rim_of(painter.theme.selected), kWidth, kRim);
+  add_box_edges(low, low + size, to_rgba(painter.theme.selected), lines);
+  painter.draw_shining(lines, rim_of(painter.theme.selected), kWidth, kRim);
 }
 
 /// The cell that lists the body; none if the grid does not list it.
@@ -67,6 +59,18 @@ std::optional<IVec3> cell_listing(const GridInspection& grid, const BodySnapshot
 }
 
 }  // namespace
+
+void add_box_edges(const Vec3& low, const Vec3& high, Rgba color, std::vector<Line>& lines) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 from = corner_of(low, high, corner);
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 to = from;
+      to[axis] = high[axis];
+      const bool is_flat = low.z == high.z && corner >= 4;
+      if (!(corner >> axis & 1) && !is_flat && high[axis] > low[axis]) lines.push_back({from, color, to, color});
+    }
+  }
+}
 
 IVec3 cell_of(const GridInspection& grid, const BodySnapshot& bodies, int64_t body) {
   const Vec3 place = (bodies.position_of(body) - grid.origin) / grid.edge;

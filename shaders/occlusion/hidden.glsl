@@ -1,0 +1,20 @@
+// What is left of the light at a point of a sphere.
+#include "occlusion.glsl"
+
+flat in vec4 hiding[4];  // as in hiding.glsl
+flat in vec4 fading;
+flat in vec4 walls;
+
+// x: of the sky; y: of the key light. Occluders overlap, so the product of what each leaves is an approximation.
+// `from_center` leads from the sphere's centre to the point.
+vec2 light_at(vec3 from_center, vec3 normal) {
+  vec2 left = vec2(1 - clamp(walls.w + dot(walls.xyz, normal), 0.0, 1.0), 1);
+  for (int k = 0; k < 4; ++k) {
+    vec3 way = hiding[k].xyz - from_center;
+    float radius = max(hiding[k].w, 1e-6);
+    float share = hidden_share(way, normal, radius);
+    float light = light_left(way, frame.key_light.xyz, radius);
+    left *= 1 - fading[k] * (1 - vec2(1 - share, light));
+  }
+  return left;
+}

@@ -1,0 +1,28 @@
+// What a sphere takes of the light at a point of a surface. `way` leads from the point to the sphere's centre, `normal`
+// has length 1. The tests compile this file as C++, too.
+
+const float kPi = 3.14159265f;
+const float kPenumbra = 0.25f;  // width of a shadow's edge, of the way from the sphere: the light is not a point
+
+// The share of the sky that it hides, weighted by the cosine of the angle from the normal: cos θ · sin² σ, where the sphere
+// appears with the angular radius σ. If the horizon cuts it, only what is above counts. Exact. Source: Quilez, "Sphere
+// ambient occlusion", iquilezles.org/articles/sphereao; Snyder, "Area light sources for real-time graphics" (1996).
+float hidden_share(vec3 way, vec3 normal, float radius) {
+  float distance2 = max(dot(way, way), radius * radius);
+  float s2 = radius * radius / distance2;
+  float c = dot(normal, way) * inversesqrt(distance2);
+  float c2 = c * c;
+  if (c2 >= s2) return max(0.0f, c) * s2;
+  float q = sqrt((1 - s2) / (1 - c2));
+  float cut = acos(clamp(-c * q * inversesqrt(s2), -1.0f, 1.0f));
+  return (s2 * c * cut - sqrt((s2 - c2) * (1 - s2)) + acos(min(q, 1.0f))) / kPi;
+}
+
+// The part of a light that it leaves, in the direction `towards` of length 1: 0 in its shadow, 1 outside.
+float light_left(vec3 way, vec3 towards, float radius) {
+  float along = dot(way, towards);
+  float beside = sqrt(max(dot(way, way) - along * along, 0.0f)) - radius;
+  float soft = kPenumbra * max(along, 0.0f) + 0.1f * radius;
+  float shadow = 1 - smoothstep(-soft, soft, beside);
+  return 1 - shadow * clamp(along / radius, 0.0f, 1.0f);
+}
