@@ -10,13 +10,15 @@ flat out vec4 sphere;   // centre, radius
 flat out vec3 towards;  // the light
 out vec2 place;         // on the floor
 
+uniform float highest;  // [radius] of spheres whose shadow is drawn
+
 const float kNear = 2.6;  // [radius] where the sky that it hides has faded
 
 void main() {
   float r = in_units(radius);
   vec3 center = in_units(position);
   towards = transpose(mat3(frame.view)) * frame.key_light.xyz;
-  bool has_shadow = towards.y > 0.1, is_near = center.y < 4 * r;
+  bool has_shadow = towards.y > 0.1 && center.y < highest * r, is_near = center.y < 4 * r;
   if (center.y < 0 || !(has_shadow || is_near)) {
     gl_Position = vec4(0, 0, 2, 1);
     return;
@@ -27,7 +29,7 @@ void main() {
   if (has_shadow) {
     float way = sphere.y / towards.y;
     vec2 foot = sphere.xz - way * towards.xz;
-    float reach = (r + kPenumbra * way + 0.1 * r) / towards.y;
+    float reach = (r + soft_edge(way, r)) / towards.y;
     low = foot - reach;
     high = foot + reach;
   }

@@ -1,11 +1,7 @@
 // What hides the sky from a sphere, for its fragments: its strongest occluders and the inner sides of the box.
 #include "occlusion.glsl"
 
-layout(location = 3) in ivec4 occluder;  // ids, −1 for none
-layout(std430, binding = 2) readonly buffer Positions { float positions[]; };  // [m]
-layout(std430, binding = 3) readonly buffer Radii { float radii[]; };          // [m] if they differ
-
-uniform int has_equal_radii;
+layout(location = 3) in vec4 occluder[4];  // [m] xyz: from the sphere's centre to its own; w: its radius, 0 for none
 
 flat out vec4 hiding[4];  // xyz: from the sphere's centre to the occluder's, view space; w: its radius, 0 for none
 flat out vec4 fading;     // how much of each occluder counts: none at the reach of the search, so that none appears suddenly
@@ -25,15 +21,10 @@ void add_side(vec3 normal, float height, float half_width, float share) {
 
 void set_hiding(vec3 position, float radius) {
   for (int k = 0; k < 4; ++k) {
-    int id = occluder[k];
-    hiding[k] = vec4(0);
-    fading[k] = 0;
-    if (id < 0) continue;
-    vec3 other = in_units(vec3(positions[3 * id], positions[3 * id + 1], positions[3 * id + 2]));
-    float r = has_equal_radii != 0 ? radius : in_units(radii[id]);
-    vec3 way = mat3(frame.view) * (other - in_units(position));
-    hiding[k] = vec4(way, r);
-    fading[k] = clamp((kReach - length(way) / (radius + r)) / (kReach - kFades), 0.0, 1.0);
+    vec4 other = frame.units.w * occluder[k];
+    hiding[k] = vec4(mat3(frame.view) * other.xyz, other.w);
+    float fades = clamp((kReach - length(other.xyz) / (radius + other.w)) / (kReach - kFades), 0.0, 1.0);
+    fading[k] = other.w > 0 ? fades : 0;
   }
   vec3 low = in_units(position), size = frame.box.xyz, high = size - low;
   float half_width = 0.5 * min(size.x, size.z), half_height = 0.5 * size.y;

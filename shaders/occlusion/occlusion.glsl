@@ -2,7 +2,7 @@
 // has length 1. The tests compile this file as C++, too.
 
 const float kPi = 3.14159265f;
-const float kPenumbra = 0.25f;  // width of a shadow's edge, of the way from the sphere: the light is not a point
+const float kPenumbra = 0.25f;  // half the width of a shadow's edge, of the way from the sphere
 
 // The share of the sky that it hides, weighted by the cosine of the angle from the normal: cos θ · sin² σ, where the sphere
 // appears with the angular radius σ. If the horizon cuts it, only what is above counts. Exact. Source: Quilez, "Sphere
@@ -18,11 +18,15 @@ float hidden_share(vec3 way, vec3 normal, float radius) {
   return (s2 * c * cut - sqrt((s2 - c2) * (1 - s2)) + acos(min(q, 1.0f))) / kPi;
 }
 
+// The half-width of the edge of its shadow at a distance: the light is not a point. Bounded, so that a ball in flight
+// still has a shadow.
+float soft_edge(float along, float radius) { return min(kPenumbra * max(along, 0.0f), radius) + 0.1f * radius; }
+
 // The part of a light that it leaves, in the direction `towards` of length 1: 0 in its shadow, 1 outside.
 float light_left(vec3 way, vec3 towards, float radius) {
   float along = dot(way, towards);
   float beside = sqrt(max(dot(way, way) - along * along, 0.0f)) - radius;
-  float soft = kPenumbra * max(along, 0.0f) + 0.1f * radius;
+  float soft = soft_edge(along, radius);
   float shadow = 1 - smoothstep(-soft, soft, beside);
   return 1 - shadow * clamp(along / radius, 0.0f, 1.0f);
 }

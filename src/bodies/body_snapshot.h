@@ -12,6 +12,13 @@ namespace ballpit {
 inline constexpr int kOccluders = 4;            ///< of each sphere, in the picture's ambient occlusion
 inline constexpr float kOcclusionReach = 1.5f;  ///< of the sum of two radii: spheres farther apart hide nothing
 
+/// A sphere that hides a part of the sky from another one, in the layout of the vertex shader.
+struct Occluder {
+  Vec3 way{0.0f};    ///< [m] from the other sphere's centre to its own
+  float radius = 0;  ///< [m]; 0 for none
+  bool operator==(const Occluder&) const = default;
+};
+
 /// The bodies in the layout of the vertex shader: `dimensions` floats of position a body (a missing z is 0), and one
 /// radius for all, or one each.
 struct BodySnapshot {
@@ -20,7 +27,7 @@ struct BodySnapshot {
   std::vector<float> position;  ///< [m] count × dimensions
   std::vector<float> velocity;  ///< [m/s] count × dimensions
   std::vector<float> radius;    ///< [m] 1 or count values
-  std::vector<int> occluder;    ///< count × kOccluders ids, the strongest first, −1 for none; empty unless wanted
+  std::vector<Occluder> occluder;  ///< count × kOccluders, the strongest first; empty unless wanted
 
   Vec3 position_of(int64_t i) const { return vector_at(position, i); }
   Vec3 velocity_of(int64_t i) const { return vector_at(velocity, i); }
@@ -47,7 +54,7 @@ struct BodyTarget {
   Span<float> position;    ///< [m] count × dimensions
   Span<float> radius;      ///< [m] count values; none if all are equal
   Span<uint8_t> touching;  ///< 1 for a body in contact, else 0
-  Span<int> occluder{};    ///< count × kOccluders ids, as in BodySnapshot; none if they are not wanted
+  Span<Occluder> occluder{};  ///< count × kOccluders, as in BodySnapshot; none if they are not wanted
 };
 
 }  // namespace ballpit

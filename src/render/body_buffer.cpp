@@ -10,7 +10,8 @@ namespace ballpit {
 
 namespace {
 
-constexpr GLuint kPosition = 0, kRadius = 1, kMark = 2, kOccluder = 3;  // attributes of the vertex shaders
+constexpr GLuint kPosition = 0, kRadius = 1, kMark = 2, kOccluder = 3;  // attributes of the vertex shaders;
+                                                                        // those of the occluders from 3 on
 
 /// A new buffer of fixed size; at least one byte, since OpenGL has no empty buffers.
 GlBuffer make_buffer(int64_t bytes) {
@@ -47,12 +48,13 @@ std::vector<Mark> contact_marks(int64_t count, const std::vector<Pair>& contacts
 
 BodyBuffer::BodyBuffer() {
   const GLuint array = vertex_array_.name();
-  for (GLuint attribute : {kPosition, kRadius, kMark, kOccluder}) {
-    glVertexArrayAttribBinding(array, attribute, attribute);
-  }
+  for (GLuint attribute : {kPosition, kRadius, kMark}) glVertexArrayAttribBinding(array, attribute, attribute);
   glVertexArrayAttribFormat(array, kRadius, 1, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribIFormat(array, kMark, 1, GL_UNSIGNED_BYTE, 0);
-  glVertexArrayAttribIFormat(array, kOccluder, kOccluders, GL_INT, 0);
+  for (GLuint k = 0; k < kOccluders; ++k) {
+    glVertexArrayAttribFormat(array, kOccluder + k, 4, GL_FLOAT, GL_FALSE, k * GLuint(sizeof(Occluder)));
+    glVertexArrayAttribBinding(array, kOccluder + k, kOccluder);
+  }
   glEnableVertexArrayAttrib(array, kPosition);
   glEnableVertexArrayAttrib(array, kMark);
   attach_buffers();
@@ -79,22 +81,20 @@ void BodyBuffer::attach_buffers() {
   position_ = make_buffer(capacity_ * shape_.dimensions * 4);
   radius_ = make_buffer(shape_.has_equal_radii ? 0 : capacity_ * 4);
   mark_ = make_buffer(capacity_);
-  occluder_ = make_buffer(has_room_for_occluders_ ? capacity_ * kOccluders * 4 : 0);
+  occluder_ = make_buffer(has_room_for_occluders_ ? capacity_ * kOccluders * int64_t(sizeof(Occluder)) : 0);
   const GLuint array = vertex_array_.name();
   glVertexArrayAttribFormat(array, kPosition, shape_.dimensions, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayVertexBuffer(array, kPosition, position_.name(), 0, shape_.dimensions * 4);
   glVertexArrayVertexBuffer(array, kRadius, radius_.name(), 0, 4);
   glVertexArrayVertexBuffer(array, kMark, mark_.name(), 0, 1);
-  glVertexArrayVertexBuffer(array, kOccluder, occluder_.name(), 0, kOccluders * 4);
+  glVertexArrayVertexBuffer(array, kOccluder, occluder_.name(), 0, kOccluders * int(sizeof(Occluder)));
   if (shape_.has_equal_radii) {
     glDisableVertexArrayAttrib(array, kRadius);
   } else {
     glEnableVertexArrayAttrib(array, kRadius);
   }
-  if (has_room_for_occluders_) {
-    glEnableVertexArrayAttrib(array, kOccluder);
-  } else {
-    glDisableVertexArrayAttrib(array, kOccluder);
+  for (GLuint k = kOccluder; k < kOccluder + kOccluders; ++k) {
+    (has_room_for_occluders_ ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(array, k);
   }
 }
 
@@ -130,7 +130,7 @@ void BodyBuffer::map(const std::function<void(const BodyTarget&)>& write) {
   write({{static_cast<float*>(memory_of(position_, n * shape_.dimensions * 4)), n * shape_.dimensions},
          {static_cast<float*>(memory_of(radius_, radii * 4)), radii},
          {static_cast<uint8_t*>(memory_of(mark_, n)), n},
-         {static_cast<int*>(memory_of(occluder_, occluders * 4)), occluders}});
+         {static_cast<Occluder*>(memory_of(occluder_, occluders * int64_t(sizeof(Occluder)))), occluders}});
 }
 
 void BodyBuffer::set_marks(const std::vector<Mark>& marks) {

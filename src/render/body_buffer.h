@@ -41,13 +41,12 @@ class BodyBuffer {
 
   void set_marks(const std::vector<Mark>& marks);
 
-  /// Makes this the source of vertex attributes 0 (position), 1 (radius), 2 (mark) and 3 (occluders, if it has them).
+  /// Makes this the source of vertex attributes 0 (position), 1 (radius), 2 (mark) and 3 to 6 (occluders, if it has them).
   /// `divisor` 1: of a body for each instance; 0: for each vertex.
   void bind(GLuint divisor) const;
 
   int64_t count() const { return shape_.count; }
   float max_radius() const { return shape_.radius; }  ///< [m]
-  bool has_equal_radii() const { return shape_.has_equal_radii; }
   bool has_occluders() const { return has_occluders_; }
 
   GLuint position_buffer() const { return position_.name(); }

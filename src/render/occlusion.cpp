@@ -9,8 +9,10 @@ namespace ballpit {
 namespace {
 
 constexpr float kPerRadius = 4;             // pixels of the floor map: shadows are soft
-constexpr int kFewest = 128, kMost = 768;   // of its longer side [pixel]
-constexpr GLuint kPositions = 2, kRadii = 3;  // bindings of shaders/occlusion/hiding.glsl
+constexpr int kFewest = 128, kMost = 768;  // of its longer side [pixel]
+constexpr int64_t kCrowd = 500;             // spheres
+constexpr float kAnywhere = 1e6f, kLow = 6;  // [radius] height up to which spheres have a shadow: in a crowd, those of
+                                             // higher ones would make the whole floor dark
 
 }  // namespace
 
@@ -38,6 +40,7 @@ void OcclusionRenderer::make_floor_map(const BodyBuffer& bodies, const DomainBox
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+  floor_map_.set("highest", bodies.count() <= kCrowd ? kAnywhere : kLow);
   draw_quads(floor_map_, bodies, false);
 }
 
@@ -56,12 +59,8 @@ void OcclusionRenderer::draw_bodies(const BodyBuffer& bodies, const GlTexture& d
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glTextureBarrier();  // what follows reads the depth that it is tested against, and writes none
   glBindTextureUnit(0, depth.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPositions, bodies.position_buffer());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kRadii, bodies.radius_buffer());
-  for (const Shader* shader : {&sphere_, &outline_}) {
-    shader->set("has_equal_radii", bodies.has_equal_radii() ? 1 : 0);
-    draw_quads(*shader, bodies, false);
-  }
+  draw_quads(sphere_, bodies, false);
+  draw_quads(outline_, bodies, false);
 }
 
 }  // namespace ballpit

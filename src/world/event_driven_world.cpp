@@ -206,7 +206,7 @@ class EventDrivenWorld final : public World {
     report.momentum = sum.momentum;
   }
 
-  void find_occluders(Span<int> occluder) {
+  void find_occluders(Span<Occluder> occluder) {
     std::vector<Vec3> place;
     std::vector<float> radius;
     for (int i = 0; i < motion_.size(); ++i) {

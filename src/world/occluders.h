@@ -17,18 +17,18 @@
 
 namespace ballpit {
 
-/// Kernel: the strongest occluders of the body in a slot, by id, the strongest first; −1 for none.
+/// Kernel: the strongest occluders of the body in a slot, the strongest first; equal ones by id.
 template <class V>
 struct StrongestOccluders {
   using Real = Scalar<V>;
   BodiesView<V> bodies;
   ContactsView<V> near;
   Span<const int> id_at;
-  Span<int> occluder;  // by id
+  Span<Occluder> occluder;  // by id
 
   HOST_DEVICE void operator()(int slot) const {
     Real share[kOccluders];  // square roots of the shares
-    int found[kOccluders];
+    int found[kOccluders];  // slots
     for (int k = 0; k < kOccluders; ++k) share[k] = 0, found[k] = -1;
     const Real own = bodies.radius[slot];
     near.for_each_of(slot, [&](int, int other, int) {
@@ -36,22 +36,26 @@ struct StrongestOccluders {
       const Real radius = bodies.radius[other], distance = std::sqrt(dot(way, way));
       if (!(distance < Real(kOcclusionReach) * (own + radius))) return;
       const Real gap = distance - own;
-      int id = id_of(other);
+      int next = other;
       Real more = radius / (gap > radius ? gap : radius);
-      for (int k = 0; k < kOccluders; ++k) {  // insertion; of equal ones, the lower id comes first
-        if (share[k] > more || (share[k] == more && found[k] >= 0 && found[k] < id)) continue;
+      for (int k = 0; k < kOccluders && next >= 0; ++k) {  // insertion; of equal ones, the lower id comes first
+        if (share[k] > more || (share[k] == more && id_of(found[k]) < id_of(next))) continue;
         const Real pushed = share[k];
-        const int pushed_id = found[k];
-        share[k] = more, found[k] = id;
-        more = pushed, id = pushed_id;
-        if (id < 0) break;
+        const int pushed_slot = found[k];
+        share[k] = more, found[k] = next;
+        more = pushed, next = pushed_slot;
       }
     });
-    for (int k = 0; k < kOccluders; ++k) occluder[int64_t(id_of(slot)) * kOccluders + k] = found[k];
+    for (int k = 0; k < kOccluders; ++k) occluder[int64_t(id_of(slot)) * kOccluders + k] = seen_from(slot, found[k]);
   }
 
  private:
   HOST_DEVICE int id_of(int slot) const { return id_at.empty() ? slot : id_at[slot]; }
+
+  HOST_DEVICE Occluder seen_from(int slot, int other) const {
+    if (other < 0) return {};
+    return {Vec3(widen(bodies.position[other] - bodies.position[slot])), float(bodies.radius[other])};
+  }
 };
 
 template <class V, class Exec>
@@ -59,10 +63,10 @@ class OccluderSearch {
   using Real = Scalar<V>;
 
  public:
-  /// Writes kOccluders ids for each body. `radii`: one for all or one each, by id; of a world they never change.
+  /// Writes kOccluders for each body. `radii`: one for all or one each, by id; of a world they never change.
   /// `id_at`: the body in each slot; empty if they are in order.
   void find(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const std::vector<Real>& radii,
-            Span<const int> id_at, Span<int> occluder) {
+            Span<const int> id_at, Span<Occluder> occluder) {
     if (bodies.size() == 0) return;
     const StageTimes times = exec.stage_times();
     const Span<const Real> span(radii.data(), static_cast<int64_t>(radii.size()));

@@ -71,7 +71,7 @@ class WorldOn final : public World {
     const std::vector<int> id_at = exec.download(bodies_.order().id_at());
     if (!id_at.empty()) name_by_id(result, id_at);
     if (wanted.occluders && kDimensions<V> == 3) {
-      typename Exec::template Buffer<int> occluder;
+      typename Exec::template Buffer<Occluder> occluder;
       occluder.resize(bodies_.count() * kOccluders);
       find_occluders(occluder.span());
       result.bodies.occluder = exec.download(occluder.span());
@@ -167,7 +167,7 @@ class WorldOn final : public World {
     return {settings, parameters};
   }
 
-  void find_occluders(Span<int> occluder) {
+  void find_occluders(Span<Occluder> occluder) {
     occluders_.find(bodies_.exec(), bodies_.view(), bodies_.box(), bodies_.radii(), bodies_.order().id_at(), occluder);
   }
 

@@ -124,8 +124,8 @@ TEST_CASE("in a heap, the strongest occluders leave about as much of the sky as 
       const float exact = 1 - measured_share(ways, radii, normal, 12);
       float left = 1;
       for (int k = 0; k < kOccluders; ++k) {
-        const int j = bodies.occluder[static_cast<size_t>(i * kOccluders + k)];
-        if (j >= 0) left *= 1 - shader::hidden_share(bodies.position_of(j) - center - radius * normal, normal, bodies.radius_of(j));
+        const Occluder& other = bodies.occluder[static_cast<size_t>(i * kOccluders + k)];
+        if (other.radius > 0) left *= 1 - shader::hidden_share(other.way - radius * normal, normal, other.radius);
       }
       sum_of_errors += left - exact;
       sum_of_squares += (left - exact) * (left - exact);

@@ -11,8 +11,8 @@ using namespace ballpit;
 namespace {
 
 /// By the definition in world/occluders.h, with every pair looked at.
-std::vector<int> strongest(const BodySnapshot& bodies) {
-  std::vector<int> result;
+std::vector<Occluder> strongest(const BodySnapshot& bodies) {
+  std::vector<Occluder> result;
   for (int64_t i = 0; i < bodies.count; ++i) {
     std::vector<std::pair<float, int>> found;  // minus the square root of the share, and the id
     for (int64_t j = 0; j < bodies.count; ++j) {
@@ -22,18 +22,25 @@ std::vector<int> strongest(const BodySnapshot& bodies) {
       found.emplace_back(-other / std::max(distance - own, other), static_cast<int>(j));
     }
     std::sort(found.begin(), found.end());
-    for (size_t k = 0; k < kOccluders; ++k) result.push_back(k < found.size() ? found[k].second : -1);
+    for (size_t k = 0; k < kOccluders; ++k) {
+      if (k >= found.size()) {
+        result.emplace_back();
+      } else {
+        const int64_t j = found[k].second;
+        result.push_back({bodies.position_of(j) - bodies.position_of(i), bodies.radius_of(j)});
+      }
+    }
   }
   return result;
 }
 
-std::vector<int> occluders_of(World& world) { return world.inspect({.occluders = true}).bodies.occluder; }
+std::vector<Occluder> occluders_of(World& world) { return world.inspect({.occluders = true}).bodies.occluder; }
 
-std::vector<int> written(World& world) {
+std::vector<Occluder> written(World& world) {
   const BodyShape shape = world.shape();
   std::vector<float> position(static_cast<size_t>(3 * shape.count)), radius(static_cast<size_t>(shape.count));
   std::vector<uint8_t> touching(static_cast<size_t>(shape.count));
-  std::vector<int> occluder(static_cast<size_t>(shape.count * kOccluders), 7);
+  std::vector<Occluder> occluder(static_cast<size_t>(shape.count * kOccluders), {Vec3(7), 7});
   const auto span = [](auto& values) { return Span(values.data(), static_cast<int64_t>(values.size())); };
   BodyTarget target{span(position), {}, span(touching), span(occluder)};
   if (!shape.has_equal_radii) target.radius = span(radius);
@@ -60,15 +67,15 @@ TEST_CASE("the occluders are the neighbours that hide most of the sky") {
   settings.response = named<Response>(response);
   const auto world = cpu_backend().make_world(scene, settings);
   const BodySnapshot bodies = world->inspect().bodies;
-  const std::vector<int> expected = strongest(bodies);
-  CHECK(std::count(expected.begin(), expected.end(), -1) < std::ssize(expected));
+  const std::vector<Occluder> expected = strongest(bodies);
+  CHECK(std::count(expected.begin(), expected.end(), Occluder()) < std::ssize(expected));
   CHECK(occluders_of(*world) == expected);
   CHECK(written(*world) == expected);
 }
 
 TEST_CASE("occluders depend on nothing but the positions, and finding them changes nothing") {
   const Scene scene = make_cloud({.count = 400, .smallest = 0.05, .largest = 0.1}, 3);
-  std::vector<std::vector<int>> found;
+  std::vector<std::vector<Occluder>> found;
   for (const int threads : {1, 3}) {
     for (const BroadPhase method : {BroadPhase::brute_force, BroadPhase::linked_cell}) {
       Settings settings;
@@ -94,5 +101,5 @@ TEST_CASE("a sphere alone has no occluders, and no spheres have none") {
   Settings settings;
   CHECK(occluders_of(*cpu_backend().make_world(scene, settings)).empty());
   add_sphere(scene, {0.5, 0.5, 0.5}, {0, 0, 0}, 0.1);
-  CHECK(occluders_of(*cpu_backend().make_world(scene, settings)) == std::vector<int>(kOccluders, -1));
+  CHECK(occluders_of(*cpu_backend().make_world(scene, settings)) == std::vector<Occluder>(kOccluders));
 }

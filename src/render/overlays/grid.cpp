@@ -22,7 +22,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kEdgeWidth = 2.0f, kDenseWidth = 3, kDenseRim = 1.5f;  // [1/1080 of the picture's height]
+constexpr float kEdgeWidth = 2.0f, kDenseWidth = 4, kDenseRim = 2;  // [1/1080 of the picture's height]
 constexpr int64_t kCrowd = 500;                                        // spheres in space
 constexpr size_t kDensest = 12;                                        // cells drawn in a crowd
 
@@ -137,7 +137,7 @@ void draw_densest(const GridInspection& grid, const std::vector<int>& counts, co
     const Vec3 low = lattice_point(grid, view.domain, cell.at), high = lattice_point(grid, view.domain, cell.at + 1);
     add_box_edges(low, high, to_rgba(painter.theme.grid), lines);
   }
-  painter.draw_rimmed(lines, painter.theme.background, kDenseWidth, kDenseRim);
+  painter.draw_shining(lines, painter.theme.background, kDenseWidth, kDenseRim);
   painter.note({{Swatch::line, painter.theme.grid,
                  phrase("the densest {} of {} occupied cells: {} to {} spheres each", cells.size(), grouped(occupied),
                         cells.back().count, cells.front().count)}});
