@@ -97,7 +97,7 @@ class CudaBodyWriter final : public BodyWriter {
     target.touching = mapped.span<uint8_t>(1, shape.count);
     size_t next = 2;
     if (!shape.has_equal_radii) target.radius = mapped.span<float>(next++, shape.count);
-    if (with_occluders) target.occluder = mapped.span<Occluder>(next, shape.count * kOccluders);
+    if (with_occluders) target.occluders = mapped.span<Occluders>(next, shape.count);
     world.write_bodies(target);
     return true;
   }

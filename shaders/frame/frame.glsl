@@ -9,7 +9,8 @@ layout(std140, binding = 0) uniform Frame {
                         // edge [1/m]
   vec4 shadow;          // x: darkness of shadows on the floor
   vec4 box;             // xyz: edges of the domain
-  vec4 towards_eye;     // from the middle of the domain, length 1; not in view space
+  vec4 sides[5];        // of the domain, for shaders/occlusion: floor, −x, +x, −z, +z. xyz: inward normal, view space; w:
+                        // half of the sky's share that it hides from a point on it
   vec4 background;      // colour
   vec4 floor;           // colour
   vec4 rim;             // colour of the rim that some marks have

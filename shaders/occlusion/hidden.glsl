@@ -3,12 +3,12 @@
 
 flat in vec4 hiding[4];  // as in hiding.glsl
 flat in vec4 fading;
-flat in vec4 walls;
+flat in vec4 rest;
 
 // x: of the sky; y: of the key light. Occluders overlap, so the product of what each leaves is an approximation.
 // `from_center` leads from the sphere's centre to the point.
 vec2 light_at(vec3 from_center, vec3 normal) {
-  vec2 left = vec2(1 - clamp(walls.w + dot(walls.xyz, normal), 0.0, 1.0), 1);
+  vec2 left = vec2(1 - clamp(rest.w + dot(rest.xyz, normal), 0.0, 1.0), 1);
   for (int k = 0; k < 4; ++k) {
     vec3 way = hiding[k].xyz - from_center;
     float radius = max(hiding[k].w, 1e-6);

@@ -9,14 +9,22 @@
 
 namespace ballpit {
 
-inline constexpr int kOccluders = 4;            ///< of each sphere, in the picture's ambient occlusion
+inline constexpr int kOccluders = 4;            ///< of each sphere, whose light is computed one by one
 inline constexpr float kOcclusionReach = 1.5f;  ///< of the sum of two radii: spheres farther apart hide nothing
+inline constexpr float kOcclusionFades = 1.2f;  ///< from where on they hide less, so that nothing appears suddenly
 
 /// A sphere that hides a part of the sky from another one, in the layout of the vertex shader.
 struct Occluder {
   Vec3 way{0.0f};    ///< [m] from the other sphere's centre to its own
   float radius = 0;  ///< [m]; 0 for none
   bool operator==(const Occluder&) const = default;
+};
+
+/// What hides the sky from a sphere, in the layout of the vertex shader.
+struct Occluders {
+  Occluder strongest[kOccluders];  ///< the strongest first
+  Vec3 others_by_normal{0.0f};     ///< all others together hide, at a normal n, about the share
+  float others = 0;                ///< others + dot(others_by_normal, n)
 };
 
 /// The bodies in the layout of the vertex shader: `dimensions` floats of position a body (a missing z is 0), and one
@@ -27,7 +35,7 @@ struct BodySnapshot {
   std::vector<float> position;  ///< [m] count × dimensions
   std::vector<float> velocity;  ///< [m/s] count × dimensions
   std::vector<float> radius;    ///< [m] 1 or count values
-  std::vector<Occluder> occluder;  ///< count × kOccluders, the strongest first; empty unless wanted
+  std::vector<Occluders> occluders;  ///< one for each; empty unless wanted
 
   Vec3 position_of(int64_t i) const { return vector_at(position, i); }
   Vec3 velocity_of(int64_t i) const { return vector_at(velocity, i); }
@@ -54,7 +62,7 @@ struct BodyTarget {
   Span<float> position;    ///< [m] count × dimensions
   Span<float> radius;      ///< [m] count values; none if all are equal
   Span<uint8_t> touching;  ///< 1 for a body in contact, else 0
-  Span<Occluder> occluder{};  ///< count × kOccluders, as in BodySnapshot; none if they are not wanted
+  Span<Occluders> occluders{};  ///< one for each; none if they are not wanted
 };
 
 }  // namespace ballpit

@@ -12,6 +12,8 @@ namespace {
 
 constexpr GLuint kPosition = 0, kRadius = 1, kMark = 2, kOccluder = 3;  // attributes of the vertex shaders;
                                                                         // those of the occluders from 3 on
+constexpr GLuint kVectors = sizeof(Occluders) / sizeof(Vec4);
+static_assert(sizeof(Occluders) == 80, "the shaders read them from memory");
 
 /// A new buffer of fixed size; at least one byte, since OpenGL has no empty buffers.
 GlBuffer make_buffer(int64_t bytes) {
@@ -51,8 +53,8 @@ BodyBuffer::BodyBuffer() {
   for (GLuint attribute : {kPosition, kRadius, kMark}) glVertexArrayAttribBinding(array, attribute, attribute);
   glVertexArrayAttribFormat(array, kRadius, 1, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribIFormat(array, kMark, 1, GL_UNSIGNED_BYTE, 0);
-  for (GLuint k = 0; k < kOccluders; ++k) {
-    glVertexArrayAttribFormat(array, kOccluder + k, 4, GL_FLOAT, GL_FALSE, k * GLuint(sizeof(Occluder)));
+  for (GLuint k = 0; k < kVectors; ++k) {
+    glVertexArrayAttribFormat(array, kOccluder + k, 4, GL_FLOAT, GL_FALSE, k * GLuint(sizeof(Vec4)));
     glVertexArrayAttribBinding(array, kOccluder + k, kOccluder);
   }
   glEnableVertexArrayAttrib(array, kPosition);
@@ -81,19 +83,19 @@ void BodyBuffer::attach_buffers() {
   position_ = make_buffer(capacity_ * shape_.dimensions * 4);
   radius_ = make_buffer(shape_.has_equal_radii ? 0 : capacity_ * 4);
   mark_ = make_buffer(capacity_);
-  occluder_ = make_buffer(has_room_for_occluders_ ? capacity_ * kOccluders * int64_t(sizeof(Occluder)) : 0);
+  occluder_ = make_buffer(has_room_for_occluders_ ? capacity_ * int64_t(sizeof(Occluders)) : 0);
   const GLuint array = vertex_array_.name();
   glVertexArrayAttribFormat(array, kPosition, shape_.dimensions, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayVertexBuffer(array, kPosition, position_.name(), 0, shape_.dimensions * 4);
   glVertexArrayVertexBuffer(array, kRadius, radius_.name(), 0, 4);
   glVertexArrayVertexBuffer(array, kMark, mark_.name(), 0, 1);
-  glVertexArrayVertexBuffer(array, kOccluder, occluder_.name(), 0, kOccluders * int(sizeof(Occluder)));
+  glVertexArrayVertexBuffer(array, kOccluder, occluder_.name(), 0, sizeof(Occluders));
   if (shape_.has_equal_radii) {
     glDisableVertexArrayAttrib(array, kRadius);
   } else {
     glEnableVertexArrayAttrib(array, kRadius);
   }
-  for (GLuint k = kOccluder; k < kOccluder + kOccluders; ++k) {
+  for (GLuint k = kOccluder; k < kOccluder + kVectors; ++k) {
     (has_room_for_occluders_ ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(array, k);
   }
 }
@@ -103,11 +105,11 @@ void BodyBuffer::upload(const BodySnapshot& bodies) {
   assert(static_cast<int64_t>(bodies.position.size()) == bodies.count * bodies.dimensions);
   assert(equal_radii || static_cast<int64_t>(bodies.radius.size()) == bodies.count);
   const float largest = bodies.radius.empty() ? 0 : *std::max_element(bodies.radius.begin(), bodies.radius.end());
-  const bool with_occluders = !bodies.occluder.empty();
+  const bool with_occluders = !bodies.occluders.empty();
   resize({bodies.count, bodies.dimensions, equal_radii, largest}, with_occluders);
   fill(position_, bodies.position);
   if (!equal_radii) fill(radius_, bodies.radius);
-  if (with_occluders) fill(occluder_, bodies.occluder);
+  if (with_occluders) fill(occluder_, bodies.occluders);
 }
 
 void BodyBuffer::map(const std::function<void(const BodyTarget&)>& write) {
@@ -126,11 +128,11 @@ void BodyBuffer::map(const std::function<void(const BodyTarget&)>& write) {
     if (!memory) throw RunError("OpenGL", "cannot map its buffer of bodies into memory");
     return memory;
   };
-  const int64_t n = shape_.count, radii = shape_.has_equal_radii ? 0 : n, occluders = has_occluders_ ? n * kOccluders : 0;
+  const int64_t n = shape_.count, radii = shape_.has_equal_radii ? 0 : n, occluders = has_occluders_ ? n : 0;
   write({{static_cast<float*>(memory_of(position_, n * shape_.dimensions * 4)), n * shape_.dimensions},
          {static_cast<float*>(memory_of(radius_, radii * 4)), radii},
          {static_cast<uint8_t*>(memory_of(mark_, n)), n},
-         {static_cast<Occluder*>(memory_of(occluder_, occluders * int64_t(sizeof(Occluder)))), occluders}});
+         {static_cast<Occluders*>(memory_of(occluder_, occluders * int64_t(sizeof(Occluders)))), occluders}});
 }
 
 void BodyBuffer::set_marks(const std::vector<Mark>& marks) {

@@ -41,7 +41,7 @@ class BodyBuffer {
 
   void set_marks(const std::vector<Mark>& marks);
 
-  /// Makes this the source of vertex attributes 0 (position), 1 (radius), 2 (mark) and 3 to 6 (occluders, if it has them).
+  /// Makes this the source of vertex attributes 0 (position), 1 (radius), 2 (mark) and 3 to 7 (occluders, if it has them).
   /// `divisor` 1: of a body for each instance; 0: for each vertex.
   void bind(GLuint divisor) const;
 

@@ -9,7 +9,7 @@
 //
 // The second pass costs about as much as drawing the spheres twice, but only where they are seen: where spheres lie
 // behind each other, the first pass saves more than the second costs. Occluders beyond the strongest kOccluders are
-// left out, and what overlaps is multiplied as if it did not; docs/pictures.md says how far that is from the truth.
+// left out, and what overlaps is multiplied as if it did not; docs/decisions/0034 says how far that is from the truth.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/renderer.h"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include "core/language.h"
@@ -27,10 +29,20 @@ int checked_side(int width, int height, int side) {
 /// In the layout of shaders/frame/frame.glsl (std140).
 struct FrameBlock {
   Mat4 view, projection;
-  Vec4 key_light, halfway, sky, units, shadow, box, towards_eye, background, floor, rim, mark_color[2 + kScaleColors];
+  Vec4 key_light, halfway, sky, units, shadow, box, sides[5], background, floor, rim, mark_color[2 + kScaleColors];
   Vec2 viewport;
   float pixel, line_unit;
 };
+
+/// A side of the box that shows its back to the viewer is left out, as in a room cut open.
+void set_sides(FrameBlock& uniforms, const Vec3& towards_eye) {
+  constexpr float kFloor = 0.4f, kWall = 0.12f;  // what they hide; they are bright, so they give back the rest
+  const std::array<Vec3, 5> normals{Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  for (size_t k = 0; k < normals.size(); ++k) {
+    const float facing = glm::smoothstep(0.0f, 0.2f, dot(normals[k], normalize(towards_eye)));
+    uniforms.sides[k] = Vec4(Vec3(uniforms.view * Vec4(normals[k], 0)), 0.5f * facing * (k == 0 ? kFloor : kWall));
+  }
+}
 
 constexpr float kContactRim = 6;  // [1/1080 of the picture's height]
 
@@ -49,7 +61,7 @@ void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& th
   uniforms.units = Vec4(domain.min, 1 / domain.longest_edge());
   uniforms.shadow = Vec4(theme.shadow, 0, 0, 0);
   uniforms.box = Vec4((domain.max - domain.min) / domain.longest_edge(), 0);
-  uniforms.towards_eye = Vec4(normalize(view.camera.eye - (domain.min + domain.max) / 2.0f), 0);
+  set_sides(uniforms, view.camera.eye - (domain.min + domain.max) / 2.0f);
   uniforms.background = Vec4(theme.background, 1);
   uniforms.floor = Vec4(theme.floor, 1);
   uniforms.rim = Vec4(rim_of(theme.contact), 0);

@@ -59,8 +59,8 @@ class EventDrivenWorld final : public World {
     result.grids.push_back(grid());
     if (wanted.candidates) result.candidates = pairs_in_reach();
     if (wanted.occluders && kDimensions<V> == 3) {
-      result.bodies.occluder.resize(static_cast<size_t>(motion_.size()) * kOccluders);
-      find_occluders({result.bodies.occluder.data(), int64_t(result.bodies.occluder.size())});
+      result.bodies.occluders.resize(static_cast<size_t>(motion_.size()));
+      find_occluders({result.bodies.occluders.data(), motion_.size()});
     }
     return result;
   }
@@ -101,7 +101,7 @@ class EventDrivenWorld final : public World {
       target.touching[i] = 0;
     }
     for (const auto& [pair, gap] : contacts()) target.touching[pair.i] = target.touching[pair.j] = 1;
-    if (!target.occluder.empty()) find_occluders(target.occluder);
+    if (!target.occluders.empty()) find_occluders(target.occluders);
   }
 
   Bodies bodies() override {
@@ -206,7 +206,7 @@ class EventDrivenWorld final : public World {
     report.momentum = sum.momentum;
   }
 
-  void find_occluders(Span<Occluder> occluder) {
+  void find_occluders(Span<Occluders> occluders) {
     std::vector<Vec3> place;
     std::vector<float> radius;
     for (int i = 0; i < motion_.size(); ++i) {
@@ -215,7 +215,7 @@ class EventDrivenWorld final : public World {
     }
     const Box<V>& box = motion_.rules().box;
     const BodiesView<Vec3> bodies{{place.data(), motion_.size()}, {}, {radius.data(), 1}, {}};
-    occluders_.find(exec_, bodies, {Vec3(widen(box.min)), Vec3(widen(box.max)), box.boundary}, radius, {}, occluder);
+    occluders_.find(exec_, bodies, {Vec3(widen(box.min)), Vec3(widen(box.max)), box.boundary}, radius, {}, occluders);
   }
 
   GridInspection grid() const {

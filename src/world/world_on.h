@@ -71,10 +71,10 @@ class WorldOn final : public World {
     const std::vector<int> id_at = exec.download(bodies_.order().id_at());
     if (!id_at.empty()) name_by_id(result, id_at);
     if (wanted.occluders && kDimensions<V> == 3) {
-      typename Exec::template Buffer<Occluder> occluder;
-      occluder.resize(bodies_.count() * kOccluders);
-      find_occluders(occluder.span());
-      result.bodies.occluder = exec.download(occluder.span());
+      typename Exec::template Buffer<Occluders> occluders;
+      occluders.resize(bodies_.count());
+      find_occluders(occluders.span());
+      result.bodies.occluders = exec.download(occluders.span());
     }
     return result;
   }
@@ -122,7 +122,7 @@ class WorldOn final : public World {
   BodyShape shape() const override { return bodies_.shape(); }
   void write_bodies(const BodyTarget& target) override {
     ballpit::write_bodies(bodies_, pairs(), target);
-    if (!target.occluder.empty()) find_occluders(target.occluder);
+    if (!target.occluders.empty()) find_occluders(target.occluders);
   }
 
   Bodies bodies() override { return bodies_.download(); }
@@ -167,8 +167,8 @@ class WorldOn final : public World {
     return {settings, parameters};
   }
 
-  void find_occluders(Span<Occluder> occluder) {
-    occluders_.find(bodies_.exec(), bodies_.view(), bodies_.box(), bodies_.radii(), bodies_.order().id_at(), occluder);
+  void find_occluders(Span<Occluders> occluders) {
+    occluders_.find(bodies_.exec(), bodies_.view(), bodies_.box(), bodies_.radii(), bodies_.order().id_at(), occluders);
   }
 
   /// The pairs in contact at the present positions.

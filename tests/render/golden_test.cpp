@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/oracle.h"
 #include "tests/support/picture_compare.h"
 #include "tests/support/test_scenes.h"
 
@@ -38,6 +39,27 @@ TEST_CASE("golden: a cloud of spheres in an open box, on dark") {
   const Inspection cloud = stored("cloud", kOpen, 0);
   const RenderOptions dark{theme_named("dark"), 1};
   CHECK(compare_with_golden("cloud_open_dark", draw(view_of(cloud, kOpen, kAspect), kWidth, kHeight, dark)) == "");
+}
+
+TEST_CASE("golden: a cloud of spheres that hide the light from each other and from the floor") {
+  for (const char* theme : {"projector", "dark"}) {
+    Inspection cloud = stored("cloud", kBox, 0);
+    cloud.bodies.occluders = all_occluders(cloud.bodies);
+    const Image picture = draw(view_of(cloud, kBox, kAspect), kWidth, kHeight, {theme_named(theme), 1});
+    CHECK(compare_with_golden(std::string("cloud_occlusion_") + theme, picture) == "");
+  }
+}
+
+TEST_CASE("the comparison of pictures detects lost shadows, of the floor and of spheres alone") {
+  Inspection cloud = stored("cloud", kBox, 0);
+  cloud.bodies.occluders = all_occluders(cloud.bodies);
+  const FrameView view = view_of(cloud, kBox, kAspect);
+  const Image whole = draw(view, kWidth, kHeight);
+  RenderOptions bright;
+  bright.theme.shadow = 0;
+  CHECK(worst_block(draw(view, kWidth, kHeight, bright), whole) > 8);
+  cloud.bodies.occluders.assign(cloud.bodies.occluders.size(), {});
+  CHECK(worst_block(draw(view, kWidth, kHeight), whole) > 8);
 }
 
 TEST_CASE("golden: a planar scene with its grid") {

@@ -90,4 +90,38 @@ Spheres spheres_of(const Scene& scene) {
   return spheres;
 }
 
+std::vector<Occluders> all_occluders(const BodySnapshot& bodies) {
+  struct Other {
+    float share;
+    int64_t body;
+  };
+  std::vector<Occluders> result;
+  for (int64_t i = 0; i < bodies.count; ++i) {
+    std::vector<Other> found;
+    const auto way_to = [&](int64_t j) { return bodies.position_of(j) - bodies.position_of(i); };
+    for (int64_t j = 0; j < bodies.count; ++j) {
+      const float own = bodies.radius_of(i), other = bodies.radius_of(j), distance = length(way_to(j));
+      if (j == i || !(distance < kOcclusionReach * (own + other))) continue;
+      const float part = other / std::max(distance - own, other);
+      found.push_back({part * part, j});
+    }
+    std::sort(found.begin(), found.end(), [](const Other& a, const Other& b) {
+      return a.share != b.share ? a.share > b.share : a.body < b.body;
+    });
+    Occluders& own = result.emplace_back();
+    for (size_t k = 0; k < found.size(); ++k) {
+      const auto [share, j] = found[k];
+      if (k < kOccluders) {
+        own.strongest[k] = {way_to(j), bodies.radius_of(j)};
+        continue;
+      }
+      const float apart = length(way_to(j)) / (bodies.radius_of(i) + bodies.radius_of(j));
+      const float hidden = share * std::min(1.0f, (1.5f - apart) / 0.3f);
+      own.others += 0.1f * hidden;
+      own.others_by_normal += 0.25f * hidden * normalize(way_to(j));
+    }
+  }
+  return result;
+}
+
 }  // namespace ballpit

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/body_snapshot.h"
 #include "bodies/pair.h"
 #include "families.h"
 #include "scene/scene.h"
@@ -33,5 +34,8 @@ inline SphereArrays arrays_of(const Spheres& spheres) {
   return {{spheres.position.data(), spheres.count()},
           {spheres.radius.data(), static_cast<int64_t>(spheres.radius.size())}};
 }
+
+/// The occluders of all spheres, by the definition in world/occluders.h, with every pair looked at.
+std::vector<Occluders> all_occluders(const BodySnapshot& bodies);
 
 }  // namespace ballpit
