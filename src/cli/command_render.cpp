@@ -44,6 +44,7 @@ class RenderCommand {
                 [this](const std::string& text) { clicks_ = text; });
     command.add_flag("--copy-bodies", copies_bodies_,
                      "copy the spheres through the host even if their processor can write into OpenGL's memory");
+    acts_.add_to(command);
     command.add_flag("--resume", resume_, "continue after the last complete frame in the folder");
     command.add_flag("--json", json_, "print a summary as one JSON object");
     arguments_.add_to(command);
@@ -62,6 +63,7 @@ class RenderCommand {
     const bool has_record = resume_ && std::filesystem::exists(record, ignored);
     Demo demo(arguments_.scene, arguments_.given, has_record ? record : "");
     warn_of_run(demo.session);
+    demo.play(acts_.read(demo.session));
     demo.view = look_.view();
     demo.touch();
     Session& session = demo.session;
@@ -184,6 +186,7 @@ class RenderCommand {
   }
 
   SceneArguments arguments_;
+  ActsArgument acts_;
   LookArguments look_;
   std::string out_;
   int frames_ = 300, every_ = 1, supersample_ = 1;

@@ -25,6 +25,7 @@ class ShowCommand {
     look_.add_to(command);
     command.add_flag("--remember", remembers_,
                      "start with scene, options and view of the last `show --remember`, and store them at the end");
+    acts_.add_to(command);
     arguments_.add_to(command);
   }
 
@@ -83,6 +84,7 @@ class ShowCommand {
     }
     if (!demo) demo = std::make_unique<Demo>(arguments_.scene, arguments_.given);
     warn_of_run(demo->session);
+    demo->play(acts_.read(demo->session));
     demo->view = look_.view(last ? last->view : View{.has_caption = true});
     demo->touch();
     if (!size_) size_ = last ? last->size : kSize;
@@ -98,6 +100,7 @@ class ShowCommand {
   }
 
   SceneArguments arguments_;
+  ActsArgument acts_;
   LookArguments look_;
   static constexpr PictureSize kSize{1600, 900};
   std::optional<PictureSize> size_;

@@ -48,6 +48,7 @@ class SimulateCommand {
     command.add_path({"--trajectory", "FILE", "write frames there, as extended XYZ"}, trajectory_);
     command.add_number({"--every", "N", "steps from one frame of the trajectory to the next", "1"}, every_,
                        Range{1, 1'000'000'000});
+    acts_.add_to(command);
     command.add_flag("--json", json_, "print the summary as one JSON object");
     arguments_.add_to(command);
   }
@@ -57,6 +58,7 @@ class SimulateCommand {
     Session session(arguments_.scene, arguments_.given, need_tally(observables_));
     const double time = time_.value_or(session.scene().needs.duration);
     check_observation(time);
+    session.play(acts_.read(session));
     session.steps_until(time);  // throws if these are too many
     warn_of_run(session);
     const bool follows_ways = std::ranges::any_of(observables_, &Observable::needs_ways);
@@ -75,6 +77,8 @@ class SimulateCommand {
       if (!path.empty()) check_output(path);
     }
     reject_same_file("--trajectory", trajectory_, "--out", out_);
+    reject_same_file("--out", out_, "--acts", acts_.path);
+    reject_same_file("--trajectory", trajectory_, "--acts", acts_.path);
     if (!is_scene_file(arguments_.scene)) return;
     reject_same_file("--out", out_, "SCENE", arguments_.scene);
     reject_same_file("--trajectory", trajectory_, "SCENE", arguments_.scene);
@@ -151,6 +155,7 @@ class SimulateCommand {
   }
 
   SceneArguments arguments_;
+  ActsArgument acts_;
   std::optional<double> time_, observe_from_;  // [s]
   std::string out_, trajectory_;
   std::vector<Observable> observables_;

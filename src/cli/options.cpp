@@ -39,6 +39,15 @@ void SceneArguments::add_to(CommandOptions& command) {
   add_settings(command, "Simulation (the scene may have other defaults)", given);
 }
 
+void ActsArgument::add_to(CommandOptions& command) {
+  command.add_path(
+      {"--acts", "FILE", "throw, push and drop spheres as this file says, a TOML file such as `show` saves"}, path);
+}
+
+std::vector<Act> ActsArgument::read(Session& session) const {
+  return path.empty() ? std::vector<Act>{} : read_acts(path, session.scene(), session.world().bodies());
+}
+
 void add_language(CommandOptions& command) {
   command.add({"--lang", "NAME", "language: " + join(kNames<Language>), std::string(name_of(Language::english))},
               [](const std::string& text) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "scene/acts.h"
 #include "scene/read_scene.h"
 #include "show/session.h"
 #include "show/view.h"
@@ -30,6 +31,16 @@ struct SceneArguments {
   std::string scene{kDefaultScene};
   bool is_scene_given = false;
   std::vector<GivenOption> given{};
+};
+
+/// --acts: of a run that may be acted on.
+struct ActsArgument {
+  void add_to(CommandOptions& command);
+
+  /// The acts of the file, checked against the session's scene at its start; none without the option.
+  std::vector<Act> read(Session& session) const;
+
+  std::string path{};
 };
 
 /// --lang, which sets the language of the program.

@@ -26,6 +26,18 @@ struct DomainBox {
 
 struct PageView;  // render/page_view.h: what a page of a lecture adds
 
+/// An act that a hand prepares: an arrow of a velocity, and rings around the spheres that will get it.
+struct Aim {
+  Vec3 from{0.0f}, to{0.0f};  ///< [m]
+  float speed = 0;            ///< [m/s]
+  bool is_fastest = false;    ///< a step allows no more
+  struct Ring {
+    Vec3 centre;
+    float radius;
+  };
+  std::vector<Ring> rings{};  ///< [m]
+};
+
 /// Refers to the inspection, which must live until the picture is drawn.
 struct FrameView {
   bool shows(std::string_view overlay) const {
@@ -43,6 +55,7 @@ struct FrameView {
   bool is_written = false;            ///< the world has written bodies and contact marks into the renderer's buffer
   const PageView* page = nullptr;     ///< of a lecture
   float typical_speed = 0;            ///< [m/s] of the scene: much slower spheres count as at rest; 0: unknown
+  const Aim* aim = nullptr;           ///< of the mouse
 };
 
 }  // namespace ballpit

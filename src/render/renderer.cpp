@@ -217,6 +217,7 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
   }
   draw_overlays(view, painter, false);
   draw_edges(view.domain, painter);
+  draw_aim(view, painter);
   painter.draw_notes();
   draw_legend(coloring, colored, painter);
 }

@@ -33,6 +33,8 @@ struct Physics {
   double shear = 0.0;             ///< [kg/s] tangential dashpot, penalty response only
   double initial_overlap = 1e-6;  ///< largest allowed at the start, as a fraction of the smaller radius
   double density = 1000.0;        ///< [kg/m³] mass of spheres that declare none is density · volume
+
+  bool operator==(const Physics&) const = default;
 };
 
 /// Spheres as arrays of equal length.

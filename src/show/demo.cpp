@@ -28,12 +28,13 @@ void Demo::begin_world() {
   ++worlds_;
   player.forgive();
   trade_off.begin(session.given(), session.scene().physics);
-  timeline = std::make_unique<Timeline>(session.world(), session.settings().dt);
+  timeline = std::make_unique<Timeline>(session.world(), session.settings().dt, Timeline::kBudget, &session.acts());
   timeline->after_step = [this] { follow(); };
   if (ghost_) ghost_->forget_after(session.time());
   if (session.choice()) predict(*session.choice());
   const Report& now = report();
   energy_at_start_ = energy_of(now);
+  acts_at_start_ = acts_so_far();
   history_.clear();
   remember_moment(now);
   if (view.selected >= now.count) view.selected = -1;
@@ -121,6 +122,21 @@ void Demo::load(const std::string& scene) {
   });
 }
 
+void Demo::play(std::vector<Act> acts) {
+  session.play(std::move(acts));
+  begin_world();
+}
+
+void Demo::act(const Act& act) {
+  attempt([&] {
+    timeline->act(act);
+    session.acted();
+    player.forgive();
+    forget_choice();
+    ghost_.reset();
+  });
+}
+
 void Demo::step() {
   attempt([&] { player.step(*timeline); });
 }
@@ -169,16 +185,21 @@ bool Demo::go_on_to(int64_t step, const std::function<bool()>& stop) {
 void Demo::drop_ghost() {
   attempt([&] {
     if (!shows_ghost()) view.toggle("ghost");
-    ghost_ = std::make_unique<Ghost>(session.scene(), session.settings(), session.world(), session.time());
+    begin_ghost();
   });
+}
+
+void Demo::begin_ghost() {
+  ghost_ = std::make_unique<Ghost>(session.scene(), session.settings(), session.world(), session.time());
+  ghost_acts_ = acts_so_far();
 }
 
 void Demo::follow() {
   if (!shows_ghost()) return;
-  if (ghost_) {
+  if (ghost_ && ghost_acts_ == acts_so_far()) {
     ghost_->follow(session.world(), session.time(), session.settings().dt);
   } else {
-    ghost_ = std::make_unique<Ghost>(session.scene(), session.settings(), session.world(), session.time());
+    begin_ghost();  // exact motion knows of no act, so it begins anew after each
   }
 }
 
@@ -186,6 +207,8 @@ const Report& Demo::report() {
   const Report& report = session.report();
   if (reported_ != version()) {
     reported_ = version();
+    if (reported_acts_ != acts_so_far()) trade_off.interrupt();
+    reported_acts_ = acts_so_far();
     trade_off.observe(report);
     remember_moment(report);
   }
@@ -194,7 +217,9 @@ const Report& Demo::report() {
 
 void Demo::remember_moment(const Report& report) {
   while (!history_.empty() && history_.back().step >= report.steps) history_.pop_back();
-  const double drift = energy_at_start_ != 0 ? (energy_of(report) - energy_at_start_) / std::fabs(energy_at_start_) : 0;
+  const bool has_acted = acts_so_far() > acts_at_start_;
+  const double energy = has_acted ? session.acts().energy_after(session.time()).value_or(0) : energy_at_start_;
+  const double drift = energy != 0 ? (energy_of(report) - energy) / std::fabs(energy) : 0;
   history_.push_back({report.steps, static_cast<float>(drift), static_cast<float>(report.max_overlap)});
   if (history_.size() > kMaxMoments) history_.erase(history_.begin());
 }

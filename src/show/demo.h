@@ -23,7 +23,7 @@ namespace ballpit {
 /// The accuracy of the run at a step.
 struct Moment {
   int64_t step = 0;
-  float energy_drift = 0;  ///< as a fraction of the energy at the start of this world; 0 if that is 0
+  float energy_drift = 0;  ///< as a fraction of the energy when this world began, or after an act since; 0 if that is 0
   float max_overlap = 0;   ///< of the smaller radius
 };
 
@@ -63,6 +63,12 @@ class Demo {
   void load(const std::string& scene);
   void restart();
   void step();
+  /// Throws as Session does.
+  void play(std::vector<Act> acts);
+
+  /// Acts on the spheres now. What was ahead is forgotten, the ghost too; a run that has failed may go on.
+  void act(const Act& act);
+
   void step_back() { go_to(timeline->step_now() - 1); }
 
   /// Begins to choose the cheapest settings with which the scene shows what it needs, from the present state. The scene
@@ -98,6 +104,8 @@ class Demo {
   void say(const std::string& message) { message_ = message; }
 
   bool shows_keys = false;
+
+  std::optional<Aim> aim;  ///< an act that the mouse prepares
 
   /// The present state with what the view shows. Inspects the world once for each version().
   const Inspection& inspection(bool with_occluders = false) {
@@ -140,6 +148,8 @@ class Demo {
   void predict(const Choice& choice);
   void take_choice(std::optional<BackgroundChoice::Result> result);
   void forget_choice();
+  void begin_ghost();
+  int64_t acts_so_far() const { return session.acts().count_until(session.time()); }
   bool shows_ghost() const { return view.shows("ghost"); }
   bool go_on_to(int64_t step, const std::function<bool()>& stop);
   const Inspection& inspect(Wanted wanted);
@@ -150,7 +160,8 @@ class Demo {
   int64_t candidates_to_list();
 
   std::string message_;
-  double energy_at_start_ = 0;  // [J] kinetic, potential and elastic
+  double energy_at_start_ = 0;                                      // [J] kinetic, potential and elastic
+  int64_t acts_at_start_ = 0, reported_acts_ = 0, ghost_acts_ = 0;  // so far, at that time
   int64_t changes_ = 0, worlds_ = 0;
   Version inspected_, reported_;
   Inspection inspection_;

@@ -29,6 +29,7 @@ float typical_speed(const Scene& scene) {
 
 /// The parts of an inspection that the view shows.
 Wanted Demo::wanted() {
+  if (view.selected >= session.world().shape().count) view.selected = -1;  // it was dropped in later
   Wanted result = coloring_named(view.coloring).wanted;
   result.state |= view.selected >= 0;
   for (const OverlayEntry& overlay : overlay_table()) {
@@ -88,7 +89,8 @@ FrameView Demo::frame_view(float aspect, bool is_written, bool with_occluders) {
           left_out_,
           is_written,
           view.has_caption ? &caption_ : nullptr,
-          view.shows("velocity") ? typical_speed(session.scene()) : 0};
+          view.shows("velocity") ? typical_speed(session.scene()) : 0,
+          aim ? &*aim : nullptr};
 }
 
 PageView Demo::captioned() {

@@ -98,6 +98,8 @@ std::string film_key(Demo& demo, const FilmPlan& plan, const FilmLook& look) {
   append_line(key, "state", hash_of_state(session));
   append_line(key, "from", joined({plan.from}));
   append_line(key, "interval", joined({plan.interval}));
+  const std::vector<Act>& acts = session.acts().all();
+  append_line(key, "acts", acts.empty() ? "none" : hash_of(text_of(acts, session.scene().domain.dimensions, "")));
   append_line(key, "theme", view.theme);
   append_line(key, "color", view.coloring);
   append_line(key, "overlay", view.overlays.empty() ? "none" : join(view.overlays, ","));

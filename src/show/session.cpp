@@ -55,6 +55,10 @@ void Session::start(std::string name, std::vector<GivenOption> given, const std:
   if (name != scene_name_) print_warnings(notes);  // not again when the scene is filled again
   scene_name_ = std::move(name);
   given_ = std::move(given);
+  acts_ = Acts(scene_.domain);
+  acts_.steps_by(settings.dt);
+  script_.clear();
+  changed_at_.reset();
   start_time_ = 0;
   steps_before_ = 0;
   seconds_before_ = 0;
@@ -62,12 +66,36 @@ void Session::start(std::string name, std::vector<GivenOption> given, const std:
   if (choice_) watch_.emplace(whole, *choice_, *world_);
 }
 
+void Session::play(std::vector<Act> acts) {
+  script_ = acts;
+  acts_ = Acts(scene_.domain, std::move(acts));
+  acts_.steps_by(settings_.dt);
+  report_.reset();
+  if (acts_.begin(*world_)) end_watch();
+}
+
+void Session::acted() {
+  report_.reset();
+  end_watch();
+}
+
+/// The needs of a scene are those of its own motion.
+void Session::end_watch() {
+  if (!watch_) return;
+  watch_.reset();
+  note(fmt::format("--response {}", name_of(Response::automatic)),
+       fmt::format("an act at t = {:g} s ends the watch of what the scene needs", time()));
+}
+
 void Session::take(std::vector<GivenOption> given, const Physics& physics) {
   Scene scene = scene_;
+  const bool is_other_run = time() > 0 || physics != scene.physics;
   scene.physics = physics;
   scene.bodies = world_->bodies();
   const Settings settings = resolve(scene, given);
   go_on_with(std::move(scene), settings, time());
+  acts_.steps_by(settings.dt);
+  if (is_other_run) changed_at_ = time();
   steps_before_ = 0;
   seconds_before_ = 0;
   given_ = std::move(given);
@@ -125,7 +153,7 @@ void Session::advance_to(double end, const std::function<bool()>& stop, const st
   while (steps_until(end) > 0 && !stop()) {
     std::string breach;
     try {
-      world_->step();
+      if (acts_.step(*world_)) end_watch();
       const bool is_seen = watch_ && (watch_->is_due(*world_) || steps_until(end) <= 0);
       if (is_seen) breach = watch_->breach(*world_, settings_);
       if (is_seen && breach.empty()) watch_->accept(*world_);
@@ -154,6 +182,7 @@ void Session::step_up(const std::string& breach) {
        fmt::format("{}; goes on from t = {:g} s with {}", when, now, typed(options_of(*next, scene.defaults))));
   steps_up_.push_back({now, when, *next});
   go_on_with(std::move(scene), *next, now);
+  acts_.steps_by(next->dt);
   watch_->accept(*world_);
 }
 
@@ -207,7 +236,9 @@ void Session::load(const std::string& scene) {
     std::erase_if(given,
                   [](const GivenOption& option) { return option.name != "backend" && option.name != "threads"; });
   }
+  const std::vector<Act> script = scene == scene_name_ ? script_ : std::vector<Act>{};
   start(scene, given);
+  if (!script.empty()) play(script);
 }
 
 int64_t Session::steps_until(double time) const {

@@ -11,6 +11,7 @@
 #include "choose/record.h"
 #include "choose/watch.h"
 #include "show/options.h"
+#include "world/acts.h"
 
 namespace ballpit {
 
@@ -37,6 +38,20 @@ class Session {
 
   /// Starts the scene again, with the same options, or another scene, with the same backend and threads.
   void load(const std::string& scene);
+
+  /// The run has these acts from now on, which are in order of time; call at its start. A restart repeats them.
+  void play(std::vector<Act> acts);
+
+  /// What was done to the spheres, and is to be done. A timeline steps by it.
+  Acts& acts() { return acts_; }
+  const Acts& acts() const { return acts_; }
+
+  /// Call after an act that a timeline has added.
+  void acted();
+
+  /// [s] when settings or physics were last changed in this run, so that a run by the present ones is another; empty if
+  /// they were not.
+  std::optional<double> changed_at() const { return changed_at_; }
 
   double time() const { return world_->time(); }  ///< [s] since the scene's start
 
@@ -78,6 +93,7 @@ class Session {
   void go_on_with(Scene scene, const Settings& settings, double time);
   Settings resolve(const Scene& scene, const std::vector<GivenOption>& given);
   void step_up(const std::string& reason);
+  void end_watch();
 
   std::string scene_name_;
   std::vector<GivenOption> given_;
@@ -91,6 +107,9 @@ class Session {
   int64_t reported_ = 0;          // steps of it
   std::optional<Choice> choice_;
   std::optional<Watch> watch_;
+  Acts acts_;
+  std::vector<Act> script_;  // acts that a restart repeats
+  std::optional<double> changed_at_;
   std::vector<StepUp> steps_up_;
   int64_t steps_before_ = 0;   // of worlds before these changes
   double seconds_before_ = 0;  // [s] of computing, of the same

@@ -25,8 +25,14 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-Timeline::Timeline(World& world, double dt, int64_t budget)
-    : world_(world), dt_(dt), budget_(budget), first_(world.steps()), furthest_(first_), interval_(kInterval) {
+Timeline::Timeline(World& world, double dt, int64_t budget, Acts* acts)
+    : world_(world),
+      acts_(acts),
+      dt_(dt),
+      budget_(budget),
+      first_(world.steps()),
+      furthest_(first_),
+      interval_(kInterval) {
   keyframes_.put(first_, world_.snapshot());
   largest_ = keyframes_.bytes;
 }
@@ -50,7 +56,7 @@ bool Timeline::go_to(int64_t step, const std::function<bool()>& stop) {
 void Timeline::advance(bool keeps_recent) {
   const int64_t before = step_now();
   try {
-    world_.step();
+    acts_ ? void(acts_->step(world_)) : world_.step();
   } catch (const Interrupted&) {
     throw;  // the state is valid, and computing steps again would be interrupted again
   } catch (...) {
@@ -61,6 +67,27 @@ void Timeline::advance(bool keeps_recent) {
   furthest_ = std::max(furthest_, step_now());
   remember(keeps_recent);
   if (after_step) after_step();
+}
+
+void Timeline::act(const Act& act) {
+  const auto before = world_.snapshot();
+  try {
+    acts_->add(act, world_);
+  } catch (...) {
+    world_.restore(*before);
+    throw;
+  }
+  const int64_t now = step_now();
+  forget_from(now);
+  furthest_ = now;
+  if (now == first_) keyframes_.put(first_, world_.snapshot());
+  remember(has_room_for(1));
+}
+
+void Timeline::forget_from(int64_t step) {
+  for (Shelf* const shelf : {&keyframes_, &recent_}) {
+    for (auto place = shelf->at.lower_bound(step); place != shelf->at.end();) place = shelf->drop(place);
+  }
 }
 
 /// The latest snapshot at or before a step.

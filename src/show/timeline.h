@@ -19,7 +19,7 @@
 #include <memory>
 #include <string>
 
-#include "world/world.h"
+#include "world/acts.h"
 
 namespace ballpit {
 
@@ -28,8 +28,9 @@ class Timeline {
   static constexpr int64_t kBudget = int64_t(256) << 20;  // [bytes]
 
   /// Begins at the world's present state. The world must outlive the timeline, and only the timeline may step it. `dt`
-  /// [s] is its step, `budget` [bytes] the limit of all snapshots; the first one is kept even if it is larger.
-  Timeline(World& world, double dt, int64_t budget = kBudget);
+  /// [s] is its step, `budget` [bytes] the limit of all snapshots; the first one is kept even if it is larger. Each step
+  /// has its acts, if there are any; `acts` must outlive the timeline.
+  Timeline(World& world, double dt, int64_t budget = kBudget, Acts* acts = nullptr);
 
   /// Called after each step, also of those that are computed again, but not where a state is restored.
   std::function<void()> after_step;
@@ -41,6 +42,9 @@ class Timeline {
   /// Goes to a step, or to the nearest one from first() to furthest(), with a bit-identical state. Calls stop() before
   /// each step that is computed again; if it returns true, go_to() returns false, and the next call goes on from there.
   bool go_to(int64_t step, const std::function<bool()>& stop = {});
+
+  /// Acts on the world now. What was ahead is another motion then, and is forgotten. Throws as Acts::add() does.
+  void act(const Act& act);
 
   int64_t step_now() const { return world_.steps(); }
   int64_t first() const { return first_; }
@@ -65,11 +69,13 @@ class Timeline {
   void advance(bool keeps_recent);
   bool has_room_for(int64_t recent) const;
   void remember(bool keeps_recent);
+  void forget_from(int64_t step);
   void thin_keyframes();
   void thin_recent();
   Shelf::Place latest_before(int64_t step);
 
   World& world_;
+  Acts* acts_;
   double dt_;  // [s]
   int64_t budget_;
   int64_t first_, furthest_;

@@ -11,10 +11,7 @@ constexpr float kHalfTurn = 3.14159265f;
 constexpr float kSteepest = 0.49f * kHalfTurn;  // a view from straight above has no up direction
 constexpr float kZoomPerClick = 1.15f;
 
-/// The ray from the eye through a place in the picture; `along` has length 1.
-struct Ray {
-  Vec3 from, along;
-};
+}  // namespace
 
 Ray ray_through(const Camera& camera, Vec2 place) {
   place -= camera.shift;
@@ -27,8 +24,6 @@ Ray ray_through(const Camera& camera, Vec2 place) {
   const float half = std::tan(camera.fov / 2);
   return {camera.eye, normalize(forward + half * (place.x * camera.aspect * right + place.y * up))};
 }
-
-}  // namespace
 
 bool View::shows(std::string_view overlay) const {
   return std::find(overlays.begin(), overlays.end(), overlay) != overlays.end();

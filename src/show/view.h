@@ -39,6 +39,12 @@ Camera camera_of(const View& view, const DomainBox& domain, float aspect);
 /// The same in the room that a page leaves in the picture.
 Camera camera_of(const View& view, const DomainBox& domain, const Room& room, float aspect);
 
+/// The ray from the eye through a place in the picture, as of body_at(); `along` has length 1.
+struct Ray {
+  Vec3 from, along;
+};
+Ray ray_through(const Camera& camera, Vec2 place);
+
 /// The body at a place in the picture, or −1. The place is measured from the middle, x to the right and y up, from −1
 /// to 1.
 int64_t body_at(const Camera& camera, const BodySnapshot& bodies, Vec2 place);

@@ -58,7 +58,7 @@ struct SliderLook {
 
 /// Requests of the user that the caller of the panel must handle.
 struct PanelRequests {
-  bool picture = false, state = false, film = false;
+  bool picture = false, state = false, acts = false, film = false;
   std::string film_size = "1280x720";
   int film_frames = 300;
 };
@@ -99,14 +99,15 @@ class Panel {
   /// Scrolls to an item of the open tab in the next frame.
   void reveal(const std::string& name) { revealed_ = name; }
 
-  bool is_shown = true;        ///< else there is only a button that shows it again, while the pointer moves
-  float density = 1;           ///< set by the caller: pixels for one of an ordinary display
-  bool is_filming = false;     ///< set by the caller
-  PanelRequests requests;      ///< for the caller to handle and to clear
-  std::vector<PanelKey> keys;  ///< set by the caller
-  PanelPages pages;            ///< set by the caller; none outside lectures
-  bool shows_card = true;      ///< set by the caller, of the picked sphere
-  float top = 0;               ///< set by the caller: part of the height that the scene's title takes
+  bool is_shown = true;                 ///< else there is only a button that shows it again, while the pointer moves
+  float density = 1;                    ///< set by the caller: pixels for one of an ordinary display
+  bool is_filming = false;              ///< set by the caller
+  PanelRequests requests;               ///< for the caller to handle and to clear
+  std::vector<PanelKey> keys;           ///< set by the caller
+  std::vector<std::string> gestures{};  ///< set by the caller: more of the mouse, below the keys
+  PanelPages pages;                     ///< set by the caller; none outside lectures
+  bool shows_card = true;               ///< set by the caller, of the picked sphere
+  float top = 0;                        ///< set by the caller: part of the height that the scene's title takes
 
   /// A line at the lower edge of the scene, which fades after some seconds.
   void hint(const std::string& text);
@@ -145,7 +146,7 @@ class Panel {
   void draw_tabs(Demo& demo);
   void draw_time(Demo& demo);
   void draw_scene(Demo& demo);
-  void draw_export();
+  void draw_export(Demo& demo);
   void draw_method(Demo& demo);
   void draw_choice(Demo& demo);
   void draw_reasons(const Choice& choice);

@@ -193,15 +193,22 @@ void Panel::draw_scene(Demo& demo) {
   speak("language en", "English", Language::english);
   ImGui::SameLine();
   speak("language de", "Deutsch", Language::german);
-  draw_export();
+  draw_export(demo);
 }
 
-void Panel::draw_export() {
+void Panel::draw_export(Demo& demo) {
   heading("Export");
   if (button("save", translated("save picture"))) requests.picture = true;
   const std::string state = translated("save state (CSV)");
   keep_line_for(state);
   if (button("save state", state)) requests.state = true;
+  if (!gestures.empty()) {
+    const std::string acts = translated("save acts");
+    keep_line_for(acts);
+    ImGui::BeginDisabled(demo.session.acts().all().empty());
+    if (button("save acts", acts)) requests.acts = true;
+    ImGui::EndDisabled();
+  }
   combo("film size", "size of frames", requests.film_size, [&] {
     for (const std::string size : kFilmSizes) {
       if (entry("film size " + size, size, size == requests.film_size)) requests.film_size = size;
@@ -240,6 +247,11 @@ void Panel::draw_keys(Demo& demo) {
     ImGui::PopTextWrapPos();
   }
   ImGui::TextDisabled("%s", translated("drag: turn   wheel: closer   click: pick a sphere").c_str());
+  for (const std::string& gesture : gestures) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", translated(gesture).c_str());
+    ImGui::PopTextWrapPos();
+  }
   if (button("close keys", translated("close"))) demo.shows_keys = false;
 }
 

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <filesystem>
 
+#include "core/file.h"
+#include "core/numbers.h"
 #include "export/png.h"
 #include "scene/spheres_csv.h"
 
@@ -19,6 +21,19 @@ std::string free_name(const std::string& stem, const std::string& ending) {
     const std::string name = fmt::format("{}{:05}{}", stem, k, ending);
     if (!std::filesystem::exists(name)) return name;
   }
+}
+
+/// The file of the session's acts.
+std::string text_of_acts(const Session& session, const std::string& file) {
+  std::string comment = fmt::format("# The acts of a run of `ballpit show`. The same run again:\n#   ballpit show {}",
+                                    visible(session.scene_name()));
+  for (const GivenOption& option : session.given()) comment += fmt::format(" --{} {}", option.name, option.value);
+  comment += fmt::format(" --acts {}\n", file);
+  if (const std::optional<double> changed = session.changed_at()) {
+    comment += fmt::format("# But settings or physics were changed at t = {} s, which this file does not hold.\n",
+                           number_text(*changed));
+  }
+  return text_of(session.acts().all(), session.scene().domain.dimensions, comment);
 }
 
 Image draw(DemoRenderer& drawing, Demo& demo, const RenderOptions& options) {
@@ -60,6 +75,14 @@ void Saver::save_state() {
   });
 }
 
+void Saver::save_acts() {
+  attempt([&] {
+    const std::string name = free_name("acts_", ".toml");
+    write_file(name, text_of_acts(demo_.session, name));
+    demo_.say("saved " + name);
+  });
+}
+
 void Saver::start_film(PictureSize size, int frames) {
   attempt([&] {
     demo_.player.is_running = false;
@@ -71,6 +94,10 @@ void Saver::start_film(PictureSize size, int frames) {
     plan.keeps_timeline = true;
     plan.key = film_key(demo_, plan, {size});
     film_ = std::make_unique<Film>(demo_, plan);
+    if (!demo_.session.acts().all().empty()) {
+      const std::string file = (std::filesystem::path(plan.folder) / "acts.toml").string();
+      write_file(file, text_of_acts(demo_.session, file));
+    }
     world_ = demo_.worlds();
   });
 }

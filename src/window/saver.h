@@ -21,8 +21,11 @@ class Saver {
   /// In the format of `ballpit simulate --out`.
   void save_state();
 
+  /// What was done to the spheres, for --acts, with the command that makes the run again.
+  void save_acts();
+
   /// Pauses, and makes frames of the present world from now on, sixty a simulated second, as `ballpit render` draws
-  /// them: one with each advance().
+  /// them: one with each advance(). The folder holds the acts too, if there are any.
   void start_film(PictureSize size, int frames);
   void advance();
   void stop_film();

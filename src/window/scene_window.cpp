@@ -54,20 +54,25 @@ void SceneWindow::run() {
 
 void SceneWindow::handle(const WindowEvents& events) {
   is_shift_down_ = events.is_shift_down;
+  is_ctrl_down_ = events.is_ctrl_down;
   if (!takes_keyboard()) {
     for (const int code : events.pressed) press(code);
   }
   if (events.was_pressed) {
     pressed_at_ = events.mouse;
-    is_turning_ = !takes_mouse();
+    is_grabbing_ = !takes_mouse() && grab(events.mouse);
+    is_turning_ = !takes_mouse() && !is_grabbing_;
   }
+  const bool is_click = length(events.mouse - pressed_at_) <= kClick;
+  if (is_grabbing_ && events.mouse != mouse_) drag(events.mouse);
+  if (is_grabbing_ && events.was_released) let_go(events.mouse, is_click);
   if (is_turning_ && events.is_mouse_down && events.mouse != mouse_) {
     const Vec2 moved = (events.mouse - mouse_) / static_cast<float>(std::max(window.size().height, 1));
     demo().view.orbit(moved.x, moved.y);
     demo().touch();
   }
-  if (events.was_released && is_turning_ && length(events.mouse - pressed_at_) <= kClick) pick(events.mouse);
-  if (events.was_released) is_turning_ = false;
+  if (events.was_released && is_turning_ && is_click) click(events.mouse);
+  if (events.was_released) is_turning_ = is_grabbing_ = false;
   if (events.wheel != 0 && !takes_mouse()) {
     demo().view.zoom_by(events.wheel);
     demo().touch();
@@ -79,13 +84,21 @@ void SceneWindow::handle(const WindowEvents& events) {
   mouse_ = events.mouse;
 }
 
-void SceneWindow::pick(Vec2 at) {
+FrameView SceneWindow::view_now() {
+  const PictureSize size = window.size();
+  return frame_view(static_cast<float>(size.width - left()) / static_cast<float>(size.height));
+}
+
+Vec2 SceneWindow::place_of(Vec2 at) const {
   const PictureSize size = window.size();
   const auto margin = static_cast<float>(left()), height = static_cast<float>(size.height);
   const float width = static_cast<float>(size.width) - margin;
-  const FrameView view = frame_view(width / height);
-  demo().view.selected =
-      body_at(view.camera, view.inspection.bodies, {2 * (at.x - margin) / width - 1, 1 - 2 * at.y / height});
+  return {2 * (at.x - margin) / width - 1, 1 - 2 * at.y / height};
+}
+
+void SceneWindow::pick(Vec2 at) {
+  const FrameView view = view_now();
+  demo().view.selected = body_at(view.camera, view.inspection.bodies, place_of(at));
   demo().touch();
 }
 

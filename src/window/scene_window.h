@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A window that shows a demonstration. The mouse turns the scene, the wheel zooms, a click picks a sphere, and
-// the right button hides or shows the panel.
+// the right button hides or shows the panel. With a modifier key, a window may take a drag or a click for itself.
 //
 //     run():   events ──▶ keys, mouse, panel's input
 //              clock ──▶ player: the steps that are due, for half a frame at most
@@ -39,8 +39,20 @@ class SceneWindow {
   virtual bool takes_mouse() const { return false; }  ///< whether a panel does
   virtual bool takes_keyboard() const { return false; }
 
+  /// Called when the button goes down; true: the drag is this window's own and does not turn the scene.
+  virtual bool grab(Vec2 /*at*/) { return false; }
+  virtual void drag(Vec2 /*at*/) {}
+  virtual void let_go(Vec2 /*at*/, bool /*is_click*/) {}  ///< a click has not moved
+  virtual void click(Vec2 at) { pick(at); }
+
+  /// The scene as it is drawn, and the place in it of a pixel: see body_at().
+  FrameView view_now();
+  Vec2 place_of(Vec2 at) const;
+  void pick(Vec2 at);
+
   void stop() { is_stopped_ = true; }
   bool is_shift_down() const { return is_shift_down_; }
+  bool is_ctrl_down() const { return is_ctrl_down_; }
 
   static constexpr double kFrame = 1.0 / 60;  // [s]
 
@@ -48,10 +60,10 @@ class SceneWindow {
 
  private:
   void handle(const WindowEvents& events);
-  void pick(Vec2 at);
 
   Vec2 mouse_{0.0f}, pressed_at_{0.0f};
-  bool is_turning_ = false, is_settling_ = true, is_stopped_ = false, is_shift_down_ = false;
+  bool is_turning_ = false, is_settling_ = true, is_stopped_ = false, is_shift_down_ = false, is_ctrl_down_ = false,
+       is_grabbing_ = false;
   Demo::Version drawn_;
   Clock::time_point titled_{};
 };

@@ -25,20 +25,70 @@ std::span<const WindowKey> window_keys() {
   return kKeys;
 }
 
+std::span<const std::string_view> hand_gestures() {
+  static constexpr std::array<std::string_view, 3> kGestures{
+      "Shift + drag: throw a sphere", "Ctrl + drag: push a handful of spheres", "Shift + click: drop a sphere in"};
+  return kGestures;
+}
+
 ShowWindow::ShowWindow(Window& its_window, Demo& demo)
     : SceneWindow(its_window),
       demo_(demo),
       drawing_(window.size().width, window.size().height, {}),
       panel_(drawing_.renderer().sheet()),
       saver_(demo),
-      stepping_(demo) {
+      stepping_(demo),
+      hand_(demo) {
   for (const Key& key : key_table()) panel_.keys.push_back({std::string(key.name), std::string(key.help)});
   for (const WindowKey& key : window_keys()) panel_.keys.push_back({std::string(key.name), std::string(key.help)});
+  for (const std::string_view gesture : hand_gestures()) panel_.gestures.emplace_back(gesture);
   demo_.player.is_running = false;  // until somebody looks
-  panel_.hint(translated("Space: play     click: pick a sphere     F1: all keys"));
+  panel_.hint(translated("Space: play     click: pick a sphere     Shift + drag: throw it     F1: all keys"));
 }
 
-void ShowWindow::leave() { stepping_.cursor() ? stepping_.end() : window.set_full_screen(false); }
+void ShowWindow::leave() {
+  if (hand_.is_aiming()) return hand_.cancel();
+  stepping_.cursor() ? stepping_.end() : window.set_full_screen(false);
+}
+
+/// Time stands still while the hand aims.
+void ShowWindow::advance(double elapsed) {
+  if (saver_.is_filming()) {
+    saver_.advance();
+  } else if (!hand_.is_aiming()) {
+    SceneWindow::advance(elapsed);
+  }
+}
+
+/// Says why not.
+bool ShowWindow::can_act() {
+  if (stepping_.cursor()) {
+    demo_.say(translated("leave the kernel first, with Esc"));
+  } else if (saver_.is_filming()) {
+    demo_.say(translated("wait for the end of the film"));
+  } else {
+    return true;
+  }
+  demo_.touch();
+  return false;
+}
+
+bool ShowWindow::grab(Vec2 at) {
+  if (is_shift_down() == is_ctrl_down() || !can_act()) return false;
+  return hand_.grab(view_now(), place_of(at), is_shift_down() ? ActKind::to_throw : ActKind::push);
+}
+
+void ShowWindow::let_go(Vec2 at, bool is_click) {
+  if (!hand_.is_aiming()) return;  // Esc has cancelled it
+  if (!is_click) return hand_.release();
+  hand_.cancel();
+  click(at);
+}
+
+void ShowWindow::click(Vec2 at) {
+  if (!is_shift_down()) return pick(at);
+  if (can_act()) hand_.drop(view_now(), place_of(at));
+}
 
 void ShowWindow::move_cursor(int direction) {
   is_shift_down() ? stepping_.skip_phase(direction) : stepping_.move(direction);
@@ -79,12 +129,13 @@ void ShowWindow::draw(const WindowEvents& events, float elapsed) {
 void ShowWindow::handle(PanelRequests& requests) {
   if (requests.picture) save_picture();
   if (requests.state) saver_.save_state();
+  if (requests.acts) saver_.save_acts();
   if (requests.film && saver_.is_filming()) {
     saver_.stop_film();
   } else if (requests.film) {
     saver_.start_film(parse_size(requests.film_size), requests.film_frames);
   }
-  requests.picture = requests.state = requests.film = false;
+  requests.picture = requests.state = requests.acts = requests.film = false;
 }
 
 /// As the exercise sheet asks: spheres, method, milliseconds a step.

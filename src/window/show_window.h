@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "show/hand.h"
 #include "show/stepping.h"
 #include "window/panel.h"
 #include "window/saver.h"
@@ -24,6 +25,9 @@ struct WindowKey {
 };
 
 std::span<const WindowKey> window_keys();
+
+/// What the mouse does with Shift and Ctrl, for the list that F1 shows.
+std::span<const std::string_view> hand_gestures();
 
 class ShowWindow final : public SceneWindow {
  public:
@@ -44,18 +48,24 @@ class ShowWindow final : public SceneWindow {
   bool is_fading() const override { return panel_.is_fading(); }
   bool takes_mouse() const override { return panel_.has_mouse(); }
   bool takes_keyboard() const override { return panel_.has_keyboard(); }
-  void advance(double elapsed) override { saver_.is_filming() ? saver_.advance() : SceneWindow::advance(elapsed); }
+  void advance(double elapsed) override;
   int left() const override { return width_beside(panel_, window.size(), demo_.view.ui_scale); }
   void press(int code) override;
   void draw(const WindowEvents& events, float elapsed) override;
   std::string title() override;
   void handle(PanelRequests& requests);
+  bool can_act();
+  bool grab(Vec2 at) override;
+  void drag(Vec2 at) override { hand_.drag(view_now(), place_of(at)); }
+  void let_go(Vec2 at, bool is_click) override;
+  void click(Vec2 at) override;
 
   Demo& demo_;
   DemoRenderer drawing_;
   Panel panel_;
   Saver saver_;
   Stepping stepping_;
+  Hand hand_;
 };
 
 }  // namespace ballpit

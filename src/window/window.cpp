@@ -79,8 +79,10 @@ void Window::listen() {
   glfwSetWindowUserPointer(window_, this);
   glfwSetCursorPosCallback(window_,
                            [](GLFWwindow* w, double x, double y) { changed(w).mouse = of(w).to_pixels(x, y); });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
     WindowEvents& events = changed(w);
+    events.is_shift_down = (modifiers & GLFW_MOD_SHIFT) != 0;
+    events.is_ctrl_down = (modifiers & GLFW_MOD_CONTROL) != 0;
     if (button == GLFW_MOUSE_BUTTON_RIGHT && action == GLFW_PRESS) events.has_menu = true;
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     events.is_mouse_down = action == GLFW_PRESS;
@@ -90,6 +92,7 @@ void Window::listen() {
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
     WindowEvents& events = changed(w);
     if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) events.is_shift_down = action != GLFW_RELEASE;
+    if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) events.is_ctrl_down = action != GLFW_RELEASE;
     if (action != GLFW_REPEAT) events.keys[key] = action == GLFW_PRESS;
     if (action != GLFW_RELEASE) events.pressed.push_back(key);
   });
@@ -109,7 +112,10 @@ Vec2 Window::to_pixels(double x, double y) const {
 bool Window::is_to_close() const { return glfwWindowShouldClose(window_) != 0; }
 
 const WindowEvents& Window::poll(double seconds) {
-  events_ = {.mouse = events_.mouse, .is_mouse_down = events_.is_mouse_down, .is_shift_down = events_.is_shift_down};
+  events_ = {.mouse = events_.mouse,
+             .is_mouse_down = events_.is_mouse_down,
+             .is_shift_down = events_.is_shift_down,
+             .is_ctrl_down = events_.is_ctrl_down};
   if (seconds > 0) {
     glfwWaitEventsTimeout(seconds);
   } else {

@@ -25,7 +25,8 @@ struct WindowEvents {
   std::map<int, bool> keys{};  ///< keys that changed, and whether they are down now
   std::u32string typed{};      ///< characters
   bool has_menu = false;       ///< the right button went down
-  bool is_shift_down = false;  ///< now
+  bool is_shift_down = false;  ///< now, and when the button went down or up
+  bool is_ctrl_down = false;   ///< the same
   bool any = false;            ///< anything at all, including a new size or an uncovered window
 
   /// A click so short that it is over already is down for one frame.

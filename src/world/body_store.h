@@ -47,6 +47,12 @@ class BodyStore {
     upload(scene.bodies);
   }
 
+  /// From now on holds these bodies, each stored at its id.
+  void replace(const Bodies& bodies) {
+    order_ = SpatialOrder<V, Exec>(box_, bodies.size());
+    upload(bodies);
+  }
+
   Exec& exec() const { return *exec_; }
   const Box<V>& box() const { return box_; }
   const V& gravity() const { return gravity_; }  ///< [m/s²]
@@ -77,10 +83,13 @@ class BodyStore {
   }
 
   void restore(const Saved& saved) {
+    const auto saved_count = static_cast<int64_t>(saved.position.size());
+    if (saved_count != count()) order_ = SpatialOrder<V, Exec>(box_, saved_count);
     exec_->upload(position, saved.position);
     exec_->upload(velocity, saved.velocity);
     exec_->upload(radius_, saved.radius);
     exec_->upload(inverse_mass_, saved.inverse_mass);
+    note_radii(saved.radius);
     order_.restore(*exec_, saved.order);
   }
 
@@ -110,6 +119,14 @@ class BodyStore {
 
  private:
   void upload(const Bodies& bodies);
+
+  template <class T>
+  void note_radii(const std::vector<T>& radius) {
+    if (radius.empty()) return;
+    const auto [least, most] = std::minmax_element(radius.begin(), radius.end());
+    smallest_radius_ = static_cast<float>(*least);
+    largest_radius_ = static_cast<float>(*most);
+  }
 
   /// One number where all are equal, else one each.
   void upload_per_body(Buffer<Real>& buffer, const std::vector<double>& values) {
@@ -151,10 +168,7 @@ void BodyStore<V, Exec>::upload(const Bodies& bodies) {
   for (const double mass : bodies.mass) inverse_mass.push_back(1.0 / mass);
   upload_per_body(radius_, bodies.radius);
   upload_per_body(inverse_mass_, inverse_mass);
-  if (bodies.radius.empty()) return;
-  const auto [least, most] = std::minmax_element(bodies.radius.begin(), bodies.radius.end());
-  smallest_radius_ = static_cast<float>(*least);
-  largest_radius_ = static_cast<float>(*most);
+  note_radii(bodies.radius);
 }
 
 template <class V>

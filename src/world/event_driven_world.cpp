@@ -20,7 +20,9 @@ template <class V>
 class EventDrivenWorld final : public World {
  public:
   EventDrivenWorld(const Scene& scene, const Settings& settings)
-      : dt_(settings.dt), patience_(settings.patience), motion_(scene, rules(scene, settings)) {}
+      : dt_(settings.dt), patience_(settings.patience), scene_(scene), motion_(scene, rules(scene, settings)) {
+    scene_.bodies = {};  // the motion has them
+  }
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
@@ -30,11 +32,11 @@ class EventDrivenWorld final : public World {
     const double end = static_cast<double>(steps_ + 1) * dt_;
     constexpr int64_t kEvents = 10'000;
     try {
-      while (!motion_.run_until(end, kEvents)) {
-        if (takes_too_long()) throw RunError(streamed("t = ", motion_.settled_time(), " s"), kTooFast);
+      while (!motion_.run_until(end - began_, kEvents)) {
+        if (takes_too_long()) throw RunError(streamed("t = ", start_time_ + settled_time(), " s"), kTooFast);
       }
     } catch (...) {
-      time_ = std::max(time_, motion_.settled_time());
+      time_ = std::max(time_, settled_time());
       throw;
     }
     ++steps_;
@@ -76,7 +78,7 @@ class EventDrivenWorld final : public World {
     report.broadphase_reason = "event-driven motion searches cells of its own";
     report.detection_bytes = motion_.bytes();
     report.candidates = motion_.predictions();
-    report.events = motion_.events();
+    report.events = events_before_ + motion_.events();
     report.tally = tally_before_ + motion_.tally();
     for (const auto& [pair, gap] : contacts()) {
       ++report.contacts;
@@ -115,12 +117,26 @@ class EventDrivenWorld final : public World {
     return result;
   }
 
-  std::unique_ptr<Snapshot> snapshot() override { return std::make_unique<EventSnapshot>(motion_, steps_, time_); }
+  /// All events are forecast anew.
+  void replace(const Bodies& bodies) override {
+    scene_.bodies = bodies;
+    EventDriven<V> motion(scene_, motion_.rules());
+    scene_.bodies = {};
+    tally_before_ = tally_before_ + motion_.tally();
+    events_before_ += motion_.events();
+    motion_ = std::move(motion);
+    began_ = time_;
+  }
+
+  std::unique_ptr<Snapshot> snapshot() override { return std::make_unique<EventSnapshot>(*this); }
   void restore(const Snapshot& snapshot) override {
     const auto& then = dynamic_cast<const EventSnapshot&>(snapshot);
     motion_ = then.motion;
     steps_ = then.steps;
     time_ = then.time;
+    began_ = then.began;
+    events_before_ = then.events_before;
+    tally_before_ = then.tally_before;
   }
 
   int64_t steps() const override { return steps_; }
@@ -134,13 +150,19 @@ class EventDrivenWorld final : public World {
  private:
   /// The whole motion with forecasts and queue, since the latest event of each sphere determines later bits.
   struct EventSnapshot final : Snapshot {
-    EventSnapshot(const EventDriven<V>& motion_then, int64_t steps_then, double time_then)
-        : motion(motion_then), steps(steps_then), time(time_then) {}
+    explicit EventSnapshot(const EventDrivenWorld& world)
+        : motion(world.motion_),
+          steps(world.steps_),
+          events_before(world.events_before_),
+          time(world.time_),
+          began(world.began_),
+          tally_before(world.tally_before_) {}
     int64_t bytes() const override { return motion.bytes() + int64_t(sizeof(*this)); }
 
     EventDriven<V> motion;
-    int64_t steps;
-    double time;
+    int64_t steps, events_before;
+    double time, began;
+    Tally tally_before;
   };
 
   static EventRules<V> rules(const Scene& scene, const Settings& settings) {
@@ -151,8 +173,10 @@ class EventDrivenWorld final : public World {
             .contact_duration = settings.contact_duration};
   }
 
-  V position(int i) const { return motion_.rules().box.wrap(motion_.position_at(time_, i)); }
-  V velocity(int i) const { return motion_.velocity_at(time_, i); }
+  double settled_time() const { return began_ + motion_.settled_time(); }
+  V unwrapped(int i) const { return motion_.position_at(time_ - began_, i); }
+  V position(int i) const { return motion_.rules().box.wrap(unwrapped(i)); }
+  V velocity(int i) const { return motion_.velocity_at(time_ - began_, i); }
 
   double smaller_radius(const Pair& pair) const { return std::min(motion_.radius(pair.i), motion_.radius(pair.j)); }
 
@@ -172,7 +196,7 @@ class EventDrivenWorld final : public World {
   std::vector<std::pair<Pair, double>> contacts() const {
     std::vector<std::pair<Pair, double>> contacts;
     for_each_neighbor([&](const Pair& pair, const Neighbor& neighbor) {
-      const V p = motion_.position_at(time_, pair.i), other = motion_.position_at(time_, pair.j);
+      const V p = unwrapped(pair.i), other = unwrapped(pair.j);
       const double radii = motion_.radius(pair.i) + motion_.radius(pair.j);
       const double gap = length(other + motion_.cells().shift(neighbor) - p) - radii;
       if (gap <= kTouching * smaller_radius(pair)) contacts.emplace_back(pair, gap);
@@ -230,9 +254,11 @@ class EventDrivenWorld final : public World {
   }
 
   double dt_, patience_;  // [s]
+  Scene scene_;          // without bodies
   EventDriven<V> motion_;
-  int64_t steps_ = 0;
+  int64_t steps_ = 0, events_before_ = 0;
   double time_ = 0;  // [s] since its own start: the end of the last step, or the moment at which it stopped
+  double began_ = 0;                     // [s] when the present motion began, at an act or at the start
   double start_time_ = 0, seconds_ = 0;  // [s]
   Tally tally_before_;
   CpuExecutor exec_{1};

@@ -63,13 +63,13 @@ class Guard {
   Guard(double max_overlap, double max_energy, double h, std::string hint)
       : values_{max_overlap}, max_energy_(max_energy), h_(h), hint_(std::move(hint)) {}
 
-  /// Call before the first step. `near` are pairs that include all contacts; `elastic` is the energy in springs [J].
-  void start(const BodyStore<V, Exec>& bodies, Span<const Pair> near, double elastic) {
+  /// Call before the first step, at `time` [s]. `near` are pairs that include all contacts; `elastic` is the energy in springs [J].
+  void start(const BodyStore<V, Exec>& bodies, Span<const Pair> near, double elastic, double time) {
     values_.overlap_at_start = largest_overlap(bodies.exec(), "check overlap", bodies.view(), bodies.box(), near);
     values_.max_overlap = std::fmax(values_.max_overlap, 2 * overlap_at_start());  // overlap at the start may settle
     values_.energy_at_start = energy(bodies) + elastic;
     values_.explained = std::fmax(values_.energy_at_start, least_energy(bodies));
-    keep(bodies, 0);
+    keep(bodies, time);
   }
 
   bool is_started() const { return good_position_.size() > 0; }

@@ -74,6 +74,10 @@ class World {
   virtual Bodies last_good() { return bodies(); }
   virtual double last_good_time() { return time(); }
 
+  /// Call between two steps: from now on it has these bodies, all that it had in their order, and perhaps new ones after
+  /// them. Energy and overlap are guarded from this state on. Time, steps and tally go on.
+  virtual void replace(const Bodies& bodies) = 0;
+
   /// A copy of everything that determines later states; for some worlds bodies() is not enough (docs/model.md).
   virtual std::unique_ptr<Snapshot> snapshot() = 0;
 

@@ -16,7 +16,7 @@ namespace ballpit {
 /// good state is another one, and 12 more where velocity Verlet keeps accelerations.
 template <class V, class Exec>
 struct SnapshotOn final : Snapshot {
-  int64_t steps = 0;
+  int64_t steps = 0, edition = 0;
   typename BodyStore<V, Exec>::Saved bodies;
   typename Motion<V, Exec>::Saved motion;
   typename TallyKeeper<V, Exec>::Saved tally;
@@ -36,21 +36,23 @@ class WorldOn final : public World {
 
  public:
   WorldOn(std::unique_ptr<Exec> exec, const Scene& scene, const Settings& settings)
-      : dt_(settings.dt),
-        substeps_(settings.substeps),
+      : settings_(settings),
+        scene_(scene),
         world_{BodyStore<V, Exec>(std::move(exec), scene),
                {},
                make_motion<V, Exec>(scene, settings),
                TallyKeeper<V, Exec>(settings.keeps_tally, settings.is_swept),
-               Guard<V, Exec>(settings.max_overlap, settings.max_energy, settings.dt / settings.substeps,
-                              hint_of(scene, settings))} {
+               make_guard(scene)} {
+    scene_.bodies = {};
     world_.collider = make_collider(settings);
   }
 
   void step() override {
     const auto start = std::chrono::steady_clock::now();
+    const double begin = time();
     ++steps_;
-    make_step(world_, steps_, time(), substeps_, static_cast<Real>(dt_ / substeps_));
+    const int substeps = settings_.substeps;
+    make_step(world_, {steps_, begin, time()}, substeps, static_cast<Real>(settings_.dt / substeps));
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -115,6 +117,7 @@ class WorldOn final : public World {
                    bodies_.view());  // what is impossible, or lacks memory, throws before anything has changed
     collider.discard();
     world_.collider = std::move(collider);
+    settings_ = settings;
     bodies_.exec().stage_times().clear();
     return true;
   }
@@ -129,9 +132,25 @@ class WorldOn final : public World {
   Bodies last_good() override { return world_.guard.is_started() ? world_.guard.last_good(bodies_) : bodies(); }
   double last_good_time() override { return world_.guard.last_good_time(); }
 
+  /// Collisions go on being counted: a contact of before is not a new one.
+  void replace(const Bodies& bodies) override {
+    Exec& exec = bodies_.exec();
+    std::array<std::vector<V>, 2> before;
+    for (size_t k = 0; k < before.size(); ++k) before[k] = bodies_.downloaded(*world_.tally.kept()[k]);
+    bodies_.replace(bodies);
+    begin_edition(++editions_, bodies);
+    for (size_t k = 0; k < before.size(); ++k) {
+      for (size_t i = before[k].size(); i > 0 && i < bodies.position.size(); ++i) {
+        before[k].push_back(narrow<V>(bodies.position[i]));
+      }
+      exec.upload(*world_.tally.kept()[k], before[k]);
+    }
+  }
+
   std::unique_ptr<Snapshot> snapshot() override {
     auto result = std::make_unique<SnapshotOn<V, Exec>>();
     result->steps = steps_;
+    result->edition = edition_;
     result->bodies = bodies_.save();
     result->motion = world_.motion->save(bodies_.exec());
     result->tally = world_.tally.save(bodies_.exec());
@@ -144,6 +163,7 @@ class WorldOn final : public World {
     const auto& saved = dynamic_cast<const SnapshotOn<V, Exec>&>(snapshot);
     steps_ = saved.steps;
     bodies_.restore(saved.bodies);
+    if (saved.edition != edition_) begin_edition(saved.edition, bodies_.download());
     world_.motion->restore(bodies_.exec(), saved.motion);
     world_.tally.restore(bodies_.exec(), saved.tally);
     world_.guard.restore(bodies_, saved.guard);
@@ -151,7 +171,7 @@ class WorldOn final : public World {
   }
 
   int64_t steps() const override { return steps_; }
-  double time() const override { return start_time_ + static_cast<double>(steps_) * dt_; }
+  double time() const override { return start_time_ + static_cast<double>(steps_) * settings_.dt; }
 
   void go_on_from(double time, const Tally& tally) override {
     start_time_ = time;
@@ -159,6 +179,20 @@ class WorldOn final : public World {
   }
 
  private:
+  /// Makes the parts that depend on the bodies which now are in bodies_.
+  void begin_edition(int64_t edition, const Bodies& bodies) {
+    scene_.bodies = bodies;
+    world_.motion = make_motion<V, Exec>(scene_, settings_);
+    world_.guard = make_guard(scene_);
+    scene_.bodies = {};
+    world_.collider = make_collider(settings_);
+    edition_ = edition;
+  }
+
+  Guard<V, Exec> make_guard(const Scene& scene) const {
+    return {settings_.max_overlap, settings_.max_energy, settings_.dt / settings_.substeps, hint_of(scene, settings_)};
+  }
+
   Collider<V, Exec> make_collider(const Settings& settings) const {
     const std::vector<Real> radius = bodies_.radii();
     const Span<const Real> span(radius.data(), static_cast<int64_t>(radius.size()));
@@ -202,12 +236,13 @@ class WorldOn final : public World {
   static constexpr const char* kSmallerSteps = "a smaller --dt or more --substeps may help";
   static constexpr double kResolved = 0.5;  // of √(m/k): well below the 0.71 at which packings become unstable
 
-  double dt_;  // [s]
-  int substeps_;
+  Settings settings_;
+  Scene scene_;  // its bodies are in world_
   WorldParts<V, Exec> world_;
   BodyStore<V, Exec>& bodies_ = world_.bodies;
   OccluderSearch<V, Exec> occluders_;
   int64_t steps_ = 0;
+  int64_t edition_ = 0, editions_ = 0;  // of the bodies: another one with each replace()
   double start_time_ = 0, seconds_ = 0;  // [s]
 };
 

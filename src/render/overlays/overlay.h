@@ -42,6 +42,9 @@ void draw_intervals(const FrameView& view, Painter& painter);
 void draw_warps(const FrameView& view, Painter& painter);
 void draw_ghost(const FrameView& view, Painter& painter);
 
+/// Draws what the mouse is about to do, if it is.
+void draw_aim(const FrameView& view, Painter& painter);
+
 /// Marks the selected sphere and its cells, if there is one; a part of the grid.
 void draw_selection(const FrameView& view, Painter& painter);
 
