@@ -291,8 +291,8 @@ const std::vector<Unreached>& unreached() {
 
 std::vector<Row> all_rows() {
   std::vector<Row> rows = rows_of_commands();
-  for (const std::vector<Row>& more : {rows_of_scenes(), rows_of_lectures(), rows_of_masses(), rows_of_choices()}) {
-    rows.insert(rows.end(), more.begin(), more.end());
+  for (const auto& of : {rows_of_scenes, rows_of_lectures, rows_of_masses, rows_of_choices, rows_of_acts}) {
+    for (const Row& row : of()) rows.push_back(row);
   }
   return rows;
 }

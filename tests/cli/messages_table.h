@@ -41,6 +41,7 @@ const std::string kSphere = "[[spheres]]\nposition = [5, 5, 5]\nradius = 1\n";
 std::vector<Row> rows_of_lectures();
 std::vector<Row> rows_of_masses();
 std::vector<Row> rows_of_choices();
+std::vector<Row> rows_of_acts();
 std::vector<Unreached> unreached_of_choices();
 std::vector<Row> all_rows();
 const std::vector<Unreached>& unreached();

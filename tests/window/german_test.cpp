@@ -30,6 +30,7 @@ TEST_CASE("German readers have a text for whatever a table shows") {
   for (const Theme& theme : themes()) check(theme.label);
   for (const Key& key : key_table()) check(key.help);
   for (const WindowKey& key : window_keys()) check(key.help);
+  for (const std::string_view gesture : hand_gestures()) check(gesture);
   for (const PresenterKey& key : presenter_keys()) check(key.help);
   for (const PlayedError& error : played_errors()) check(error.label);
   check(find_method(Response::automatic).label);
