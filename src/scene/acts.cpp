@@ -30,33 +30,33 @@ struct Stage {
 };
 
 /// Throws UserError for a key that another act has.
-void reject_other_keys(const TableReader& table, ActKind kind) {
+void reject_other_keys(const TableReader& reader, ActKind kind) {
   const auto only_for = [&](std::string_view key, ActKind owner) {
-    if (kind == owner || !table.has(key)) return;
-    throw table.error(key, describe(*table.table().get(key)),
-                      fmt::format("only with act = \"{}\"", kActNames[size_t(owner)]));
+    if (kind == owner || !reader.has(key)) return;
+    throw reader.error(key, describe(*reader.table().get(key)),
+                       fmt::format("only with act = \"{}\"", kActNames[size_t(owner)]));
   };
   only_for("reach", ActKind::push);
   only_for("radius", ActKind::drop);
   only_for("mass", ActKind::drop);
 }
 
-double read_time(const TableReader& table, double before) {
+double read_time(const TableReader& reader, double before) {
   constexpr double kLatest = 1e9;  // [s]
-  const std::optional<double> time = table.number("time", {0, kLatest});
-  if (!time) throw table.missing("time", limits_text({0, kLatest}));
+  const std::optional<double> time = reader.number("time", {0, kLatest});
+  if (!time) throw reader.missing("time", limits_text({0, kLatest}));
   if (*time >= before) return *time;
-  throw table.error("time", number_text(*time), number_text(before) + ", the time of the act before, or more");
+  throw reader.error("time", number_text(*time), number_text(before) + ", the time of the act before, or more");
 }
 
-int64_t read_sphere(const TableReader& table, ActKind kind, int64_t count) {
-  if (kind == ActKind::drop) return table.integer("sphere", count, count).value_or(count);
+int64_t read_sphere(const TableReader& reader, ActKind kind, int64_t count) {
+  if (kind == ActKind::drop) return reader.integer("sphere", count, count).value_or(count);
   if (count == 0) {
-    const toml::node* const found = table.table().get("sphere");
-    throw table.error("sphere", found ? describe(*found) : "nothing", "a drop before it: there is no sphere yet");
+    const toml::node* const found = reader.table().get("sphere");
+    throw reader.error("sphere", found ? describe(*found) : "nothing", "a drop before it: there is no sphere yet");
   }
-  const std::optional<int64_t> sphere = table.integer("sphere", 0, count - 1);
-  if (!sphere) throw table.missing("sphere", fmt::format("an integer, 0 to {}", count - 1));
+  const std::optional<int64_t> sphere = reader.integer("sphere", 0, count - 1);
+  if (!sphere) throw reader.missing("sphere", fmt::format("an integer, 0 to {}", count - 1));
   return *sphere;
 }
 
@@ -67,41 +67,41 @@ double largest_radius(const Domain& domain) {
   return edge / (domain.boundary == Boundary::periodic ? 4 : 2);
 }
 
-void read_dropped(const TableReader& table, const Stage& stage, Act& act) {
+void read_dropped(const TableReader& reader, const Stage& stage, Act& act) {
   const Domain& domain = stage.scene.domain;
   const SphereSize typical = typical_sphere(stage.scene, stage.bodies);
-  const std::optional<double> radius = table.number("radius", {kPositive.low, largest_radius(domain)});
+  const std::optional<double> radius = reader.number("radius", {kPositive.low, largest_radius(domain)});
   act.radius = radius.value_or(typical.radius);
   const double ratio = act.radius / typical.radius;
-  act.mass = table.number("mass", kMass).value_or(typical.mass * ratio * ratio * ratio);
+  act.mass = reader.number("mass", kMass).value_or(typical.mass * ratio * ratio * ratio);
   if (fits_inside(domain, act.vector, act.radius)) return;
-  throw table.error(
+  throw reader.error(
       "vector",
       fmt::format("a sphere of radius {} at {}", number_text(act.radius), text_of(act.vector, domain.dimensions)),
       fmt::format("inside of the domain, {} to {}", text_of(domain.min, domain.dimensions),
                   text_of(domain.max, domain.dimensions)));
 }
 
-Act read_act(const TableReader& table, Stage& stage) {
+Act read_act(const TableReader& reader, Stage& stage) {
   const int dimensions = stage.scene.domain.dimensions;
   Act act;
-  act.time = stage.time = read_time(table, stage.time);
-  const std::optional<size_t> kind = table.choice("act", kActNames);
-  if (!kind) throw table.missing("act", join(kActNames));
+  act.time = stage.time = read_time(reader, stage.time);
+  const std::optional<size_t> kind = reader.choice("act", kActNames);
+  if (!kind) throw reader.missing("act", join(kActNames));
   act.kind = static_cast<ActKind>(*kind);
-  reject_other_keys(table, act.kind);
-  act.sphere = read_sphere(table, act.kind, stage.count);
-  const std::optional<Vec3d> vector = table.vector("vector", dimensions, kAnyNumber);
-  if (!vector) throw table.missing("vector", dimensions == 2 ? "an array of 2 or 3 numbers" : "an array of 3 numbers");
+  reject_other_keys(reader, act.kind);
+  act.sphere = read_sphere(reader, act.kind, stage.count);
+  const std::optional<Vec3d> vector = reader.vector("vector", dimensions, kAnyNumber);
+  if (!vector) throw reader.missing("vector", dimensions == 2 ? "an array of 2 or 3 numbers" : "an array of 3 numbers");
   act.vector = *vector;
   if (act.kind == ActKind::drop) {
-    read_dropped(table, stage, act);
+    read_dropped(reader, stage, act);
     ++stage.count;
   } else if (act.kind == ActKind::push) {
     const bool is_dropped = act.sphere >= stage.bodies.size();
     const double radius = is_dropped ? typical_sphere(stage.scene, stage.bodies).radius
                                      : stage.bodies.radius[static_cast<size_t>(act.sphere)];
-    act.reach = table.number("reach", kNotNegative).value_or(kHandful * radius);
+    act.reach = reader.number("reach", kNotNegative).value_or(kHandful * radius);
   }
   return act;
 }

@@ -32,7 +32,7 @@ float mean_speed(const BodySnapshot& bodies) {
 
 /// [s] in which a thrown sphere moves by the length of the arrow.
 float time_of_arrow(const Scene& scene, const BodySnapshot& bodies) {
-  constexpr float kFast = 4, kUsual = 0.25f;  // times the spheres' speed; [s] for spheres at rest
+  constexpr float kFast = 10, kUsual = 0.25f;  // times the spheres' speed; [s] for spheres at rest
   const Vec3d size = scene.domain.max - scene.domain.min;
   const double g = length(scene.physics.gravity);
   if (g > 0) return static_cast<float>(std::sqrt(size.y / (2 * g)));  // v = √(2gh)

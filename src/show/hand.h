@@ -5,7 +5,7 @@
 //                                          while the caller does not step, and goes on afterwards
 //
 // The pointer moves in the plane through the sphere that faces the viewer. With gravity, an arrow as long as the domain
-// is high is the speed with which a sphere rises that high. Without it, such an arrow is four times the speed of the
+// is high is the speed with which a sphere rises that high. Without it, such an arrow is ten times the speed of the
 // spheres. Where contacts are found at the ends of steps, a step may move a sphere by 0.9 radii at most.
 #pragma once
 

@@ -239,6 +239,11 @@ void Panel::draw_pages() {
 
 void Panel::draw_keys(Demo& demo) {
   heading("Keys");
+  for (const std::string& gesture : gestures) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", translated(gesture).c_str());
+    ImGui::PopTextWrapPos();
+  }
   for (const PanelKey& key : keys) {
     ImGui::TextUnformatted(key.name.c_str());
     ImGui::SameLine(5 * ImGui::GetFontSize());
@@ -247,11 +252,6 @@ void Panel::draw_keys(Demo& demo) {
     ImGui::PopTextWrapPos();
   }
   ImGui::TextDisabled("%s", translated("drag: turn   wheel: closer   click: pick a sphere").c_str());
-  for (const std::string& gesture : gestures) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("%s", translated(gesture).c_str());
-    ImGui::PopTextWrapPos();
-  }
   if (button("close keys", translated("close"))) demo.shows_keys = false;
 }
 

@@ -34,7 +34,7 @@ std::vector<Row> rows_of_acts() {
           act("act = \"drop\"\nvector = [100, 0, 0]")),
       {"scene/acts.cpp: a drop before it",
        "[[act]] sphere: found 0, allowed a drop before it: there is no sphere yet",
-       {"simulate", "rain", "--count", "0", "--time", "0", "--acts", "a.toml"},
+       {"simulate", "empty.toml", "--time", "0", "--acts", "a.toml"},
        act(fine)},
       row("world/acts.cpp: RunError", "drop at t = 0 s: no room for a sphere",
           act("act = \"drop\"\nvector = [-1.5, -0.25, 0]")),

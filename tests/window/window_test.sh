@@ -83,6 +83,22 @@ echo "{" > config/ballpit/show.json
 begin lecture-grid --remember --size 640x480; expect_title "linked-cell"; end
 [[ $(wc -l < log) == 1 ]] && grep -q "note: --remember: nothing is remembered: .*show.json" log || fail "no note"
 
+# The hand: throws a sphere, drops one in, pushes a handful, and saves what it did; the same run again has that state.
+begin lecture-grid --size 960x540; expect_title "20 spheres"
+drag() { xdotool mousemove --window "$window" $1 $2 mousedown 1 sleep 0.1 mousemove --window "$window" $3 $4 sleep 0.1 mouseup 1 sleep 0.1; }
+xdotool keydown shift; drag 597 163 640 110; xdotool keyup shift
+xdotool keydown shift mousemove --window "$window" 512 439 click 1 keyup shift; expect_title "21 spheres"
+xdotool keydown ctrl; drag 563 295 540 270; xdotool keyup ctrl
+xdotool mousemove --window "$window" 178 448 click 1
+expect_file acts_00000.toml
+for act in throw drop push; do grep -q "act = \"$act\"" acts_00000.toml || fail "no $act"; done
+grep -A1 'act = "throw"' acts_00000.toml | grep -q "sphere = 15" || fail "another sphere is thrown"
+xdotool mousemove --window "$window" 620 100 mousedown 1 mousemove --window "$window" 640 120 mouseup 1  # turns, acts no more
+end
+[[ ! -s log ]] || fail "it said something"
+begin lecture-grid --size 960x540 --acts acts_00000.toml; expect_title "21 spheres"; end
+"$program" simulate lecture-grid --time 0.1 --acts acts_00000.toml --json | grep -q '"count": 21' || fail "not the same run"
+
 # A lecture by the presenter's keys.
 open_window lecture --size 960x540; expect_title "Fast collision detection"
 xdotool key Next; expect_title "project the scene on an axis"
