@@ -57,15 +57,15 @@ class RenderCommand {
     if (resume_ && clicks_ && std::ranges::count(split_list(*clicks_), "cheapest") > 0) {
       throw UserError("--resume", "with --click cheapest", "without it, since a choice depends on measured times");
     }
+    look_.check(arguments_, size_);
     const auto [width, height] = size_;
     const std::filesystem::path record = std::filesystem::path(out_) / "choice.json";
     std::error_code ignored;
     const bool has_record = resume_ && std::filesystem::exists(record, ignored);
     Demo demo(arguments_.scene, arguments_.given, has_record ? record : "");
+    look_.apply(demo, look_.preset);
     warn_of_run(demo.session);
     demo.play(acts_.read(demo.session));
-    demo.view = look_.view();
-    demo.touch();
     Session& session = demo.session;
     check_output_folder(out_);
     FilmPlan plan{out_, "", 0, frames_, from_, every_ / fps_, has_panel_};
@@ -107,7 +107,7 @@ class RenderCommand {
       throw RunError(session.scene().name, fmt::format("interrupted after {} of {} frames", film.next(), frames_),
                      "--resume goes on from there");
     }
-    print_summary(session, context, drawing.path());
+    print_summary(demo, context, drawing.path());
   }
 
  private:
@@ -153,30 +153,53 @@ class RenderCommand {
     rest();
   }
 
-  void print_summary(Session& session, const GlContext& context, const std::string& path) {
+  /// What each method of a comparison has tested.
+  static nlohmann::ordered_json comparison_of(Demo& demo) {
+    nlohmann::ordered_json methods = nlohmann::ordered_json::array();
+    for (size_t k = 0; k < demo.view_count(); ++k) {
+      Demo& shown = demo.view_at(k);
+      const Report& report = shown.report();
+      methods.push_back({{"broadphase", report.broadphase},
+                         {"tests", report.candidates},
+                         {"tests_so_far", shown.tests_so_far()},
+                         {"contacts", report.contacts}});
+    }
+    return methods;
+  }
+
+  void print_summary(Demo& demo, const GlContext& context, const std::string& path) {
+    Session& session = demo.session;
     warn_of_other_frames();
     const int made = std::max(frames_ - first_, 0);
     const double rate = made > 0 ? made / seconds_ : 0.0;
     const Report& report = session.report();
-    const nlohmann::ordered_json json{{"scene", session.scene().name},
-                                      {"count", report.count},
-                                      {"out", out_},
-                                      {"frames", frames_},
-                                      {"rendered", made},
-                                      {"size", text_of(size_)},
-                                      {"time", session.world().time()},
-                                      {"seconds", seconds_},
-                                      {"frames_per_second", rate},
-                                      {"simulation_seconds", report.seconds},
-                                      {"backend", session.backend()},
-                                      {"bodies", path},
-                                      {"renderer", context.info().renderer}};
+    nlohmann::ordered_json json{{"scene", session.scene().name},
+                                {"count", report.count},
+                                {"out", out_},
+                                {"frames", frames_},
+                                {"rendered", made},
+                                {"size", text_of(size_)},
+                                {"time", session.world().time()},
+                                {"seconds", seconds_},
+                                {"frames_per_second", rate},
+                                {"simulation_seconds", report.seconds},
+                                {"backend", session.backend()},
+                                {"bodies", path},
+                                {"renderer", context.info().renderer}};
+    std::string compared;
+    if (demo.is_comparing()) {
+      json["compare"] = comparison_of(demo);
+      for (const auto& method : json["compare"]) {
+        compared += fmt::format("{}: {} tests so far, {} contacts\n", method["broadphase"].get<std::string>(),
+                                method["tests_so_far"].get<int64_t>(), method["contacts"].get<int64_t>());
+      }
+    }
     print(json_, json,
           fmt::format(
               "{} frames of {} ({} spheres, {}) in {}\n{:g} frames a second: {:g} s, of which simulation ({}) {:g} "
-              "s\ndrawn by {}, bodies {}\n",
+              "s\ndrawn by {}, bodies {}\n{}",
               made, session.scene().name, report.count, text_of(size_), out_, rate, seconds_, session.backend(),
-              report.seconds, context.info().renderer, path));
+              report.seconds, context.info().renderer, path, compared));
   }
 
   /// Frames of an earlier, longer run are not removed, but they could be taken for frames of this run.

@@ -30,6 +30,7 @@ class ShowCommand {
   }
 
   void run() {
+    look_.check(arguments_, size_.value_or(kSize));
     const std::filesystem::path file = remembers_ ? remembered_file() : "";
     if (remembers_) check_remembered(file);
     const std::unique_ptr<Demo> demo = start(recall(file));
@@ -83,10 +84,10 @@ class ShowCommand {
       }
     }
     if (!demo) demo = std::make_unique<Demo>(arguments_.scene, arguments_.given);
+    look_.apply(*demo, last ? last->view : look_.preset);
     warn_of_run(demo->session);
     demo->play(acts_.read(demo->session));
-    demo->view = look_.view(last ? last->view : View{.has_caption = true});
-    demo->touch();
+    demo->measures = true;
     if (!size_) size_ = last ? last->size : kSize;
     return demo;
   }
@@ -101,7 +102,7 @@ class ShowCommand {
 
   SceneArguments arguments_;
   ActsArgument acts_;
-  LookArguments look_;
+  LookArguments look_{.preset = {.has_caption = true}};
   static constexpr PictureSize kSize{1600, 900};
   std::optional<PictureSize> size_;
   bool remembers_ = false;

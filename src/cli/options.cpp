@@ -3,6 +3,7 @@
 
 #include "core/language.h"
 #include "render/overlays/overlay.h"
+#include "show/comparison.h"
 #include "show/notes.h"
 
 namespace ballpit {
@@ -63,7 +64,6 @@ void add_text_scale(CommandOptions& command, std::optional<float>& scale, float 
 }
 
 void LookArguments::add_to(CommandOptions& command) {
-  const View preset;
   const auto add_name = [&](const char* name, const std::string& help, const std::vector<std::string>& names,
                             const std::string& shown, std::optional<std::string>& chosen) {
     command.add({name, "NAME", help + join(names), shown},
@@ -77,7 +77,19 @@ void LookArguments::add_to(CommandOptions& command) {
   add_name("--theme", "", names_in(themes()), preset.theme, theme);
   command.add({"--occlusion", "on|off", "darken spheres and floor where spheres hide the sky or the light",
                preset.occlusion ? "on" : "off"},
-              [this](const std::string& text) { occlusion = parse_choice("--occlusion", text, {"on", "off"}); });
+              [this](const std::string& text) {
+                occlusion = parse_choice("--occlusion", text, {"on", "off"});
+              });
+  command.add({"--caption", "on|off", "the scene's title above it, and below it how many tests find its contacts",
+               preset.has_caption ? "on" : "off"},
+              [this](const std::string& text) {
+                has_caption = parse_choice("--caption", text, {"on", "off"}) == "on";
+              });
+  command.add_number(
+      {"--turn", "DEGREES", "the camera turns about the vertical: degrees a simulated second", typed(preset.turn)},
+      turn, Range{-kFastestTurn, kFastestTurn});
+  command.add({"--compare", "A,B,…", "split the picture: the scene by two to four broad phases, with counts of tests"},
+              [this](const std::string& text) { compared = parse_comparison(text); });
   command.add_number({"--ui-scale", "FACTOR", "size of the panel's text and widgets", typed(preset.ui_scale)}, ui_scale,
                      Range{kMinUiScale, kMaxUiScale});
   add_text_scale(command, text_scale, preset.text_scale);
@@ -89,9 +101,28 @@ View LookArguments::view(View base) const {
   base.coloring = coloring.value_or(base.coloring);
   base.theme = theme.value_or(base.theme);
   if (occlusion) base.occlusion = *occlusion == "on";
+  base.has_caption = has_caption.value_or(base.has_caption);
+  base.turn = turn.value_or(base.turn);
   base.ui_scale = ui_scale.value_or(base.ui_scale);
   base.text_scale = text_scale.value_or(base.text_scale);
   return base;
+}
+
+void LookArguments::check(const SceneArguments& scene, PictureSize size) const {
+  if (compared.empty()) return;
+  check_compared(scene.given);
+  check_views_fit(size, compared.size());
+}
+
+void LookArguments::apply(Demo& demo, const View& base) const {
+  const Scene& scene = demo.session.scene();
+  if (turn && *turn != 0 && scene.domain.dimensions == 2) {
+    throw UserError("--turn", fmt::format("{:g} with {}, which is planar", *turn, scene.name),
+                    "0, or a scene of three dimensions");
+  }
+  demo.view = view(base);
+  if (!compared.empty()) demo.compare(compared);
+  demo.touch();
 }
 
 }  // namespace ballpit

@@ -11,8 +11,7 @@
 #include "cli/command_line.h"
 #include "scene/acts.h"
 #include "scene/read_scene.h"
-#include "show/session.h"
-#include "show/view.h"
+#include "show/demo.h"
 
 namespace ballpit {
 
@@ -49,17 +48,27 @@ void add_language(CommandOptions& command);
 /// --text-scale: of the scene's text.
 void add_text_scale(CommandOptions& command, std::optional<float>& scale, float preset);
 
-/// --overlay, --color, --theme, --occlusion, --ui-scale, --text-scale and --lang, for the commands that draw. Those that were not
-/// given are empty.
+/// --overlay, --color, --theme, --occlusion, --caption, --turn, --compare, --ui-scale, --text-scale and --lang, for the
+/// commands that draw. Those that were not given are empty.
 struct LookArguments {
   void add_to(CommandOptions& command);
 
   /// What was not given is as in `base`.
-  View view(View base = {}) const;
+  View view(View base) const;
+  View view() const { return view(preset); }
 
+  /// Throws UserError for options that do not go together, before a scene is loaded.
+  void check(const SceneArguments& scene, PictureSize size) const;
+
+  /// Sets the view of a new demonstration, and begins a comparison. Throws UserError if the scene cannot be shown so.
+  void apply(Demo& demo, const View& base) const;
+
+  View preset{};  ///< of the command
   std::optional<std::vector<std::string>> overlays{};
   std::optional<std::string> coloring{}, theme{}, occlusion{};
-  std::optional<float> ui_scale{}, text_scale{};
+  std::optional<bool> has_caption{};
+  std::vector<BroadPhase> compared{};
+  std::optional<float> turn{}, ui_scale{}, text_scale{};
 };
 
 }  // namespace ballpit

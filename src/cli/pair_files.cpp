@@ -42,11 +42,11 @@ PairInput from_scene(const std::string& file) {
   return input;
 }
 
-struct Extent {
+struct AxisExtent {
   float low = 0, high = 0;
 };
 
-Extent extent_along(int axis, const std::vector<Vec3>& position) {
+AxisExtent extent_along(int axis, const std::vector<Vec3>& position) {
   if (position.empty()) return {};
   const auto [low, high] = std::minmax_element(position.begin(), position.end(),
                                                [&](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
@@ -54,7 +54,7 @@ Extent extent_along(int axis, const std::vector<Vec3>& position) {
 }
 
 /// Makes the period so long that no sphere reaches another across it.
-void leave_open(int axis, const Extent& extent, float radius, Box<Vec3>& box) {
+void leave_open(int axis, const AxisExtent& extent, float radius, Box<Vec3>& box) {
   const double low = double(extent.low), high = double(extent.high);
   const double rounding = 8.0 * double(std::numeric_limits<float>::epsilon()) * std::max(std::abs(low), std::abs(high));
   const double gap = radius > 0 ? 4.5 * double(radius) + rounding : 1.0;
@@ -63,7 +63,7 @@ void leave_open(int axis, const Extent& extent, float radius, Box<Vec3>& box) {
 }
 
 /// A domain of this period. It holds all spheres as they are if there is such a domain; else they are wrapped into it.
-void lay_period(int axis, const Extent& extent, double period, Box<Vec3>& box) {
+void lay_period(int axis, const AxisExtent& extent, double period, Box<Vec3>& box) {
   for (const double low : {0.0, -0.5 * period, double(extent.low), 0.0}) {
     box.min[axis] = static_cast<float>(low);
     box.max[axis] = static_cast<float>(low + period);
@@ -125,7 +125,7 @@ PairInput read_pair_input(const std::string& file, const std::optional<Vec3d>& p
   const float radius = radii.empty() ? 0.0f : *std::max_element(radii.begin(), radii.end());
   for (int axis = 0; axis < 3; ++axis) {
     const double along = (*input.period)[axis];
-    const Extent extent = extent_along(axis, input.spheres.position);
+    const AxisExtent extent = extent_along(axis, input.spheres.position);
     if (along == 0) {
       leave_open(axis, extent, radius, *input.box);
     } else if (period) {

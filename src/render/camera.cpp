@@ -2,9 +2,9 @@
 #include "render/camera.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace ballpit {
 
@@ -12,11 +12,11 @@ namespace {
 
 constexpr float kMargin = 0.06f;  // of the picture, on each side at least
 
-using Corners = std::array<Vec3, 8>;
+using Points = std::vector<Vec3>;
 
 /// The smallest and the largest value of all points.
 template <class Value>
-std::pair<float, float> range_of(const Corners& points, const Value& value) {
+std::pair<float, float> range_of(const Points& points, const Value& value) {
   float low = INFINITY, high = -INFINITY;
   for (const Vec3& point : points) {
     low = std::min(low, value(point));
@@ -28,14 +28,14 @@ std::pair<float, float> range_of(const Corners& points, const Value& value) {
 /// The depth E of the closest eye that has all points in view along one picture axis. A point at (a, f), across and
 /// forward, is in view of an eye at (e, E) if |a − e| ≤ k (f − E). Each point gives two half-planes for (e, E); the
 /// extreme ones intersect at the closest eye.
-float closest_eye(const Corners& points, Vec3 across, Vec3 forward, float k) {
+float closest_eye(const Points& points, Vec3 across, Vec3 forward, float k) {
   const float high = range_of(points, [&](const Vec3& p) { return dot(p, across) - k * dot(p, forward); }).second;
   const float low = range_of(points, [&](const Vec3& p) { return dot(p, across) + k * dot(p, forward); }).first;
   return (low - high) / (2 * k);
 }
 
 /// The e from which the points extend equally far to both sides of the picture, for an eye at depth E: by bisection.
-float centred_eye(const Corners& points, Vec3 across, Vec3 forward, float depth) {
+float centred_eye(const Points& points, Vec3 across, Vec3 forward, float depth) {
   auto [low, high] = range_of(points, [&](const Vec3& p) { return dot(p, across); });
   for (int step = 0; step < 40; ++step) {
     const float middle = (low + high) / 2;
@@ -56,6 +56,29 @@ Camera frame_plane(Vec3 min, Vec3 max, float aspect) {
   camera.eye = camera.target + Vec3(0, 0, distance);
   camera.near = 0.5f * distance;
   camera.far = 1.5f * distance;
+  return camera;
+}
+
+/// A camera that looks down from this direction, as close as possible with all points in view.
+Camera frame_points(const Points& points, float azimuth, float elevation, float aspect) {
+  Camera camera;
+  camera.aspect = aspect;
+  const Vec3 back(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                  std::cos(elevation) * std::cos(azimuth));
+  const Vec3 forward = -back;
+  const Vec3 right = normalize(glm::cross(forward, camera.up));
+  const Vec3 upward = glm::cross(right, forward);
+
+  const float k = std::tan(camera.fov / 2) * (1 - 2 * kMargin);
+  const float depth =
+      std::min(closest_eye(points, right, forward, k * aspect), closest_eye(points, upward, forward, k));
+  camera.eye = centred_eye(points, right, forward, depth) * right +
+               centred_eye(points, upward, forward, depth) * upward + depth * forward;
+
+  const auto [nearest, farthest] = range_of(points, [&](const Vec3& p) { return dot(p, forward) - depth; });
+  camera.target = camera.eye + (nearest + farthest) / 2 * forward;
+  camera.near = nearest / 8;  // spheres may rise above an open box, and the camera may move closer
+  camera.far = 2 * farthest;
   return camera;
 }
 
@@ -97,27 +120,22 @@ Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect) {
 }
 
 Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect) {
-  Camera camera;
-  camera.aspect = aspect;
-  const Vec3 back(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
-                  std::cos(elevation) * std::cos(azimuth));
-  const Vec3 forward = -back;
-  const Vec3 right = normalize(glm::cross(forward, camera.up));
-  const Vec3 upward = glm::cross(right, forward);
+  Points corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(corner_of(min, max, i));
+  return frame_points(corners, azimuth, elevation, aspect);
+}
 
-  const float k = std::tan(camera.fov / 2) * (1 - 2 * kMargin);
-  Corners points;
-  for (int i = 0; i < 8; ++i) points[static_cast<size_t>(i)] = corner_of(min, max, i);
-  const float depth =
-      std::min(closest_eye(points, right, forward, k * aspect), closest_eye(points, upward, forward, k));
-  camera.eye = centred_eye(points, right, forward, depth) * right +
-               centred_eye(points, upward, forward, depth) * upward + depth * forward;
-
-  const auto [nearest, farthest] = range_of(points, [&](const Vec3& p) { return dot(p, forward) - depth; });
-  camera.target = camera.eye + (nearest + farthest) / 2 * forward;
-  camera.near = nearest / 8;  // spheres may rise above an open box, and the camera may move closer
-  camera.far = 2 * farthest;
-  return camera;
+Camera frame_turning_box(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect) {
+  constexpr int kPoints = 64;  // of each circle, 1/800 of its radius off at most
+  const Vec3 middle = (min + max) / 2.0f;
+  const float radius = length(Vec3(max.x - min.x, 0, max.z - min.z)) / 2;
+  Points circles;  // floor and ceiling of the cylinder that the turning box sweeps; they turn with the camera
+  for (int k = 0; k < kPoints; ++k) {
+    const float angle = azimuth + 6.2831853f * static_cast<float>(k) / kPoints;
+    const Vec3 out = radius * Vec3(std::sin(angle), 0, std::cos(angle));
+    for (const float y : {min.y, max.y}) circles.push_back(Vec3(middle.x, y, middle.z) + out);
+  }
+  return frame_points(circles, azimuth, elevation, aspect);
 }
 
 }  // namespace ballpit

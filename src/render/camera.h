@@ -42,6 +42,10 @@ Camera frame_box(Vec3 min, Vec3 max, int dimensions, float aspect);
 /// The same along another direction, for the panel's orbit. Angles in radians; azimuth 0 looks along −z.
 Camera frame_box_from(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect);
 
+/// The same for a camera that turns about the vertical through the middle: as close as possible with the whole box in
+/// view from every azimuth, so that the box keeps its size while the camera turns.
+Camera frame_turning_box(Vec3 min, Vec3 max, float azimuth, float elevation, float aspect);
+
 /// The same view in coordinates in which `origin` is 0 and `length` [m] is 1.
 Camera in_units(Camera camera, const Vec3& origin, float length);
 
@@ -51,6 +55,7 @@ struct Room {
 
   float width() const { return 1 - left - right; }
   float height() const { return 1 - below - above; }
+  bool operator==(const Room&) const = default;
 };
 
 /// A camera that was made for the part of a picture between the room, for the whole picture with this aspect.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,10 @@
 
 namespace ballpit {
 
+struct FramedBox {
+  Vec3 min, max;  ///< [m]
+};
+
 /// The box as it is drawn.
 struct DomainBox {
   Vec3 min{0.0f};  ///< [m]
@@ -19,6 +24,7 @@ struct DomainBox {
   int dimensions = 3;
   bool open_top = false;  ///< no ceiling: spheres may rise above max.y
   bool is_periodic = false;
+  std::optional<FramedBox> framed{};  ///< what fills the picture; none: the box
 
   bool is_planar() const { return dimensions == 2; }
   float longest_edge() const { return std::max({max.x - min.x, max.y - min.y, is_planar() ? 0 : max.z - min.z}); }

@@ -12,30 +12,13 @@ namespace {
 
 // [1/1080 of the picture's height]
 constexpr float kMargin = 24, kPad = 10;
+constexpr float kSign = 44;            // of a method's sign with the space after it
 constexpr float kSlides = 260;         // of "Slides 2–4" with its margins, in a lecture
 constexpr float kCodeWidth = 0.47f;    // of the picture's width
 constexpr float kCodeSpacing = 1.12f;  // from one line of code to the next [its height]
 constexpr float kLegends = 3;          // lines below the code: what the step did, and legends
 constexpr float kLeastCode = 0.65f;    // [its full size] even where the legend then reaches beside the arrays
 constexpr float kMeanLetter = 0.40f;   // of a sentence [height of a line]
-
-/// The text in lines of at most `width` pixels, broken at blanks.
-std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, float width, TextSize size) {
-  std::vector<std::string> lines{""};
-  size_t start = 0;
-  while (start < text.size()) {
-    const size_t end = std::min(text.find(' ', start), text.size());
-    const std::string word = text.substr(start, end - start);
-    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (!lines.back().empty() && sheet.size_of(longer, size).x > width) {
-      lines.push_back(word);
-    } else {
-      lines.back() = longer;
-    }
-    start = end + 1;
-  }
-  return lines;
-}
 
 /// As large as it fits; the legend follows below.
 void draw_code(const PageView& page, float top, Painter& painter) {
@@ -71,16 +54,61 @@ void draw_code(const PageView& page, float top, Painter& painter) {
   painter.noted = y - kPad * u;
 }
 
+/// The sign of a method, from `at` to the right, in its colour of charts.
+void draw_sign(MethodSign sign, Vec2 at, Painter& painter) {
+  Sheet& sheet = painter.sheet;
+  const float r = 0.3f * kSign * painter.sheet.unit();
+  const Theme& theme = painter.theme;
+  const Vec2 middle = at + Vec2(r, 0);
+  switch (sign) {
+    case MethodSign::none:
+      break;
+    case MethodSign::ring:
+      sheet.ring(middle, r, painter.ink(), 0.4f * r);
+      break;
+    case MethodSign::triangle:
+      sheet.triangle(middle - Vec2(0, 1.1f * r), middle + Vec2(1.1f * r, 0.9f * r), middle + Vec2(-1.1f * r, 0.9f * r),
+                     to_rgba(theme.begin));
+      break;
+    case MethodSign::square:
+      sheet.box(middle - Vec2(r), middle + Vec2(r), to_rgba(theme.grid));
+      break;
+    case MethodSign::diamond:
+      for (const float side : {-1.3f * r, 1.3f * r}) {
+        sheet.triangle(middle - Vec2(1.1f * r, 0), middle + Vec2(1.1f * r, 0), middle + Vec2(0, side),
+                       to_rgba(theme.missed));
+      }
+      break;
+  }
+}
+
+/// One below the other at the lower edge.
+void draw_figures(const std::vector<std::string>& figures, Painter& painter) {
+  Sheet& sheet = painter.sheet;
+  const float u = sheet.unit(), line = sheet.size_of("0").y, room = static_cast<float>(sheet.width()) - 2 * kMargin * u;
+  float y = painter.take_strip(line * static_cast<float>(figures.size()) + 2 * kPad * u) + kPad * u + line / 2;
+  for (const std::string& text : figures) {
+    const float scale = std::min(1.0f, room / std::max(sheet.size_of(text).x, 1.0f));
+    sheet.text({kMargin * u, y}, kLeft, painter.ink(), text, TextSize::normal, scale);
+    y += line;
+  }
+}
+
 }  // namespace
 
-Room room_of(const PageView& page, float text_scale, float aspect) {
+Room room_of(const PageView& page, float text_scale, float aspect, float share) {
   Room room;
-  room.above = (line_height(TextSize::title, text_scale) + kPad) / 1080;
+  const float height = 1080 * share;
+  room.above = (line_height(TextSize::title, text_scale) + kPad) / height;
   const float line = line_height(TextSize::normal, text_scale);
-  const float width = 1080 * aspect - 2 * kMargin - (page.slides.empty() ? 0 : kSlides);
+  if (!page.figures.empty()) {
+    room.below = (line * static_cast<float>(page.figures.size()) + 2 * kPad) / height;
+    return room;
+  }
+  const float width = height * aspect - 2 * kMargin - (page.slides.empty() ? 0 : kSlides);
   const auto begins_letter = [](char byte) { return (byte & 0xC0) != 0x80; };  // in UTF-8
   const float wanted = kMeanLetter * line * static_cast<float>(std::ranges::count_if(page.caption, begins_letter));
-  room.below = (line * std::ceil(std::max(wanted / width, 1.0f)) + 2 * kPad) / 1080;
+  room.below = (line * std::ceil(std::max(wanted / width, 1.0f)) + 2 * kPad) / height;
   if (!page.code.empty()) room.right = kCodeWidth;
   return room;
 }
@@ -101,13 +129,20 @@ void mark_touched(const PageView& page, std::string_view array, int64_t index, V
 void draw_page(const PageView& page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), width = static_cast<float>(sheet.width());
-  const float title = sheet.size_of("0", TextSize::title).y + kPad * u;
+  const float title = page.title.empty() ? 0 : sheet.size_of("0", TextSize::title).y + kPad * u;
   sheet.box({0, 0}, {width, title}, painter.ground());  // spheres may fly this high
-  const bool fits = sheet.size_of(page.title, TextSize::title).x <= width - 2 * kMargin * u;
-  sheet.text({kMargin * u, kPad * u / 2}, kUpperLeft, painter.ink(), page.title,
-             fits ? TextSize::title : TextSize::small);
+  const float left = (page.sign == MethodSign::none ? kMargin : kMargin + kSign) * u;
+  const float room = width - left - kMargin * u, wanted = sheet.size_of(page.title, TextSize::title).x;
+  const bool fits = wanted <= room;
+  draw_sign(page.sign, {kMargin * u, title / 2}, painter);
+  sheet.text({left, kPad * u / 2}, kUpperLeft, painter.ink(), page.title, fits ? TextSize::title : TextSize::small);
+  if (page.has_views) {
+    sheet.box({0, title}, {width, static_cast<float>(sheet.height())}, painter.ink(0.4f));
+    return;
+  }
   painter.noted = title;
   painter.note_left = kPad * u;
+  if (!page.figures.empty()) return draw_figures(page.figures, painter);
   const float slides = page.slides.empty() ? 0 : sheet.size_of(page.slides, TextSize::small).x + 2 * kMargin * u;
   const std::vector<std::string> lines =
       wrap_text(sheet, page.caption, width - 2 * kMargin * u - slides, TextSize::normal);

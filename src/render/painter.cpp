@@ -48,6 +48,13 @@ void draw_swatch(Sheet& sheet, const NotePart& part, Vec2 at) {
 
 }  // namespace
 
+void Painter::note(const std::string& text) {
+  const float width = static_cast<float>(sheet.width()) - note_left - 2 * kMargin * sheet.unit();
+  for (const std::string& line : wrap_text(sheet, translated(text), width, TextSize::small)) {
+    note({{Swatch::none, {}, line}});
+  }
+}
+
 void Painter::draw_notes() {
   constexpr TextSize kSize = TextSize::small;
   const float u = sheet.unit(), height = sheet.size_of("0", kSize).y + kPad * u / 2;
@@ -104,6 +111,23 @@ float Painter::take_strip(float height) {
   taken += height;
   sheet.box({0, bottom - height}, {static_cast<float>(sheet.width()), bottom}, ground());
   return bottom - height;
+}
+
+std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, float width, TextSize size) {
+  std::vector<std::string> lines{""};
+  size_t start = 0;
+  while (start < text.size()) {
+    const size_t end = std::min(text.find(' ', start), text.size());
+    const std::string word = text.substr(start, end - start);
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (!lines.back().empty() && sheet.size_of(longer, size).x > width) {
+      lines.push_back(word);
+    } else {
+      lines.back() = longer;
+    }
+    start = end + 1;
+  }
+  return lines;
 }
 
 std::string counted(int64_t number, const std::string& noun) {

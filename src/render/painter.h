@@ -50,7 +50,7 @@ struct Painter {
 
   /// Adds a line to the legend in the upper left corner. All are drawn at last, in front of everything.
   void note(std::vector<NotePart> parts) { notes.push_back(std::move(parts)); }
-  void note(const std::string& text) { note({{Swatch::none, {}, translated(text)}}); }
+  void note(const std::string& text);
   void draw_notes();
 
   /// Draws lines with a rim on both sides, which keeps them visible on spheres and on either ground. `width` and `rim`
@@ -123,6 +123,9 @@ inline float fade_at(const Vec3& point, const Vec3& min, const Vec3& max, const 
   const float way = (length(point - camera.eye) - (middle - reach)) / (2 * reach);
   return 1 + (kFarthest - 1) * std::clamp(way, 0.0f, 1.0f);
 }
+
+/// The text in lines of at most `width` pixels, broken at blanks.
+std::vector<std::string> wrap_text(const Sheet& sheet, const std::string& text, float width, TextSize size);
 
 /// (1, "contact") → "1 contact"; (1200, "contact") → "1 200 contacts".
 std::string counted(int64_t number, const std::string& noun);

@@ -2,6 +2,7 @@
 #include "render/renderer.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -46,8 +47,8 @@ void set_sides(FrameBlock& uniforms, const Vec3& towards_eye) {
 
 constexpr float kContactRim = 6;  // [1/1080 of the picture's height]
 
-/// For a picture of this size [pixel]: for all shaders used from now on.
-void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& theme, int width, int height) {
+/// For all shaders used from now on: for a view of this size in a picture of this height [pixel].
+void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& theme, int width, int height, int whole) {
   FrameBlock uniforms;
   const DomainBox& domain = view.domain;
   const Camera camera = in_units(view.camera, domain.min, domain.longest_edge());
@@ -71,7 +72,7 @@ void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& th
   }
   uniforms.viewport = Vec2(width, height);
   uniforms.pixel = camera.pixel_size(1.0f, height);
-  uniforms.line_unit = static_cast<float>(height) / 1080.0f;
+  uniforms.line_unit = static_cast<float>(whole) / 1080.0f;
   glNamedBufferData(buffer.name(), sizeof(uniforms), &uniforms, GL_DYNAMIC_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer.name());
 }
@@ -125,6 +126,14 @@ void draw_overlays(const FrameView& view, Painter& painter, bool before_bodies) 
 
 }  // namespace
 
+PictureRect RenderOptions::part_of(int width, int height) const {
+  const auto at = [](float fraction, int side) {
+    return static_cast<int>(std::lround(fraction * static_cast<float>(side)));
+  };
+  const int x = at(beside.left, width - left), y = at(beside.above, height);
+  return {left + x, y, at(1 - beside.right, width - left) - x, at(1 - beside.below, height) - y};
+}
+
 RenderTarget::RenderTarget(int its_width, int its_height)
     : width(checked_side(its_width, its_height, its_width)), height(checked_side(its_width, its_height, its_height)) {
   glTextureStorage2D(color.name(), 1, GL_RGBA8, width, height);
@@ -145,7 +154,7 @@ void RenderTarget::bind() const {
 
 Renderer::Renderer(int width, int height, const RenderOptions& options)
     : options_(options), picture_(width, height), large_(large_target(picture_, options.supersample)) {
-  sheet_.begin(width, height, options.left);
+  sheet_.begin(width, height, options.part_of(width, height));
   check_gl("preparing to draw");
 }
 
@@ -168,24 +177,31 @@ void Renderer::draw(const FrameView& view) {
     colored = coloring.color(view.inspection);
     bodies_.set_marks(colored.marks);
   }
-  sheet_.begin(width(), height(), options_.left, options_.text_scale);
-  const int left = options_.left * options_.supersample;
-  set_uniforms(uniforms_, view, options_.theme, canvas().width - left, canvas().height);
+  const PictureRect part = options_.part_of(width(), height());
+  sheet_.begin(width(), height(), part, options_.text_scale);
+  set_uniforms(uniforms_, view, options_.theme, part.width * options_.supersample, part.height * options_.supersample,
+               canvas().height);
   if (bodies_.has_occluders()) {
     if (!occlusion_) occlusion_.emplace();
     occlusion_->make_floor_map(bodies_, view.domain);
   }
   canvas().bind();
+  limit_to(part, options_.supersample);
   set_state();
-  glViewport(left, 0, canvas().width - left, canvas().height);
   draw_scene(view, coloring, colored);
-  if (large_) average();
+  if (large_) {
+    picture_.bind();
+    limit_to(part, 1);
+    average();
+  }
+  glDisable(GL_SCISSOR_TEST);
   picture_.bind();
   sheet_.draw();
   check_gl("drawing a frame");
 }
 
 void Renderer::set_state() {
+  glUseProgram(0);  // the one in use may be deleted, with another renderer, as soon as it is not used
   const Vec3& ground = options_.theme.background;
   glClearColor(ground.r, ground.g, ground.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -198,8 +214,8 @@ void Renderer::set_state() {
 }
 
 void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, const Colored& colored) {
-  const int height = canvas().height;
-  Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(height) / 1080.0f};
+  const int height = sheet_.height() * options_.supersample;
+  Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(canvas().height) / 1080.0f};
   const auto width = static_cast<float>(sheet_.width());
   painter.note_width = (view.domain.is_planar() ? 0.2f : 0.45f) * width;
   if (!colored.marks.empty()) painter.marks = &colored.marks;
@@ -222,9 +238,18 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
   draw_legend(coloring, colored, painter);
 }
 
+/// Draws into a part of the picture only, which is `scale` times as large in the bound framebuffer. Beside other views
+/// the scissor also holds back clearing, and points that are cut by the part's edge.
+void Renderer::limit_to(const PictureRect& part, int scale) {
+  const int bottom = height() - part.top - part.height;
+  glViewport(part.left * scale, bottom * scale, part.width * scale, part.height * scale);
+  if (options_.beside == Room{}) return;
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(part.left * scale, bottom * scale, part.width * scale, part.height * scale);
+}
+
 /// Draws the large picture into the one of final size.
 void Renderer::average() {
-  picture_.bind();
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   average_.set("per_side", options_.supersample);

@@ -28,7 +28,11 @@ struct RenderOptions {
   Theme theme = themes().front();
   int supersample = 1;   ///< 1 to 4: draws that many times larger in each direction and averages, for stills
   int left = 0;          ///< [pixel] of the picture's width that are left to a panel
+  Room beside{};         ///< parts of the rest that are left to other views
   float text_scale = 1;  ///< of the scene's text
+
+  /// Where the view is drawn in a picture of this size [pixel].
+  PictureRect part_of(int width, int height) const;
 };
 
 class Renderer {
@@ -36,6 +40,7 @@ class Renderer {
   /// Throws UserError for sizes that no picture has or that the device cannot draw.
   Renderer(int width, int height, const RenderOptions& options = {});
 
+  /// Draws into the part of the picture that the options give to the view; the rest stays as it is beside other views.
   /// Leaves the finished picture's framebuffer bound and its viewport set, so that a panel can draw over it.
   /// Throws RunError with OpenGL's message if drawing failed.
   void draw(const FrameView& view);
@@ -59,6 +64,7 @@ class Renderer {
  private:
   const RenderTarget& canvas() const { return large_ ? *large_ : picture_; }
   void set_state();
+  void limit_to(const PictureRect& part, int scale);
   void draw_scene(const FrameView& view, const ColoringEntry& coloring, const Colored& colored);
   void average();
 

@@ -141,11 +141,11 @@ void Sheet::prepare_shapes() {
   shared.SetCircleTessellationMaxError(ImGui::GetStyle().CircleTessellationMaxError);
 }
 
-void Sheet::begin(int width, int height, int left, float scale) {
+void Sheet::begin(int width, int height, const PictureRect& part, float scale) {
   ImGui::SetCurrentContext(context_);
   width_ = width;
   height_ = height;
-  left_ = left;
+  part_ = part;
   if (!ImGui::GetIO().BackendRendererUserData) throw RunError("Dear ImGui", "the OpenGL backend is gone");
   if (font_height_ == 0) ImGui_ImplOpenGL3_NewFrame();  // makes the backend's objects
   if (font_height_ != height || scale != text_scale_) {
@@ -156,7 +156,7 @@ void Sheet::begin(int width, int height, int left, float scale) {
   list_->_ResetForNewFrame();
   list_->Flags = ImDrawListFlags_AntiAliasedLines | ImDrawListFlags_AntiAliasedFill |
                  ImDrawListFlags_AllowVtxOffset;  // for more than 65 536 vertices
-  list_->PushClipRect({0, 0}, {static_cast<float>(width - left), static_cast<float>(height)});
+  list_->PushClipRect({0, 0}, {static_cast<float>(part.width), static_cast<float>(part.height)});
   list_->PushTextureID(ImGui::GetIO().Fonts->TexID);
 }
 
@@ -169,7 +169,7 @@ void Sheet::draw() {
   data.CmdListsCount = 1;
   data.TotalIdxCount = list_->IdxBuffer.Size;
   data.TotalVtxCount = list_->VtxBuffer.Size;
-  data.DisplayPos = {-static_cast<float>(left_), 0};
+  data.DisplayPos = {-static_cast<float>(part_.left), -static_cast<float>(part_.top)};
   data.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
   data.FramebufferScale = {1, 1};
   ImGui_ImplOpenGL3_RenderDrawData(&data);
@@ -225,6 +225,7 @@ void Sheet::curved_arrow(Vec2 from, Vec2 over, Vec2 to, Rgba color, float width)
   arrow(to + head * normalize(over - to), to, color, w);
 }
 
+void Sheet::triangle(Vec2 a, Vec2 b, Vec2 c, Rgba fill) { list_->AddTriangleFilled(im(a), im(b), im(c), fill); }
 void Sheet::box(Vec2 low, Vec2 high, Rgba fill, float rounding) {
   list_->AddRectFilled(im(low), im(high), fill, rounding);
 }

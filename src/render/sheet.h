@@ -36,6 +36,11 @@ struct Anchor {
 inline constexpr Anchor kUpperLeft{0, 0}, kUpperRight{1, 0}, kLowerLeft{0, 1}, kCentre{0.5f, 0.5f}, kLeft{0, 0.5f},
     kTop{0.5f, 0}, kBottom{0.5f, 1};
 
+/// A part of a picture [pixel]; `left` and `top` are measured from its upper left corner.
+struct PictureRect {
+  int left, top, width, height;
+};
+
 class Sheet {
  public:
   /// Needs a current OpenGL context for its whole life. Throws RunError if ImGui cannot draw in it.
@@ -44,15 +49,16 @@ class Sheet {
   Sheet(const Sheet&) = delete;
   Sheet& operator=(const Sheet&) = delete;
 
-  /// For a picture of this size, whose first `left` pixels of width belong to a panel: x starts there. `scale` is that
-  /// of the scene's text.
-  void begin(int width, int height, int left = 0, float scale = 1);
+  /// For a part of a picture of this size, without its panel and other views: x and y start there. `scale` is that of
+  /// the scene's text.
+  void begin(int width, int height, const PictureRect& part, float scale = 1);
   void draw();
 
-  int width() const { return width_ - left_; }  ///< [pixel] beside a panel
-  int picture_width() const { return width_; }  ///< [pixel] with it
-  int height() const { return height_; }        ///< [pixel]
-  float unit() const;                           ///< [pixel] 1/1080 of the height
+  int width() const { return part_.width; }       ///< [pixel] of the part
+  int height() const { return part_.height; }     ///< [pixel] of the part
+  int picture_width() const { return width_; }    ///< [pixel]
+  int picture_height() const { return height_; }  ///< [pixel]
+  float unit() const;                             ///< [pixel] 1/1080 of the picture's height
 
   Vec2 size_of(std::string_view text, TextSize size = TextSize::normal) const;  ///< [pixel]
   void text(Vec2 at, Anchor anchor, Rgba color, std::string_view text, TextSize size = TextSize::normal,
@@ -65,6 +71,7 @@ class Sheet {
   void arrow(Vec2 from, Vec2 to, Rgba color, float width);  ///< with a head at `to`
   void curved_arrow(Vec2 from, Vec2 over, Vec2 to, Rgba color,
                     float width);  ///< starts and arrives in the direction of `over`
+  void triangle(Vec2 a, Vec2 b, Vec2 c, Rgba fill);
   void box(Vec2 low, Vec2 high, Rgba fill, float rounding = 0);
   void frame(Vec2 low, Vec2 high, Rgba color, float width, float rounding = 0);
   void disc(Vec2 centre, float radius, Rgba fill);
@@ -87,7 +94,8 @@ class Sheet {
   std::unique_ptr<ImDrawList> list_;
   std::array<ImFont*, 5> fonts_{};
   float panel_scale_ = 1, panel_density_ = 1, text_scale_ = 1;
-  int width_ = 0, height_ = 0, left_ = 0, font_height_ = 0;
+  int width_ = 0, height_ = 0, font_height_ = 0;  // of the picture
+  PictureRect part_{};
 };
 
 }  // namespace ballpit

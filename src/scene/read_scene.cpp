@@ -131,8 +131,8 @@ void check_periodic_edges(const Domain& domain, double largest_radius, const Pla
 }
 
 TableReader reader_of(const toml::table& root, std::string_view file_name) {
-  const TableReader::Keys keys{"title",   "description", "title_de", "description_de", "domain",
-                               "physics", "spheres",     "fill",     "defaults",       "needs"};
+  const TableReader::Keys keys{"title",   "description", "title_de", "description_de", "domain", "physics",
+                               "spheres", "fill",        "defaults", "needs",          "view"};
   return {root, std::string(file_name), "", keys};
 }
 
@@ -228,6 +228,7 @@ Scene read_values(const TableReader& root, const SceneOverrides& overrides) {
   }
   scene.physics = read_physics(root, scene.domain.dimensions);
   scene.needs = read_needs(root);
+  scene.view = read_view(root, scene.domain);
   scene.defaults = read_defaults(root);
   scene.because = read_because(root);
   const auto seed = default_integer(root, "seed", std::numeric_limits<int64_t>::max());

@@ -101,6 +101,15 @@ Physics read_physics(const TableReader& root, int dimensions) {
   return physics;
 }
 
+std::optional<Extent> read_view(const TableReader& root, const Domain& domain) {
+  const auto reader = root.section("view", {"min", "max"});
+  if (!root.has("view")) return std::nullopt;
+  const Extent view{reader.vector("min", domain.dimensions, kAnyNumber).value_or(domain.min),
+                    reader.vector("max", domain.dimensions, kAnyNumber).value_or(domain.max)};
+  for (int axis = 0; axis < domain.dimensions; ++axis) check_order(reader, view.min, view.max, axis);
+  return view;
+}
+
 Needs read_needs(const TableReader& root) {
   Needs needs;
   const auto reader =

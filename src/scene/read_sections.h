@@ -13,6 +13,9 @@ Domain read_domain(const TableReader& root);
 Physics read_physics(const TableReader& root, int dimensions);
 Needs read_needs(const TableReader& root);
 
+/// What fills the picture at first, [view]; none without that section.
+std::optional<Extent> read_view(const TableReader& root, const Domain& domain);
+
 /// Options as text, as on the command line, without `because`. The caller checks whether they exist.
 std::vector<DefaultOption> read_defaults(const TableReader& root, std::string_view section = "defaults");
 

@@ -24,6 +24,11 @@ struct Domain {
   int dimensions = 3;  ///< 2: a planar scene in x and y
 };
 
+/// A part of space, for the camera.
+struct Extent {
+  Vec3d min, max;  ///< [m]
+};
+
 struct Physics {
   Vec3d gravity{0.0};             ///< [m/s²]
   double restitution = 0.8;       ///< sphere–sphere, 0 to 1
@@ -127,6 +132,7 @@ struct Scene : SceneInfo {
   std::vector<DefaultOption> defaults;
   std::string because{};  ///< [defaults] because: why these options, where cheaper ones would do
   Needs needs;
+  std::optional<Extent> view{};      ///< what fills the picture at first; none: the domain
   uint64_t seed = 1;                 ///< of the random spheres
   std::vector<std::string> notes{};  ///< for the user: "state.csv: 3 of 10 spheres …"
 };

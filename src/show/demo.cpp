@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "show/comparison.h"
+
 namespace ballpit {
 
 namespace {
@@ -38,6 +40,7 @@ void Demo::begin_world() {
   history_.clear();
   remember_moment(now);
   if (view.selected >= now.count) view.selected = -1;
+  tests_ = {now.candidates};
 }
 
 void Demo::attempt(const std::function<void()>& action) {
@@ -64,6 +67,7 @@ void Demo::change(const std::function<void()>& action) {
 void Demo::set(const std::string& option, const std::string& value) {
   background_.abandon();
   attempt([&] {
+    if (is_comparing()) check_compared({{option, value}}, "while broad phases are compared");
     const World* const before = &session.world();
     const bool could_miss = can_miss_contacts(session.settings());
     session.set(option, value);
@@ -78,7 +82,9 @@ void Demo::set(const std::string& option, const std::string& value) {
       begin_world();
     } else {
       trade_off.begin(session.given(), session.scene().physics);
+      forget_tests();
     }
+    each_beside([&](Demo& other) { other.set(option, value); });
   });
 }
 
@@ -93,6 +99,12 @@ void Demo::return_to(const Played& trial) {
     player.forget_times();
     if (!is_same) ghost_.reset();
     if (!is_same || physics.stiffness != stiffness) forget_choice();
+    each_beside([&](Demo& other) {
+      Played own;
+      own.given = with_broad_phase(given, *other.compared_);
+      own.physics = physics;
+      other.return_to(own);
+    });
   });
 }
 
@@ -102,6 +114,7 @@ void Demo::set_physics(const Physics& physics) {
     session.take(session.given(), physics);
     forget_choice();
     if (!is_same) ghost_.reset();
+    each_beside([&](Demo& other) { other.set_physics(physics); });
   });
 }
 
@@ -109,22 +122,25 @@ void Demo::restart() {
   change([&] {
     session.load(session.scene_name());
     ghost_.reset();
+    each_beside([](Demo& other) { other.restart(); });
   });
 }
 
 void Demo::load(const std::string& scene) {
   change([&] {
-    session.load(scene);
+    compared_ ? load_compared(scene) : session.load(scene);
     view.selected = -1;
     trade_off.clear();
     forget_choice();
     ghost_.reset();
+    each_beside([&](Demo& other) { other.load(scene); });
   });
 }
 
-void Demo::play(std::vector<Act> acts) {
-  session.play(std::move(acts));
+void Demo::play(const std::vector<Act>& acts) {
+  session.play(acts);
   begin_world();
+  each_beside([&](Demo& other) { other.play(acts); });
 }
 
 void Demo::act(const Act& act) {
@@ -134,6 +150,7 @@ void Demo::act(const Act& act) {
     player.forgive();
     forget_choice();
     ghost_.reset();
+    each_beside([&](Demo& other) { other.act(act); });
   });
 }
 
@@ -153,6 +170,7 @@ void Demo::advance_to(double time, const std::function<bool()>& stop) {
   session.advance_to(time, follow_and_ask, forget);
   follow();
   if (&session.world() != before) begin_world();
+  each_beside([&](Demo& other) { other.advance_to(time, stop); });
 }
 
 void Demo::go_to(int64_t step) {
@@ -165,6 +183,7 @@ void Demo::go_to(int64_t step) {
     if (!go_on_to(step, takes_too_long))
       message_ = fmt::format("step {} so far; go there again to go on", timeline->step_now());
   });
+  keep_together();
 }
 
 /// Timeline::go_to(), but each step that the ghost has not seen is made or restored before it.
@@ -187,6 +206,7 @@ void Demo::drop_ghost() {
     if (!shows_ghost()) view.toggle("ghost");
     begin_ghost();
   });
+  each_beside([](Demo& other) { other.drop_ghost(); });
 }
 
 void Demo::begin_ghost() {
@@ -195,6 +215,7 @@ void Demo::begin_ghost() {
 }
 
 void Demo::follow() {
+  count_tests();
   if (!shows_ghost()) return;
   if (ghost_ && ghost_acts_ == acts_so_far()) {
     ghost_->follow(session.world(), session.time(), session.settings().dt);

@@ -64,7 +64,7 @@ class Demo {
   void restart();
   void step();
   /// Throws as Session does.
-  void play(std::vector<Act> acts);
+  void play(const std::vector<Act>& acts);
 
   /// Acts on the spheres now. What was ahead is forgotten, the ghost too; a run that has failed may go on.
   void act(const Act& act);
@@ -96,6 +96,32 @@ class Demo {
     player.advance(*timeline, elapsed, share);
   }
 
+  /// Shows the scene by several broad phases side by side: here by the first of them, and in a demonstration beside
+  /// this one by each other, which does from now on what this one does. Call before the first step. Throws UserError if
+  /// the scene or its response has no use for them.
+  void compare(const std::vector<BroadPhase>& methods);
+  bool is_comparing() const { return !beside_.empty(); }
+
+  /// The views of the picture: this demonstration, or one for each method that is compared.
+  size_t view_count() const { return 1 + beside_.size(); }
+  Demo& view_at(size_t k) { return k == 0 ? *this : *beside_[k - 1]; }
+
+  std::vector<std::string> compared_methods() const;  ///< their names
+
+  /// Where they are in a picture of this aspect.
+  std::vector<Room> rooms(float aspect);
+
+  /// The title over all views of a comparison.
+  FrameView heading();
+
+  /// Takes those beside this one to its step, and gives them its view.
+  void keep_together();
+
+  /// Pairs tested so far by the searches of all steps, one in each; of a method that is compared.
+  int64_t tests_so_far();
+
+  bool measures = false;  ///< whether captions of a comparison have measured times; films must be repeatable
+
   /// Steps to `time` [s] as Session::advance_to() does.
   void advance_to(double time, const std::function<bool()>& stop);
 
@@ -115,7 +141,8 @@ class Demo {
 
   /// The present state and view for the renderer, valid until either changes. If the bodies are already written to the
   /// renderer's buffer, they are copied only for overlays that need them.
-  FrameView frame_view(float aspect, bool is_written = false, bool with_occluders = false);
+  /// `share`: the view's height [of the picture's].
+  FrameView frame_view(float aspect, bool is_written = false, bool with_occluders = false, float share = 1);
 
   /// Whether a picture of this height [pixel] has ambient occlusion: not in the plane, nor where spheres are too small to
   /// show it.
@@ -155,6 +182,14 @@ class Demo {
   const Inspection& inspect(Wanted wanted);
   void remember_moment(const Report& report);
   PageView captioned();
+  PageView compared();
+  std::string title() const;
+  DomainBox box() const;
+  void each_beside(const std::function<void(Demo&)>& action);
+  void load_compared(const std::string& scene);
+  void catch_up(int64_t step);
+  void count_tests();
+  void forget_tests();
   Wanted wanted();
   Wanted too_much(const Wanted& wanted);
   int64_t candidates_to_list();
@@ -165,13 +200,19 @@ class Demo {
   int64_t changes_ = 0, worlds_ = 0;
   Version inspected_, reported_;
   Inspection inspection_;
-  PageView caption_;
+  PageView caption_, heading_;
   Wanted requested_, left_out_;
   std::vector<Moment> history_;
   std::unique_ptr<Ghost> ghost_;  // once it is shown
   BackgroundChoice background_;
   std::optional<Choice> choice_;
   std::vector<GivenOption> chosen_;  // options of the session that a choice has set
+
+  std::vector<std::unique_ptr<Demo>> beside_;  // of a comparison
+  std::optional<BroadPhase> compared_;         // the method of this view of a comparison
+  std::vector<int64_t> tests_;                 // so far, at each step of the timeline from its first on
+  int64_t changes_shown_ = -1;                 // those of the view that the others have
+  Inspection nothing_;                         // for pictures without spheres
 };
 
 }  // namespace ballpit

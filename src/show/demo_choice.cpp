@@ -30,6 +30,7 @@ bool is_of_method(const GivenOption& option) {
 void Demo::choose_cheapest() {
   touch();
   if (is_choosing()) return background_.abandon();
+  if (is_comparing()) return say("nothing is chosen while broad phases are compared");
   message_.clear();
   Scene scene = session.scene();
   scene.bodies = session.world().bodies();

@@ -62,42 +62,59 @@ bool Demo::shows_occlusion(int height) const {
   return view.occlusion && domain.dimensions == 3 && pixels >= kSmallestOccluded;
 }
 
-FrameView Demo::frame_view(float aspect, bool is_written, bool with_occluders) {
+DomainBox Demo::box() const {
+  const Domain& domain = session.scene().domain;
+  DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top,
+                domain.boundary == Boundary::periodic};
+  if (const std::optional<Extent>& framed = session.scene().view) box.framed = {Vec3(framed->min), Vec3(framed->max)};
+  return box;
+}
+
+FrameView Demo::frame_view(float aspect, bool is_written, bool with_occluders, float share) {
   Wanted wanted = this->wanted();
   wanted.state |= !is_written;
   wanted.occluders |= with_occluders && !is_written;
   const Inspection& seen = inspect(wanted);
-  const Domain& domain = session.scene().domain;
-  const DomainBox box{Vec3(domain.min), Vec3(domain.max), domain.dimensions, domain.boundary == Boundary::open_top,
-                      domain.boundary == Boundary::periodic};
-  const float below = room_below(view.overlays, seen, view.text_scale);
-  Camera camera = leave_room_below(camera_of(view, box, aspect), below);
-  if (view.has_caption) {
-    caption_ = captioned();
-    Room room = room_of(caption_, view.text_scale, aspect);
+  const DomainBox box = this->box();
+  const float below = room_below(view.overlays, seen, view.text_scale) / share;
+  const View turned = view.turned(session.time());
+  const bool has_page = view.has_caption || compared_;
+  Camera camera = leave_room_below(camera_of(turned, box, aspect), below);
+  if (has_page) {
+    caption_ = compared_ ? compared() : captioned();
+    Room room = room_of(caption_, view.text_scale, aspect, share);
     room.below += below;
-    camera = camera_of(view, box, room, aspect);
+    camera = camera_of(turned, box, room, aspect);
   }
   const auto step = static_cast<float>(session.settings().dt / session.settings().substeps);
+  std::vector<std::string> overlays = view.overlays;
+  if (compared_) {  // beside a method that has cells, it needs no words that another one has none
+    std::erase_if(overlays,
+                  [&](const auto& name) { return !entry_named(overlay_table(), name, "").lack(seen).empty(); });
+  }
   return {seen,
           box,
           camera,
-          view.overlays,
+          overlays,
           view.selected,
           view.coloring,
           step,
           left_out_,
           is_written,
-          view.has_caption ? &caption_ : nullptr,
+          has_page ? &caption_ : nullptr,
           view.shows("velocity") ? typical_speed(session.scene()) : 0,
           aim ? &*aim : nullptr};
 }
 
-PageView Demo::captioned() {
+std::string Demo::title() const {
   const Scene& scene = session.scene();
   const std::string& title = language() == Language::german ? scene.title_de : scene.title;
+  return title.empty() ? scene.name : title;
+}
+
+PageView Demo::captioned() {
   PageView page;
-  page.title = title.empty() ? scene.name : title;
+  page.title = title();
   page.is_still = false;
   const Report& last = report();
   const int64_t n = last.count;

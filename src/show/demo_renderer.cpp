@@ -9,12 +9,25 @@ DemoRenderer::DemoRenderer(int width, int height, const RenderOptions& options)
 void DemoRenderer::draw(Demo& demo, RenderOptions options) {
   options.theme = theme_named(demo.view.theme);
   options.text_scale = demo.view.text_scale;
-  renderer_.set_options(options);
-  const bool with_occluders = demo.shows_occlusion(renderer_.height());
-  const bool is_written = write(demo, with_occluders);
+  options_ = options;
   const auto width = static_cast<float>(renderer_.width() - options.left),
              height = static_cast<float>(renderer_.height());
-  renderer_.draw(demo.frame_view(width / height, is_written, with_occluders));
+  if (!demo.is_comparing()) return draw_view(demo, width / height);
+  demo.keep_together();
+  renderer_.set_options(options);
+  renderer_.draw(demo.heading());
+  const std::vector<Room> rooms = demo.rooms(width / height);
+  for (size_t k = 0; k < rooms.size(); ++k) {
+    options_.beside = rooms[k];
+    draw_view(demo.view_at(k), width / height * rooms[k].width() / rooms[k].height(), rooms[k].height());
+  }
+}
+
+void DemoRenderer::draw_view(Demo& demo, float aspect, float share) {
+  renderer_.set_options(options_);
+  const bool with_occluders = demo.shows_occlusion(static_cast<int>(share * static_cast<float>(renderer_.height())));
+  const bool is_written = write(demo, with_occluders);
+  renderer_.draw(demo.frame_view(aspect, is_written, with_occluders, share));
 }
 
 bool DemoRenderer::write(Demo& demo, bool with_occluders) {

@@ -16,7 +16,7 @@ class DemoRenderer {
   /// See Renderer.
   DemoRenderer(int width, int height, const RenderOptions& options);
 
-  /// Draws the present state and view, in the view's theme. If a GPU cannot share its memory with OpenGL, copies are
+  /// Draws the present state and view, or all views of a comparison, in the view's theme. If a GPU cannot share its memory with OpenGL, copies are
   /// drawn, and the demonstration's message reports this once.
   void draw(Demo& demo, RenderOptions options);
 
@@ -30,9 +30,11 @@ class DemoRenderer {
   const std::string& path() const { return path_; }
 
  private:
+  void draw_view(Demo& demo, float aspect, float share = 1);
   bool write(Demo& demo, bool with_occluders);
 
   Renderer renderer_;
+  RenderOptions options_;
   std::unique_ptr<BodyWriter> by_cuda_;  // none in a program without CUDA
   std::string path_;
   bool copies_ = false;

@@ -82,7 +82,10 @@ bool Film::advance(const std::function<bool()>& stop) {
   Session& session = demo_.session;
   const double time = plan.from + next() * plan.interval;
   demo_.follow();  // a ghost begins where the film does
-  while (plan.keeps_timeline && session.steps_until(time) > 0 && !stop()) demo_.timeline->step();
+  while (plan.keeps_timeline && session.steps_until(time) > 0 && !stop()) {
+    demo_.timeline->step();
+    demo_.keep_together();
+  }
   demo_.advance_to(time, stop);
   return session.steps_until(time) == 0;
 }
@@ -104,9 +107,14 @@ std::string film_key(Demo& demo, const FilmPlan& plan, const FilmLook& look) {
   append_line(key, "color", view.coloring);
   append_line(key, "overlay", view.overlays.empty() ? "none" : join(view.overlays, ","));
   append_line(key, "view", joined({view.azimuth, view.elevation, view.zoom, static_cast<double>(view.selected)}));
+  append_line(key, "turn", joined({view.turn}));
+  const Domain& domain = session.scene().domain;
+  const auto [min, max] = session.scene().view.value_or(Extent{domain.min, domain.max});
+  append_line(key, "framed", joined({min.x, min.y, min.z, max.x, max.y, max.z}));
   append_line(key, "text", joined({view.text_scale}) + " " + std::string(name_of(language())));
   append_line(key, "caption", view.has_caption ? "on" : "off");
   append_line(key, "occlusion", view.occlusion ? "on" : "off");
+  append_line(key, "compare", demo.is_comparing() ? join(demo.compared_methods(), ",") : "none");
   append_line(key, "supersample", std::to_string(look.supersample));
   append_line(key, "panel", look.has_panel ? joined({view.ui_scale}) + " " + look.clicks : "none");
   for (const SettingInfo& setting : setting_table()) {

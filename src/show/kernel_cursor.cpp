@@ -91,7 +91,7 @@ FrameView frame_with_page(Demo& demo, const Inspection& seen, PageView& page, fl
   Room room = room_of(page, text_scale, aspect);
   room.below += room_below(whole.overlays, seen, text_scale);
   page.below = room.below;
-  const Camera camera = camera_of(demo.view, whole.domain, room, aspect);
+  const Camera camera = camera_of(demo.view.turned(demo.session.time()), whole.domain, room, aspect);
   return {seen,       whole.domain,   camera, whole.overlays, whole.selected,     whole.coloring,
           whole.step, whole.left_out, false,  &page,          whole.typical_speed};
 }

@@ -27,6 +27,8 @@ std::span<const Key> key_table() {
       Key{'X', "X", "hide the exact ghost, or show it", [](Demo& demo) { demo.view.toggle("ghost"); }},
       Key{'T', "T", "other theme",
           [](Demo& demo) { demo.view.theme = themes()[demo.view.theme == themes()[0].name ? 1 : 0].name; }},
+      Key{'O', "O", "turn the camera slowly, or hold it",
+          [](Demo& demo) { demo.view.set_turn(demo.view.turn == 0 ? kSlowTurn : 0, demo.session.time()); }},
       Key{'H', "H", "view the whole domain again", [](Demo& demo) { demo.view.reset(); }},
       Key{290, "F1", "show these keys, or hide them", [](Demo& demo) { demo.shows_keys = !demo.shows_keys; }},
   };

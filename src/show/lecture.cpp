@@ -192,7 +192,8 @@ Page read_page(const TableReader& reader, const std::filesystem::path& folder) {
     page.view.coloring = *color;
   }
   if (const std::optional<std::string> occlusion = reader.text("occlusion")) {
-    if (*occlusion != "on" && *occlusion != "off") throw reader.error("occlusion", ballpit::quoted(*occlusion), "on, off");
+    if (*occlusion != "on" && *occlusion != "off")
+      throw reader.error("occlusion", ballpit::quoted(*occlusion), "on, off");
     page.view.occlusion = *occlusion == "on";
   }
   page.view.selected = reader.integer("select", 0, kLargestCount).value_or(-1);
@@ -221,10 +222,10 @@ Lecture parse_lecture(std::string_view text, std::string_view file_name, const s
   lecture.title = read_text(root, "title");
   for (const toml::table* page : root.tables("page")) {
     const TableReader reader =
-        root.nested(*page, "[[page]]",
-                    {"id",           "slides",  "title",   "title_de", "caption",  "caption_de", "notes",  "notes_de",
-                     "scene",        "time",    "options", "overlays", "color",    "select",     "camera", "kernel",
-                     "interleaving", "mistake", "stops",   "stored",   "question", "question_de", "occlusion"});
+        root.nested(*page, "[[page]]", {"id",    "slides",   "title",    "title_de",    "caption",      "caption_de",
+                                        "notes", "notes_de", "scene",    "time",        "options",      "overlays",
+                                        "color", "select",   "camera",   "kernel",      "interleaving", "mistake",
+                                        "stops", "stored",   "question", "question_de", "occlusion"});
     lecture.pages.push_back(read_page(reader, folder));
     const auto is_same = [&](const Page& other) { return other.id == lecture.pages.back().id; };
     if (std::count_if(lecture.pages.begin(), lecture.pages.end(), is_same) > 1) {

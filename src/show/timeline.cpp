@@ -184,6 +184,7 @@ bool Player::try_step(Timeline& timeline) {
   }
   step_times_.push_back(static_cast<float>(1e3 * seconds_since(start)));
   if (step_times_.size() > kKept) step_times_.pop_front();
+  if (after_step) after_step();
   return true;
 }
 

@@ -92,7 +92,8 @@ class Timeline {
 class Player {
  public:
   bool is_running = true;
-  double speed = 1;  ///< simulated seconds a second
+  double speed = 1;                  ///< simulated seconds a second
+  std::function<void()> after_step;  ///< called after each step that the player makes; its time counts as a frame's
 
   /// Makes the steps that are due after `elapsed` [s], for at most `share` [s] but at least one. Returns the number of
   /// steps. A run that fails is paused, and failure() gives the reason.

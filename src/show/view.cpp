@@ -51,9 +51,23 @@ void View::reset() {
   zoom = 1;
 }
 
+View View::turned(double time) const {
+  View view = *this;
+  const double degrees = std::remainder(turn * time, 360.0);
+  view.azimuth = std::remainder(azimuth + static_cast<float>(degrees) * kHalfTurn / 180, 2 * kHalfTurn);
+  return turn == 0 ? *this : view;
+}
+
+void View::set_turn(float speed, double time) {
+  azimuth = View{.azimuth = azimuth, .turn = turn - speed}.turned(time).azimuth;
+  turn = speed;
+}
+
 Camera camera_of(const View& view, const DomainBox& domain, float aspect) {
-  Camera camera = domain.is_planar() ? frame_box(domain.min, domain.max, 2, aspect)
-                                     : frame_box_from(domain.min, domain.max, view.azimuth, view.elevation, aspect);
+  const auto [min, max] = domain.framed.value_or(FramedBox{domain.min, domain.max});
+  const auto frame = view.turn == 0 ? frame_box_from : frame_turning_box;
+  Camera camera =
+      domain.is_planar() ? frame_box(min, max, 2, aspect) : frame(min, max, view.azimuth, view.elevation, aspect);
   camera.orthographic_height /= view.zoom;
   camera.fov = 2 * std::atan(std::tan(camera.fov / 2) / view.zoom);
   return camera;

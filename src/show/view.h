@@ -10,12 +10,14 @@
 namespace ballpit {
 
 inline constexpr float kMinZoom = 0.25f, kMaxZoom = 50;  ///< zoom
+inline constexpr float kFastestTurn = 360, kSlowTurn = 6;    ///< turn; 6°/s is one round a minute
 inline constexpr float kMinUiScale = 0.5f, kMaxUiScale = 3;
 
 struct View {
   float azimuth = kThreeQuarterAzimuth;      ///< [rad]
   float elevation = kThreeQuarterElevation;  ///< [rad]
   float zoom = 1;                            ///< 1: the whole domain
+  float turn = 0;                            ///< [°/s] of the scene's time, about the vertical; 0: the camera stands
   std::vector<std::string> overlays{"grid"};
   std::string theme{themes().front().name};
   std::string coloring{coloring_table().front().name};
@@ -31,6 +33,12 @@ struct View {
   void orbit(float right, float down);  ///< distances dragged [fractions of the picture's height]
   void zoom_by(float clicks);           ///< of the mouse wheel
   void reset();                         ///< shows the whole domain in the three-quarter view
+
+  /// The same view after the camera has turned for `time` [s].
+  View turned(double time) const;
+
+  /// Changes the speed without a leap of the camera at `time` [s].
+  void set_turn(float speed, double time);
 };
 
 /// The camera of a view on a domain, in a picture of this width by height.

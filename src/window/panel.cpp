@@ -60,7 +60,7 @@ void map_keys(ImGuiIO& io) {
 }
 
 void feed(ImGuiIO& io, const PanelInput& input, const Sheet& sheet) {
-  io.DisplaySize = {static_cast<float>(sheet.picture_width()), static_cast<float>(sheet.height())};
+  io.DisplaySize = {static_cast<float>(sheet.picture_width()), static_cast<float>(sheet.picture_height())};
   io.DeltaTime = std::max(input.elapsed, 1e-4f);
   io.MousePos = input.mouse.x > -1e5f ? ImVec2{input.mouse.x, input.mouse.y} : ImVec2{-FLT_MAX, -FLT_MAX};
   io.MouseDown[0] = input.is_down;
@@ -162,8 +162,8 @@ void Panel::draw(Demo& demo, const PanelInput& input) {
 
 void Panel::draw_panel(Demo& demo) {
   ImGui::SetNextWindowPos({0, 0});
-  const auto width = static_cast<float>(width_in(sheet_.picture_width(), sheet_.height(), demo.view.ui_scale));
-  ImGui::SetNextWindowSize({width, static_cast<float>(sheet_.height())});
+  const auto width = static_cast<float>(width_in(sheet_.picture_width(), sheet_.picture_height(), demo.view.ui_scale));
+  ImGui::SetNextWindowSize({width, static_cast<float>(sheet_.picture_height())});
   ImGui::Begin("Ballpit", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
@@ -204,7 +204,7 @@ void Panel::draw_handle(const PanelInput& input) {
   handle_left_ = input.mouse != pointer_ ? kHandleTime : handle_left_ - input.elapsed;
   pointer_ = input.mouse;
   if (handle_left_ <= 0) return;
-  ImGui::SetNextWindowPos({0, 0.45f * static_cast<float>(sheet_.height())}, ImGuiCond_Always, {0, 0.5f});
+  ImGui::SetNextWindowPos({0, 0.45f * static_cast<float>(sheet_.picture_height())}, ImGuiCond_Always, {0, 0.5f});
   ImGui::Begin("handle", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground);
@@ -220,8 +220,9 @@ void Panel::hint(const std::string& text) {
 void Panel::draw_hint(float elapsed) {
   hint_left_ -= elapsed;
   if (hint_left_ <= 0) return;
-  const float beside = is_shown ? static_cast<float>(width_in(sheet_.picture_width(), sheet_.height(), 1)) : 0.0f;
-  const auto width = static_cast<float>(sheet_.picture_width()), height = static_cast<float>(sheet_.height());
+  const float beside =
+      is_shown ? static_cast<float>(width_in(sheet_.picture_width(), sheet_.picture_height(), 1)) : 0.0f;
+  const auto width = static_cast<float>(sheet_.picture_width()), height = static_cast<float>(sheet_.picture_height());
   if (top > 0) {  // captions are below
     ImGui::SetNextWindowPos({width - 12 * sheet_.unit(), top * height}, ImGuiCond_Always, {1, 0});
   } else {

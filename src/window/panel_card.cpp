@@ -49,10 +49,10 @@ void Panel::draw_card(Demo& demo) {
   const Inspection& inspection = demo.inspection();
   if (i >= inspection.bodies.count) return;
   const float beside = static_cast<float>(
-                  width_beside(*this, {sheet_.picture_width(), sheet_.height()}, demo.view.ui_scale)),
+                  width_beside(*this, {sheet_.picture_width(), sheet_.picture_height()}, demo.view.ui_scale)),
               width = static_cast<float>(sheet_.picture_width()), margin = 12 * sheet_.unit(),
-              high = std::max(margin, top * static_cast<float>(sheet_.height()));
-  const FrameView view = demo.frame_view((width - beside) / static_cast<float>(sheet_.height()));
+              high = std::max(margin, top * static_cast<float>(sheet_.picture_height()));
+  const FrameView view = demo.frame_view((width - beside) / static_cast<float>(sheet_.picture_height()));
   if (is_upper_right(view, i)) {
     ImGui::SetNextWindowPos({beside + margin, high});
   } else {

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::array kFilmSizes{"640x360", "1280x720", "1920x1080", "3840x2160"};
 constexpr float kMaxFrames = 3600;
+constexpr float kFastTurn = 30;  // [°/s] on the slider; a faster one can be typed
 
 /// The next button stays in the line of the item before if it fits there.
 void keep_line_for(const std::string& label) {
@@ -81,6 +82,13 @@ void Panel::draw_time(Demo& demo) {
 }
 
 void Panel::draw_broad_phases(Demo& demo) {
+  if (demo.is_comparing()) {
+    for (size_t k = 0; k < demo.view_count(); ++k) {
+      const Report& report = demo.view_at(k).report();
+      row(find_method(named<BroadPhase>(report.broadphase)).label.data(), counted(report.candidates, "test"));
+    }
+    return;
+  }
   const std::string_view current = name_of(demo.session.settings().broadphase);
   const auto radio = [&](const Method& method, const std::string& label) {
     const std::string name(method.name);
@@ -180,6 +188,14 @@ void Panel::draw_scene(Demo& demo) {
   if (pages.titles.empty()) {  // a lecture's pages have their own
     if (ImGui::Checkbox((translated("caption") + "##caption").c_str(), &view.has_caption)) demo.touch();
     note("caption");
+    ImGui::BeginDisabled(demo.session.scene().domain.dimensions == 2);
+    float turn = view.turn;
+    const std::string shown = local_number(fmt::format("{:.3g} °/s", turn));
+    if (slider("turn", "turn", turn, {.low = 0, .high = kFastTurn, .shown = shown, .snaps = {0, kSlowTurn}})) {
+      view.set_turn(std::clamp(turn, -kFastestTurn, kFastestTurn), demo.session.time());
+      demo.touch();
+    }
+    ImGui::EndDisabled();
   }
   scale("text-scale", "text in the scene", view.text_scale);
   scale("ui-scale", "panel", view.ui_scale);

@@ -30,6 +30,7 @@ View view_from(const Json& json) {
   view.zoom = number_at(json, "zoom", {kMinZoom, kMaxZoom});
   view.ui_scale = number_at(json, "ui_scale", {kMinUiScale, kMaxUiScale});
   if (json.contains("text_scale")) view.text_scale = number_at(json, "text_scale", {kMinUiScale, kMaxUiScale});
+  if (json.contains("turn")) view.turn = number_at(json, "turn", {-kFastestTurn, kFastestTurn});
   view.has_caption = json.value("caption", true);
   view.occlusion = json.value("occlusion", true);
   view.overlays = parse_overlays("overlays", json.at("overlays").get<std::string>());
@@ -94,6 +95,7 @@ void write_remembered(const std::filesystem::path& file, const Remembered& remem
                    {{"azimuth", view.azimuth},
                     {"elevation", view.elevation},
                     {"zoom", view.zoom},
+                    {"turn", view.turn},
                     {"ui_scale", view.ui_scale},
                     {"text_scale", view.text_scale},
                     {"caption", view.has_caption},

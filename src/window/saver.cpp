@@ -111,7 +111,10 @@ void Saver::advance() {
   attempt([&] {
     const auto start = std::chrono::steady_clock::now();
     if (!film_->advance([&] { return std::chrono::steady_clock::now() - start > kMaxTurn; })) return;
+    const bool measured = std::exchange(demo_.measures, false);  // films are repeatable
+    demo_.touch();
     film_->frames.push(draw(*drawing_, demo_, {}));
+    demo_.measures = measured;
     demo_.say(fmt::format("frame {} of {} in {}", film_->next(), film_->plan.frames, film_->plan.folder));
     if (film_->is_done()) stop_film();
   });

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kIdle = 0.25;  // [s] to wait for an event while nothing moves
 constexpr float kClick = 4;     // [pixel] largest movement of the mouse in a click
+const Vec2 kNowhere(9);         // a place outside of the picture
 
 double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
@@ -84,21 +85,26 @@ void SceneWindow::handle(const WindowEvents& events) {
   mouse_ = events.mouse;
 }
 
-FrameView SceneWindow::view_now() {
-  const PictureSize size = window.size();
-  return frame_view(static_cast<float>(size.width - left()) / static_cast<float>(size.height));
-}
-
-Vec2 SceneWindow::place_of(Vec2 at) const {
+SceneWindow::Seen SceneWindow::seen_at(Vec2 at) {
   const PictureSize size = window.size();
   const auto margin = static_cast<float>(left()), height = static_cast<float>(size.height);
   const float width = static_cast<float>(size.width) - margin;
-  return {2 * (at.x - margin) / width - 1, 1 - 2 * at.y / height};
+  const Vec2 place((at.x - margin) / width, at.y / height);
+  const std::vector<Room> rooms = demo().rooms(width / height);
+  for (size_t k = 0; k < rooms.size() && demo().is_comparing(); ++k) {
+    const Room& room = rooms[k];
+    const Vec2 inside = (place - Vec2(room.left, room.above)) / Vec2(room.width(), room.height());
+    if (inside != glm::clamp(inside, Vec2(0), Vec2(1))) continue;  // in another view
+    const float aspect = width / height * room.width() / room.height();
+    return {demo().view_at(k).frame_view(aspect, false, false, room.height()), {2 * inside.x - 1, 1 - 2 * inside.y}};
+  }
+  if (demo().is_comparing()) return {demo().view_at(0).frame_view(1), kNowhere};
+  return {frame_view(width / height), {2 * place.x - 1, 1 - 2 * place.y}};
 }
 
 void SceneWindow::pick(Vec2 at) {
-  const FrameView view = view_now();
-  demo().view.selected = body_at(view.camera, view.inspection.bodies, place_of(at));
+  const auto [view, place] = seen_at(at);
+  demo().view.selected = body_at(view.camera, view.inspection.bodies, place);
   demo().touch();
 }
 

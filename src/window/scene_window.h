@@ -45,9 +45,12 @@ class SceneWindow {
   virtual void let_go(Vec2 /*at*/, bool /*is_click*/) {}  ///< a click has not moved
   virtual void click(Vec2 at) { pick(at); }
 
-  /// The scene as it is drawn, and the place in it of a pixel: see body_at().
-  FrameView view_now();
-  Vec2 place_of(Vec2 at) const;
+  /// The scene as it is drawn where a pixel is, and the pixel's place in it: see body_at().
+  struct Seen {
+    FrameView view;
+    Vec2 place;
+  };
+  Seen seen_at(Vec2 at);
   void pick(Vec2 at);
 
   void stop() { is_stopped_ = true; }

@@ -75,7 +75,8 @@ bool ShowWindow::can_act() {
 
 bool ShowWindow::grab(Vec2 at) {
   if (is_shift_down() == is_ctrl_down() || !can_act()) return false;
-  return hand_.grab(view_now(), place_of(at), is_shift_down() ? ActKind::to_throw : ActKind::push);
+  const auto [view, place] = seen_at(at);
+  return hand_.grab(view, place, is_shift_down() ? ActKind::to_throw : ActKind::push);
 }
 
 void ShowWindow::let_go(Vec2 at, bool is_click) {
@@ -87,10 +88,13 @@ void ShowWindow::let_go(Vec2 at, bool is_click) {
 
 void ShowWindow::click(Vec2 at) {
   if (!is_shift_down()) return pick(at);
-  if (can_act()) hand_.drop(view_now(), place_of(at));
+  if (!can_act()) return;
+  const auto [view, place] = seen_at(at);
+  hand_.drop(view, place);
 }
 
 void ShowWindow::move_cursor(int direction) {
+  if (demo_.is_comparing()) return demo_.say("no kernel is stepped while broad phases are compared");
   is_shift_down() ? stepping_.skip_phase(direction) : stepping_.move(direction);
 }
 
@@ -119,6 +123,7 @@ void ShowWindow::draw(const WindowEvents& events, float elapsed) {
   panel_.density = window.density();
   panel_.top = stepping_.cursor() || demo_.view.has_caption ? room_of(PageView{}, demo_.view.text_scale, 1).above : 0;
   panel_.is_filming = saver_.is_filming();
+  panel_.shows_card = !demo_.is_comparing();  // it would cover a view
   if (events.was_released) panel_.end_hint();
   panel_.draw(demo_, events.for_panel(elapsed));
   renderer.copy_to_window();
@@ -141,6 +146,9 @@ void ShowWindow::handle(PanelRequests& requests) {
 /// As the exercise sheet asks: spheres, method, milliseconds a step.
 std::string ShowWindow::title() {
   const Report& report = demo_.report();
+  if (demo_.is_comparing()) {
+    return phrase("Ballpit: {} spheres, {}", grouped(report.count), join(demo_.compared_methods()));
+  }
   return phrase("Ballpit: {} spheres, {}, {} ms a step", grouped(report.count), report.broadphase,
                 local_number(three_digits(demo_.player.mean_step_time())));
 }

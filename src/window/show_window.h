@@ -56,7 +56,10 @@ class ShowWindow final : public SceneWindow {
   void handle(PanelRequests& requests);
   bool can_act();
   bool grab(Vec2 at) override;
-  void drag(Vec2 at) override { hand_.drag(view_now(), place_of(at)); }
+  void drag(Vec2 at) override {
+    const auto [view, place] = seen_at(at);
+    hand_.drag(view, place);
+  }
   void let_go(Vec2 at, bool is_click) override;
   void click(Vec2 at) override;
 

@@ -19,7 +19,7 @@ int height_of(const char* text, TextSize size, float scale) {
   const GlContext context;
   const RenderTarget target(400, 1080);
   Sheet sheet;
-  sheet.begin(target.width, target.height, 0, scale);
+  sheet.begin(target.width, target.height, {0, 0, target.width, target.height}, scale);
   target.bind();
   glClearColor(1, 1, 1, 1);
   glClear(GL_COLOR_BUFFER_BIT);

@@ -42,7 +42,7 @@ TEST_CASE("unknown keys are refused at every level, with the valid ones") {
       {"titel = 'x'",
        "1: titel: found an unknown key, allowed title, description, title_de, description_de, domain, "
        "physics, "
-       "spheres, fill, defaults, needs"},
+       "spheres, fill, defaults, needs, view"},
       {"[domain]\nmin = [0, 0, 0]\nmaximum = [1, 1, 1]",
        "3: [domain] maximum: found an unknown key, allowed " + kDomainKeys},
       {"[physics]\n\ngravty = 1",
@@ -59,10 +59,11 @@ TEST_CASE("unknown keys are refused at every level, with the valid ones") {
       {"[needs]\ntime = 1",
        "2: [needs] time: found an unknown key, allowed duration, max_overlap, max_overlap_ever, "
        "energy_tolerance, momentum_tolerance, max_speed, path_tolerance, effects, observables"},
+      {"[view]\nzoom = 2", "2: [view] zoom: found an unknown key, allowed min, max"},
       {"\"a\\nb\" = 1",
        "1: a\\x0Ab: found an unknown key, allowed title, description, title_de, description_de, domain, "
        "physics, "
-       "spheres, fill, defaults, needs"},
+       "spheres, fill, defaults, needs, view"},
   });
 }
 
