@@ -121,7 +121,7 @@ class RenderCommand {
 
   static void print_lacks(Demo& demo) {
     for (const OverlayEntry& overlay : overlay_table()) {
-      const std::string lack = demo.view.shows(overlay.name) ? overlay.lack(demo.inspection()) : "";
+      const std::string lack = demo.lack_of(overlay);
       if (!lack.empty()) note("--overlay " + std::string(overlay.name), lack);
     }
   }

@@ -84,7 +84,9 @@ class ShowCommand {
       }
     }
     if (!demo) demo = std::make_unique<Demo>(arguments_.scene, arguments_.given);
-    look_.apply(*demo, last ? last->view : look_.preset);
+    View base = last ? last->view : look_.preset;
+    if (!last && !arguments_.is_scene_given) base.turn = look_.turn_of_default;
+    look_.apply(*demo, base);
     warn_of_run(demo->session);
     demo->play(acts_.read(demo->session));
     demo->measures = true;
@@ -102,7 +104,7 @@ class ShowCommand {
 
   SceneArguments arguments_;
   ActsArgument acts_;
-  LookArguments look_{.preset = {.has_caption = true}};
+  LookArguments look_{.preset = {.has_caption = true}, .turn_of_default = kSlowTurn};
   static constexpr PictureSize kSize{1600, 900};
   std::optional<PictureSize> size_;
   bool remembers_ = false;

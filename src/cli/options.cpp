@@ -85,9 +85,10 @@ void LookArguments::add_to(CommandOptions& command) {
               [this](const std::string& text) {
                 has_caption = parse_choice("--caption", text, {"on", "off"}) == "on";
               });
-  command.add_number(
-      {"--turn", "DEGREES", "the camera turns about the vertical: degrees a simulated second", typed(preset.turn)},
-      turn, Range{-kFastestTurn, kFastestTurn});
+  const std::string turns = turn_of_default != 0 ? fmt::format("; {:g} for the default scene", turn_of_default) : "";
+  command.add_number({"--turn", "DEGREES", "the camera turns about the vertical: degrees a simulated second",
+                      typed(preset.turn) + turns},
+                     turn, Range{-kFastestTurn, kFastestTurn});
   command.add({"--compare", "A,B,…", "split the picture: the scene by two to four broad phases, with counts of tests"},
               [this](const std::string& text) { compared = parse_comparison(text); });
   command.add_number({"--ui-scale", "FACTOR", "size of the panel's text and widgets", typed(preset.ui_scale)}, ui_scale,

@@ -63,7 +63,8 @@ struct LookArguments {
   /// Sets the view of a new demonstration, and begins a comparison. Throws UserError if the scene cannot be shown so.
   void apply(Demo& demo, const View& base) const;
 
-  View preset{};  ///< of the command
+  View preset{};              ///< of the command
+  float turn_of_default = 0;  ///< [°/s] in the scene that is shown if none is named
   std::optional<std::vector<std::string>> overlays{};
   std::optional<std::string> coloring{}, theme{}, occlusion{};
   std::optional<bool> has_caption{};

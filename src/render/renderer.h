@@ -28,8 +28,8 @@ struct RenderOptions {
   Theme theme = themes().front();
   int supersample = 1;   ///< 1 to 4: draws that many times larger in each direction and averages, for stills
   int left = 0;          ///< [pixel] of the picture's width that are left to a panel
-  Room beside{};         ///< parts of the rest that are left to other views
   float text_scale = 1;  ///< of the scene's text
+  Room beside{};         ///< parts of the picture beside the panel that are left to other views
 
   /// Where the view is drawn in a picture of this size [pixel].
   PictureRect part_of(int width, int height) const;

@@ -28,6 +28,7 @@ struct Moment {
 };
 
 class Demo;
+struct OverlayEntry;  // render/overlays/overlay.h
 
 /// A key of a demonstration, for the window, the list that F1 shows, and the README.
 struct Key {
@@ -147,6 +148,9 @@ class Demo {
   /// Whether a picture of this height [pixel] has ambient occlusion: not in the plane, nor where spheres are too small to
   /// show it.
   bool shows_occlusion(int height = 1080) const;
+
+  /// Why an overlay has nothing to draw, in any view; "" if it has, or if it is not shown.
+  std::string lack_of(const OverlayEntry& overlay);
 
   /// Whether the inspection holds candidates: they were wanted, and there were not too many.
   bool has_candidates() const { return requested_.candidates && !left_out_.candidates; }

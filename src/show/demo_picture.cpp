@@ -132,6 +132,15 @@ PageView Demo::captioned() {
   return page;
 }
 
+std::string Demo::lack_of(const OverlayEntry& overlay) {
+  if (!view.shows(overlay.name)) return "";
+  const std::string lack = overlay.lack(inspection());
+  for (const auto& other : beside_) {
+    if (overlay.lack(other->inspection()).empty()) return "";
+  }
+  return lack;
+}
+
 const Inspection& Demo::inspect(Wanted wanted) {
   if (inspected_ == version()) {
     wanted = wanted | requested_;

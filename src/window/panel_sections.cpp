@@ -164,7 +164,7 @@ void Panel::draw_scene(Demo& demo) {
       demo.touch();
     }
     note("overlay " + std::string(overlay.name));
-    const std::string lack = view.shows(overlay.name) ? overlay.lack(demo.inspection()) : "";
+    const std::string lack = demo.lack_of(overlay);
     if (lack.empty()) continue;
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", translated(lack).c_str());

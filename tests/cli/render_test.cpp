@@ -212,3 +212,29 @@ TEST_CASE("a scene is rendered the same where its lengths are far from a metre")
     CHECK(largest <= 1);
   }
 }
+
+TEST_CASE("compared methods are counted in the summary, and their film is the same at every run") {
+  const std::vector<std::string> options{"--compare", "brute-force,linked-cell", "--frames", "2", "--size", "320x180"};
+  const auto first = film(options), second = film(options);
+  CHECK(first.size() == 2);
+  CHECK(is_same(first, second));
+  const Scratch scratch;
+  const auto json = run_program({"render", "--count", "200", "--compare", "brute-force,linked-cell", "--frames", "2",
+                                 "--size", "320x180", "--out", scratch / "film", "--json"})
+                        .json();
+  REQUIRE(json["compare"].size() == 2);
+  CHECK(json["compare"][0]["broadphase"] == "brute-force");
+  CHECK(json["compare"][0]["tests"] == 19900);
+  CHECK(json["compare"][0]["tests_so_far"] == 5 * 19900);  // at the start, and after each of four steps
+  CHECK(json["compare"][1]["broadphase"] == "linked-cell");
+  CHECK(json["compare"][1]["tests_so_far"] < 19900);
+  CHECK(json["compare"][1]["contacts"] == json["compare"][0]["contacts"]);
+}
+
+TEST_CASE("a caption and a turn of the camera change the picture, and a turn of nothing changes none") {
+  const auto plain = film({"--frames", "2"}), caption = film({"--frames", "2", "--caption", "on"}),
+             still = film({"--frames", "2", "--turn", "0"}), turned = film({"--frames", "2", "--turn", "90"});
+  CHECK_FALSE(is_same(pixels_of(plain[0]), pixels_of(caption[0])));
+  CHECK(is_same(plain, still));
+  CHECK_FALSE(is_same(pixels_of(plain[1]), pixels_of(turned[1])));
+}

@@ -204,6 +204,8 @@ TEST_CASE("the option --resume refuses frames that show something else, and says
                                                       {{"--every", "2"}, "interval "},
                                                       {{"--supersample", "2"}, "supersample 1"},
                                                       {{"--panel"}, "panel none"},
+                                                      {{"--turn", "6"}, "turn 0"},
+                                                      {{"--caption", "on"}, "caption off"},
                                                       {{"--dt", "0.001"}, "dt "},
                                                       {{"--swept", "on"}, "swept "}}) {
     Arguments arguments = render(out, 4, options);
@@ -212,6 +214,28 @@ TEST_CASE("the option --resume refuses frames that show something else, and says
   }
   render_whole(out, 3, {"--resume", "--threads", "1"});  // changes no picture
   CHECK(count_whole_frames(folder, false) == 3);
+}
+
+TEST_CASE("a film that compares methods goes on with its counts, and refuses frames that compare others") {
+  const Scratch folder, whole;
+  const auto compared = [](const Scratch& out, int frames, const std::string& methods, bool resumes) {
+    Arguments arguments{"render",    "bouncing-balls",
+                        "--count",   "150",
+                        "--size",    "320x180",
+                        "--turn",    "30",
+                        "--frames",  std::to_string(frames),
+                        "--out",     out.path().string(),
+                        "--compare", methods};
+    if (resumes) arguments.emplace_back("--resume");
+    return run_program(arguments);
+  };
+  CHECK(compared(folder, 2, "brute-force,linked-cell", false).status == 0);
+  CHECK(compared(folder, 4, "brute-force,linked-cell", true).status == 0);
+  CHECK(compared(whole, 4, "brute-force,linked-cell", false).status == 0);
+  check_same_frames(folder, whole, 4);
+  const Outcome other = compared(folder, 5, "brute-force,sorted-grid", true);
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, Contains(" with compare brute-force,linked-cell, allowed frames with compare brute-force,so"));
 }
 
 TEST_CASE("frames of older versions, which do not say what they show, are refused where their size is another") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/renderer.h"
 
+#include <cstring>
+
 #include <catch2/catch.hpp>
 #include <epoxy/gl.h>
 
@@ -189,4 +191,35 @@ TEST_CASE("impossible sizes and names are UserErrors that list the valid ones") 
   CHECK_THROWS_WITH(Renderer(1000000, 1000000), Catch::Contains("1000000x1000000"));
   CHECK_THROWS_AS(Renderer(100, 100, {themes().front(), 5}), UserError);
   CHECK_THROWS_WITH(theme_named("pink"), Catch::Contains("projector, dark"));
+}
+
+TEST_CASE("a view beside others is the picture of its own size, and leaves the rest as it is") {
+  const GlContext context;
+  const Inspection inspection = inspect(some_spheres(), kBox);
+  const FrameView view = view_of(inspection, kBox, 1);  // without text, whose size is that of the whole picture's
+  for (const int supersample : {1, 2}) {
+    CAPTURE(supersample);
+    Renderer own(200, 200, {.supersample = supersample}), whole(400, 200, {.supersample = supersample});
+    own.draw(view);
+    const Image expected = own.read_pixels();
+    whole.draw(view_of(inspection, kBox, 2));
+    const Image before = whole.read_pixels();
+    whole.set_options({.supersample = supersample, .beside = {.left = 0.5f}});
+    whole.draw(view);
+    const Image after = whole.read_pixels();
+    const auto pixel_of = [](const Image& image, int x, int y) {
+      uint32_t pixel;
+      std::memcpy(&pixel, &image.pixels[static_cast<size_t>(y * image.width + x) * 4], sizeof pixel);
+      return pixel;
+    };
+    int changed = 0, different = 0;
+    for (int y = 0; y < 200; ++y) {
+      for (int x = 0; x < 200; ++x) {
+        changed += pixel_of(after, x, y) != pixel_of(before, x, y);
+        different += pixel_of(after, x + 200, y) != pixel_of(expected, x, y);
+      }
+    }
+    CHECK(changed == 0);
+    CHECK(different < 40);  // of 40 000: edges are rounded at other places
+  }
 }

@@ -139,3 +139,16 @@ TEST_CASE("a cell says how many spheres it holds as n = 2, and only where there 
   CHECK(dark_columns(one) > 14);  // a digit alone is 6 wide
   CHECK(dark_columns(labelled) == 0);
 }
+
+TEST_CASE("a long note goes on in the next line where the picture is narrow") {
+  const GlContext context;
+  const Inspection inspection = inspect({{{2, 2, 0}, 0.3f}}, kPlane);  // without cells
+  const auto lowest_of = [&](int width) {
+    FrameView with = view_of(inspection, kPlane, static_cast<float>(width) / 600, {"grid"}), without = with;
+    without.overlays.clear();
+    return changed(draw(with, width, 600), draw(without, width, 600));
+  };
+  const auto wide = lowest_of(1200), narrow = lowest_of(338);
+  CHECK(narrow.second.y - narrow.first.y > 1.5f * (wide.second.y - wide.first.y));
+  CHECK(narrow.second.x < 338 - 4);
+}

@@ -101,5 +101,5 @@ TEST_CASE("an unknown scene is refused with the names of those that exist") {
 TEST_CASE("an error in a built-in scene names its file") {
   SceneOverrides overrides;
   overrides.count = 10'000'000;
-  CHECK_THROWS_WITH(load_scene("rain", overrides), Catch::StartsWith("rain.toml:17: [[fill]] count (--count): found"));
+  CHECK_THROWS_WITH(load_scene("rain", overrides), Catch::StartsWith("rain.toml:21: [[fill]] count (--count): found"));
 }

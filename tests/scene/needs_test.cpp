@@ -65,3 +65,13 @@ TEST_CASE("a scene may say why it has its defaults") {
   CHECK(parse_scene("[defaults]\ndt = 0.1", "a.toml").because.empty());
   check_error("[defaults]\nbecause = 1", "2: [defaults] because: found 1, allowed a text in quotes");
 }
+
+TEST_CASE("a scene says what fills its picture, or nothing does but the domain") {
+  CHECK_FALSE(parse_scene("[domain]\nmax = [2, 2, 2]\n", "a.toml").view);
+  const auto view = parse_scene("[domain]\nmax = [2, 2, 2]\n[view]\nmax = [1, 3, 1]\n", "a.toml").view;
+  REQUIRE(view);
+  CHECK(view->min == Vec3d(0));
+  CHECK(view->max == Vec3d(1, 3, 1));
+  CHECK_THROWS_WITH(parse_scene("[domain]\n[view]\nmin = [0, 1, 0]\n", "a.toml"),
+                    "a.toml:3: [view] min: found 1 to 1 at [1], allowed min below max");
+}

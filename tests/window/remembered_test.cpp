@@ -19,6 +19,7 @@ Remembered some() {
   some.view.zoom = 2;
   some.view.ui_scale = 1.5f;
   some.view.has_caption = false;
+  some.view.turn = 12;
   some.view.overlays = {"pairs", "swept"};
   some.view.coloring = "work";
   some.view.theme = "dark";
@@ -44,6 +45,7 @@ TEST_CASE("scene, options, view and size come back as they were") {
   CHECK(back->view.zoom == view.zoom);
   CHECK(back->view.ui_scale == view.ui_scale);
   CHECK_FALSE(back->view.has_caption);
+  CHECK(back->view.turn == 12);
   CHECK(back->view.overlays == view.overlays);
   CHECK(back->view.coloring == view.coloring);
   CHECK(back->view.theme == view.theme);
