@@ -173,6 +173,8 @@ class RenderCommand {
     const int made = std::max(frames_ - first_, 0);
     const double rate = made > 0 ? made / seconds_ : 0.0;
     const Report& report = session.report();
+    double simulated = 0;  // [s] of computing, for all views
+    for (size_t k = 0; k < demo.view_count(); ++k) simulated += demo.view_at(k).report().seconds;
     nlohmann::ordered_json json{{"scene", session.scene().name},
                                 {"count", report.count},
                                 {"out", out_},
@@ -182,7 +184,7 @@ class RenderCommand {
                                 {"time", session.world().time()},
                                 {"seconds", seconds_},
                                 {"frames_per_second", rate},
-                                {"simulation_seconds", report.seconds},
+                                {"simulation_seconds", simulated},
                                 {"backend", session.backend()},
                                 {"bodies", path},
                                 {"renderer", context.info().renderer}};
@@ -199,7 +201,7 @@ class RenderCommand {
               "{} frames of {} ({} spheres, {}) in {}\n{:g} frames a second: {:g} s, of which simulation ({}) {:g} "
               "s\ndrawn by {}, bodies {}\n{}",
               made, session.scene().name, report.count, text_of(size_), out_, rate, seconds_, session.backend(),
-              report.seconds, context.info().renderer, path, compared));
+              simulated, context.info().renderer, path, compared));
   }
 
   /// Frames of an earlier, longer run are not removed, but they could be taken for frames of this run.

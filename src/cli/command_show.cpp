@@ -43,7 +43,9 @@ class ShowCommand {
     }
     if (!remembers_) return;
     const Session& session = demo->session;
-    write_remembered(file, {lasting_name(session.scene_name()), session.given(), demo->view, size_of(window)});
+    std::vector<GivenOption> given = session.given();
+    if (demo->is_comparing()) std::erase_if(given, [](const auto& option) { return option.name == "broadphase"; });
+    write_remembered(file, {lasting_name(session.scene_name()), given, demo->view, size_of(window)});
   }
 
  private:

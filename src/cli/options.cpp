@@ -85,9 +85,9 @@ void LookArguments::add_to(CommandOptions& command) {
               [this](const std::string& text) {
                 has_caption = parse_choice("--caption", text, {"on", "off"}) == "on";
               });
-  const std::string turns = turn_of_default != 0 ? fmt::format("; {:g} for the default scene", turn_of_default) : "";
-  command.add_number({"--turn", "DEGREES", "the camera turns about the vertical: degrees a simulated second",
-                      typed(preset.turn) + turns},
+  const std::string turns = turn_of_default != 0 ? fmt::format(" ({:g} without SCENE)", turn_of_default) : "";
+  command.add_number({"--turn", "DEGREES", "the camera turns about the vertical, in degrees a simulated second" + turns,
+                      typed(preset.turn)},
                      turn, Range{-kFastestTurn, kFastestTurn});
   command.add({"--compare", "A,B,…", "split the picture: the scene by two to four broad phases, with counts of tests"},
               [this](const std::string& text) { compared = parse_comparison(text); });
