@@ -29,6 +29,7 @@ UserError extra_words(const CLI::App& command) {
     for (const std::string argument : {"SCENE", "FILE"}) {
       if (command.get_option_no_throw(argument) != nullptr) allowed = "one " + argument + " and options";
     }
+    if (command.get_option_no_throw("B") != nullptr) allowed = "A, B and options";
     return UserError(command.get_name(), found, allowed, see_help(command));
   }
   std::vector<std::string> names;

@@ -25,6 +25,7 @@ constexpr std::array kCommands {
       CommandEntry{"choose", "the cheapest method that gives what the scene's [needs] ask for, and why",
                    make_choose_command},
       CommandEntry{"pairs", "overlapping pairs among spheres in a CSV file or a scene", make_pairs_command},
+      CommandEntry{"compare", "whether two PNG pictures show the same, for screenshot tests", make_compare_command},
       CommandEntry{"bench", "time per step by method, backend, threads and number of spheres", make_bench_command},
 #if BALLPIT_HAS_LABORATORY
       CommandEntry{"lab", "experiments: tables, charts and one report of what methods cost and get right",

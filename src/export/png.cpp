@@ -60,7 +60,6 @@ using namespace std::string_view_literals;
 
 [[maybe_unused]] const int kSubFilter = stbi_write_force_png_filter = 1;
 
-constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n"sv;
 constexpr std::string_view kEnd = "\0\0\0\0IEND\xAE\x42\x60\x82"sv;
 constexpr std::string_view kKeyword = "Ballpit\0"sv;  // of the chunk that holds the key
 constexpr size_t kMaxBytes = 2'000'000'000;           // stb_image_write counts bytes in int
@@ -77,12 +76,6 @@ std::vector<uint8_t> without_alpha(const Image& image) {
 
 void append_big_endian(std::string& bytes, uint32_t value) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>(value >> shift & 255u));
-}
-
-uint32_t big_endian(std::string_view bytes, size_t at) {
-  uint32_t value = 0;
-  for (const char byte : bytes.substr(at, 4)) value = value << 8 | static_cast<uint8_t>(byte);
-  return value;
 }
 
 /// Length, type, data, check sum of type and data.
@@ -118,7 +111,7 @@ std::optional<PngHead> read_png_head(const std::filesystem::path& path) {
   std::string bytes(65536, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<size_t>(in.gcount()));
-  if (bytes.size() < kHeader || !bytes.starts_with(kSignature) || bytes.compare(12, 4, "IHDR") != 0) return {};
+  if (bytes.size() < kHeader || !bytes.starts_with(kPngSignature) || bytes.compare(12, 4, "IHDR") != 0) return {};
   PngHead head{static_cast<int>(big_endian(bytes, 16)), static_cast<int>(big_endian(bytes, 20)), {}};
   if (bytes.size() < kHeader + 8 || bytes.compare(kHeader + 4, 4, "tEXt") != 0) return head;
   const std::string_view text = std::string_view(bytes).substr(kHeader + 8, big_endian(bytes, kHeader));
@@ -126,8 +119,14 @@ std::optional<PngHead> read_png_head(const std::filesystem::path& path) {
   return head;
 }
 
+uint32_t big_endian(std::string_view bytes, size_t at) {
+  uint32_t value = 0;
+  for (const char byte : bytes.substr(at, 4)) value = value << 8 | static_cast<uint8_t>(byte);
+  return value;
+}
+
 bool is_whole_png(std::string_view bytes) {
-  return bytes.size() > kSignature.size() + kEnd.size() && bytes.starts_with(kSignature) && bytes.ends_with(kEnd);
+  return bytes.size() > kPngSignature.size() + kEnd.size() && bytes.starts_with(kPngSignature) && bytes.ends_with(kEnd);
 }
 
 }  // namespace ballpit

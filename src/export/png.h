@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -30,5 +31,13 @@ std::optional<PngHead> read_png_head(const std::filesystem::path& path);
 
 /// Whether `bytes` begin and end as a whole PNG file does.
 bool is_whole_png(std::string_view bytes);
+
+/// Decodes a PNG file of any program. Transparent pixels are shown on white. Throws UserError for a file that is
+/// unreadable, no PNG file, cut off or damaged, or has more than 2^28 pixels.
+Image read_png(const std::filesystem::path& path);
+
+/// The bytes that each PNG file begins with, and a number in it.
+inline constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
+uint32_t big_endian(std::string_view bytes, size_t at);
 
 }  // namespace ballpit

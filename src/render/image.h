@@ -2,6 +2,7 @@
 // A picture in memory.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -291,8 +291,8 @@ const std::vector<Unreached>& unreached() {
 
 std::vector<Row> all_rows() {
   std::vector<Row> rows = rows_of_commands();
-  for (const auto& of :
-       {rows_of_scenes, rows_of_lectures, rows_of_masses, rows_of_choices, rows_of_acts, rows_of_views})
+  for (const auto& of : {rows_of_scenes, rows_of_lectures, rows_of_masses, rows_of_choices, rows_of_acts, rows_of_views,
+                         rows_of_pictures})
     for (const Row& row : of()) rows.push_back(row);
   return rows;
 }

@@ -141,6 +141,11 @@ void write_files(const Scratch& scratch) {
   Arguments film = kRender;
   film.back() = scratch / "old";
   REQUIRE(run_program(film).status == 0);
+  film.back() = scratch / "dark";
+  film.insert(film.end(), {"--theme", "dark"});
+  REQUIRE(run_program(film).status == 0);
+  const std::string picture = scratch / "old/frame_00000.png";
+  REQUIRE(run_program({"compare", picture, picture, "--out", scratch / "large.png"}).status == 0);
   fs::create_directories(scratch / "old/frame_00002.png/x");
 }
 

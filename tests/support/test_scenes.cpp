@@ -143,10 +143,6 @@ int difference(const uint8_t* pixel, const Vec3& color) {
   return largest;
 }
 
-int difference(const uint8_t* a, const uint8_t* b) {
-  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
-}
-
 int count_different(const Image& a, const Image& b) {
   int count = 0;
   for (int y = 0; y < a.height; ++y) {

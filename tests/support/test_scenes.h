@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "export/picture_compare.h"
 #include "render/frame_view.h"
 #include "render/image.h"
 #include "render/renderer.h"
@@ -39,9 +40,8 @@ FrameView view_of(const Inspection& inspection, const DomainBox& domain, float a
 /// In a context of its own.
 Image draw(const FrameView& view, int width, int height, const RenderOptions& options = {});
 
-/// The largest difference of a colour channel.
+/// The largest difference of a colour channel, of 255.
 int difference(const uint8_t* pixel, const Vec3& color);
-int difference(const uint8_t* a, const uint8_t* b);
 
 /// Pixels that differ by more than 8/255 between two pictures of the same size.
 int count_different(const Image& a, const Image& b);
