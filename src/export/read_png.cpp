@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decodes PNG files of any origin by stb_image. It checks no check sums and allocates what a file says, so both are done
-// here: a damaged file is refused, not compared, and no file takes more memory than a picture may have.
+// here: a damaged file is refused, not compared, and no file takes more memory than its picture needs.
 // Source: PNG specification, W3C REC-png-3, section 5 (chunks).
 #include <algorithm>
 #include <cstdlib>
@@ -17,12 +17,11 @@
 
 namespace {
 
-/// [byte] 16 384 × 16 384 pixels of four bytes, and a filter byte for each row.
-constexpr size_t kMaxAllocation = (size_t{1} << 30) + (size_t{1} << 20);
+/// [byte] that one allocation of stb_image may have. A small file can unpack to any size.
+thread_local size_t allowed = 0;
 
-/// nullptr for too much: a small file may claim to unpack to any size.
-void* allocate(size_t bytes) { return bytes > kMaxAllocation ? nullptr : std::malloc(bytes); }
-void* reallocate(void* old, size_t bytes) { return bytes > kMaxAllocation ? nullptr : std::realloc(old, bytes); }
+void* allocate(size_t bytes) { return bytes > allowed ? nullptr : std::malloc(bytes); }
+void* reallocate(void* old, size_t bytes) { return bytes > allowed ? nullptr : std::realloc(old, bytes); }
 
 }  // namespace
 
@@ -85,6 +84,13 @@ std::string fault_of(std::string_view bytes) {
   return "a PNG file that ends early";
 }
 
+/// [byte] What decoding needs: the data from the file, or the pixels of 8 bytes at most, in buffers that grow by doubling.
+size_t memory_for(std::string_view bytes) {
+  const size_t width = big_endian(bytes, 16), height = big_endian(bytes, 20);
+  const size_t most = width * height > (1u << 28) ? 0 : (8 * width + 1) * height;
+  return 4096 + 2 * std::max(bytes.size(), most);
+}
+
 /// Shows transparent pixels on white, since pictures are opaque.
 void make_opaque(std::vector<uint8_t>& pixels) {
   for (size_t k = 0; k < pixels.size(); k += 4) {
@@ -101,6 +107,7 @@ void make_opaque(std::vector<uint8_t>& pixels) {
 Image read_png(const std::filesystem::path& path) {
   const std::string bytes = read_signed(path);
   if (const std::string fault = fault_of(bytes); !fault.empty()) throw wrong_picture(path, fault);
+  allowed = memory_for(bytes);
   Image image;
   int channels = 0;
   const std::unique_ptr<stbi_uc, decltype(&std::free)> pixels(

@@ -2,6 +2,7 @@
 // read_png() decodes the pictures of any program, and refuses what is no whole picture.
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 #include <catch2/catch.hpp>
 #include <libdeflate.h>
@@ -129,6 +130,21 @@ TEST_CASE("a picture of absurd size is refused without its memory") {
        std::vector<std::pair<uint32_t, uint32_t>>{{0, 4}, {16385, 16385}, {1u << 24, 1u << 24}, {0xFFFFFFFF, 1}}) {
     CHECK_THAT(refusal(with_size(small_png(), width, height)), Contains("cannot be decoded"));
   }
+}
+
+TEST_CASE("a small picture whose data unpack to much more than its pixels is refused without the memory for them") {
+  const std::vector<uint8_t> zeros(64'000'000);
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(1), libdeflate_free_compressor);
+  std::string packed(1'000'000, '\0');
+  packed.resize(libdeflate_zlib_compress(compressor.get(), zeros.data(), zeros.size(), packed.data(), packed.size()));
+  REQUIRE(!packed.empty());
+  const std::string whole = small_png();
+  const size_t data = whole.find("IDAT");
+  std::string bomb = whole.substr(0, data + 4) + packed + "sum!" + whole.substr(whole.find("IEND") - 4);
+  set_number(bomb, data - 4, static_cast<uint32_t>(packed.size()));
+  set_number(bomb, data + 4 + packed.size(), libdeflate_crc32(0, bomb.data() + data, 4 + packed.size()));
+  CHECK_THAT(refusal(bomb), Contains("cannot be decoded (outofmem)"));
 }
 
 TEST_CASE("a folder and a missing file are refused, and a device without end is not read") {
