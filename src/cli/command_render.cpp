@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ballpit render: a scene as numbered PNG frames, without a window or a display.
+// ballpit render: a scene as numbered PNG frames, a film, or both, without a window or a display.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -27,9 +27,8 @@ namespace {
 class RenderCommand {
  public:
   void add_options(CommandOptions& command) {
-    command.add_path(
-        {.name = "--out", .type = "DIR", .help = "folder for frame_00000.png, frame_00001.png, …", .is_required = true},
-        out_);
+    command.add_path({"--out", "DIR", "folder for frame_00000.png, frame_00001.png, …"}, out_);
+    command.add_path({"--film", "FILE.mp4", "film of the frames, made by ffmpeg; with or without --out"}, film_);
     command.add_number({"--frames", "N", "number of frames"}, frames_, Range{1, 100'000});
     command.add({"--size", "WIDTHxHEIGHT", "picture size in pixels", text_of(size_)},
                 [this](const std::string& text) { size_ = parse_size(text); });
@@ -51,6 +50,10 @@ class RenderCommand {
   }
 
   void run() {
+    if (out_.empty() && film_.empty()) {
+      throw UserError("--out", "nothing", "--out DIR, --film FILE.mp4 or both", "see `ballpit render --help`");
+    }
+    if (!film_.empty()) check_film();
     if (look_.ui_scale && !has_panel_) throw UserError("--ui-scale", "without --panel", "together with it");
     if (clicks_ && !has_panel_) throw UserError("--click", *clicks_ + " without --panel", "together with it");
 
@@ -59,7 +62,7 @@ class RenderCommand {
     }
     look_.check(arguments_, size_);
     const auto [width, height] = size_;
-    const std::filesystem::path record = std::filesystem::path(out_) / "choice.json";
+    const std::filesystem::path record = out_.empty() ? "" : std::filesystem::path(out_) / "choice.json";
     std::error_code ignored;
     const bool has_record = resume_ && std::filesystem::exists(record, ignored);
     Demo demo(arguments_.scene, arguments_.given, has_record ? record : "");
@@ -67,8 +70,8 @@ class RenderCommand {
     warn_of_run(demo.session);
     demo.play(acts_.read(demo.session));
     Session& session = demo.session;
-    check_output_folder(out_);
-    FilmPlan plan{out_, "", 0, frames_, from_, every_ / fps_, has_panel_};
+    if (!out_.empty()) check_output_folder(out_);
+    FilmPlan plan{out_, "", 0, frames_, from_, every_ / fps_, has_panel_, film_, size_};
     plan.key = film_key(demo, plan, {size_, supersample_, has_panel_, clicks_.value_or("")});
     first_ = plan.first = frames_to_keep(plan.key);
     GlContext context(session.backend() == "cuda" ? 0 : -1);
@@ -83,34 +86,52 @@ class RenderCommand {
       if (panel) panel->draw(demo, input);
     };
     if (clicks_) click(*panel, demo, draw);
-    remove_frames(out_, first_, frames_);
+    if (!out_.empty()) remove_frames(out_, first_, frames_);
     catch_interrupts();
     const auto start = std::chrono::steady_clock::now();
     Film film(demo, plan);
-    if (session.choice() && !has_record) {
+    if (session.choice() && !has_record && !out_.empty()) {
       write_file(record,
                  json_of(*session.choice(), arguments_.scene, session.scene(), arguments_.given).dump(2) + "\n");
     }
     Progress progress("frames", frames_);
-    while (!film.is_done() && !was_interrupted()) {
-      advance(film, session);
-      if (was_interrupted()) break;
-      draw(PanelInput{});
-      if (film.next() == first_ && look_.overlays) print_lacks(demo);
-      if (panel && film.next() == first_) draw(PanelInput{});  // the panel knows its height from its first frame
-      film.frames.push(drawing.renderer().read_pixels());
-      progress.show(film.next());
+    bool is_complete = false;
+    try {
+      while (!film.is_done() && !was_interrupted()) {
+        advance(film, session);
+        if (was_interrupted()) break;
+        draw(PanelInput{});
+        if (film.next() == first_ && look_.overlays) print_lacks(demo);
+        if (panel && film.next() == first_) draw(PanelInput{});  // the panel knows its height from its first frame
+        film.push(drawing.renderer().read_pixels());
+        progress.show(film.next());
+      }
+      film.finish();
+      is_complete = film.is_done();
+    } catch (const Interrupted&) {
+      // while ffmpeg was at work
     }
-    film.frames.finish();
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (was_interrupted() && film.next() < frames_) {
+    if (!is_complete) {
       throw RunError(session.scene().name, fmt::format("interrupted after {} of {} frames", film.next(), frames_),
-                     "--resume goes on from there");
+                     film_.empty() ? "--resume goes on from there" : "no film was written");
     }
-    print_summary(demo, context, drawing.path());
+    print_summary(demo, context, drawing.path(), plan);
   }
 
  private:
+  /// Refuses what no film can be made of, before anything is drawn.
+  void check_film() const {
+    if (resume_) throw UserError("--resume", "with --film", "without it, since a film is made whole");
+    if (size_.width % 2 != 0 || size_.height % 2 != 0) {
+      throw UserError("--size", text_of(size_) + " with --film", "even sides");
+    }
+    if (fps_ / every_ < 1) {
+      throw UserError("--film", fmt::format("{:g} frames a second (--fps by --every)", fps_ / every_), "1 or more");
+    }
+    check_film_file("--film", film_);
+  }
+
   /// Of an earlier run with the same pictures.
   int frames_to_keep(const std::string& key) const {
     if (!resume_) return 0;
@@ -167,9 +188,9 @@ class RenderCommand {
     return methods;
   }
 
-  void print_summary(Demo& demo, const GlContext& context, const std::string& path) {
+  void print_summary(Demo& demo, const GlContext& context, const std::string& path, const FilmPlan& plan) {
     Session& session = demo.session;
-    warn_of_other_frames();
+    if (!out_.empty()) warn_of_other_frames();
     const int made = std::max(frames_ - first_, 0);
     const double rate = made > 0 ? made / seconds_ : 0.0;
     const Report& report = session.report();
@@ -177,7 +198,8 @@ class RenderCommand {
     for (size_t k = 0; k < demo.view_count(); ++k) simulated += demo.view_at(k).report().seconds;
     nlohmann::ordered_json json{{"scene", session.scene().name},
                                 {"count", report.count},
-                                {"out", out_},
+                                {"out", out_.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(out_)},
+                                {"film", json_of_film(plan)},
                                 {"frames", frames_},
                                 {"rendered", made},
                                 {"size", text_of(size_)},
@@ -198,10 +220,26 @@ class RenderCommand {
     }
     print(json_, json,
           fmt::format(
-              "{} frames of {} ({} spheres, {}) in {}\n{:g} frames a second: {:g} s, of which simulation ({}) {:g} "
+              "{} frames of {} ({} spheres, {}) in {}\n{}{:g} frames a second: {:g} s, of which simulation ({}) {:g} "
               "s\ndrawn by {}, bodies {}\n{}",
-              made, session.scene().name, report.count, text_of(size_), out_, rate, seconds_, session.backend(),
-              simulated, context.info().renderer, path, compared));
+              made, session.scene().name, report.count, text_of(size_), out_.empty() ? film_ : out_, text_of_film(plan),
+              rate, seconds_, session.backend(), simulated, context.info().renderer, path, compared));
+  }
+
+  /// null if there is none.
+  nlohmann::ordered_json json_of_film(const FilmPlan& plan) const {
+    if (film_.empty()) return {};
+    return {{"file", film_},
+            {"frames_per_second", plan.rate()},
+            {"seconds", frames_ / plan.rate()},
+            {"speed", plan.rate() * plan.interval}};
+  }
+
+  std::string text_of_film(const FilmPlan& plan) const {
+    if (film_.empty()) return "";
+    const double speed = plan.rate() * plan.interval;
+    return fmt::format("film of {:g} s, {}, in {}\n", frames_ / plan.rate(),
+                       speed == 1 ? "in real time" : fmt::format("{:g} times slower than real time", 1 / speed), film_);
   }
 
   /// Frames of an earlier, longer run are not removed, but they could be taken for frames of this run.
@@ -213,7 +251,7 @@ class RenderCommand {
   SceneArguments arguments_;
   ActsArgument acts_;
   LookArguments look_;
-  std::string out_;
+  std::string out_, film_;
   int frames_ = 300, every_ = 1, supersample_ = 1;
   PictureSize size_{1280, 720};
   double fps_ = 60, from_ = 0;  // from [s]

@@ -36,6 +36,9 @@ class NewFile {
   /// Gives the file its final name.
   void commit();
 
+  /// The temporary file, for another program that writes it; empty for a pipe or a device.
+  const std::filesystem::path& part() const { return part_; }
+
  private:
   std::filesystem::path path_;    // as given
   std::filesystem::path target_;  // after following links

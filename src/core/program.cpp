@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <utility>
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/interrupt.h"
 
 namespace ballpit {
 
@@ -41,7 +45,7 @@ class MemoryFile {
   int descriptor_;
 };
 
-pid_t start(const ProgramCall& call, const MemoryFile& in, const MemoryFile& out, const MemoryFile& err) {
+pid_t start(const ProgramCall& call, int input, const MemoryFile& out, const MemoryFile& err) {
   std::vector<std::string> words{call.path};
   words.insert(words.end(), call.arguments.begin(), call.arguments.end());
   std::vector<char*> arguments;
@@ -49,7 +53,7 @@ pid_t start(const ProgramCall& call, const MemoryFile& in, const MemoryFile& out
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.descriptor(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, err.descriptor(), STDERR_FILENO);
   if (!call.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, call.folder.c_str());
@@ -64,6 +68,8 @@ pid_t start(const ProgramCall& call, const MemoryFile& in, const MemoryFile& out
   if (error != 0) throw RunError(call.path, std::string("cannot start: ") + std::strerror(error));
   return process;
 }
+
+int exit_status(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 }  // namespace
 
@@ -80,11 +86,56 @@ std::string find_program(const std::string& name) {
 
 ProgramResult run_program(const ProgramCall& call) {
   const MemoryFile in(call.input), out, err;
-  const pid_t process = start(call, in, out, err);
+  const pid_t process = start(call, in.descriptor(), out, err);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), out.content(), err.content()};
+  return {exit_status(status), out.content(), err.content()};
+}
+
+struct PipedProgram::Output {
+  MemoryFile out, err;
+};
+
+PipedProgram::PipedProgram(const ProgramCall& call) : output_(std::make_unique<Output>()) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw RunError(call.path, std::string("cannot open a pipe: ") + std::strerror(errno));
+  input_ = ends[1];
+  try {
+    process_ = start(call, ends[0], output_->out, output_->err);
+  } catch (...) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw;
+  }
+  ::close(ends[0]);  // the program has its own
+}
+
+PipedProgram::~PipedProgram() {
+  if (input_ >= 0) ::close(input_);
+  if (process_ < 0) return;
+  ::kill(process_, SIGKILL);
+  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+bool PipedProgram::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    stop_if_interrupted();
+    const ssize_t written = ::write(input_, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return false;  // EPIPE: main() ignores SIGPIPE
+    if (written > 0) bytes.remove_prefix(static_cast<size_t>(written));
+  }
+  return true;
+}
+
+ProgramResult PipedProgram::finish() {
+  ::close(std::exchange(input_, -1));
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) stop_if_interrupted();
+  process_ = -1;
+  return {exit_status(status), output_->out.content(), output_->err.content()};
 }
 
 }  // namespace ballpit

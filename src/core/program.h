@@ -2,7 +2,9 @@
 // Finds and runs other programs.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ballpit {
@@ -25,5 +27,27 @@ struct ProgramResult {
 
 /// Runs a program and waits for its end. Throws RunError if it cannot be started.
 ProgramResult run_program(const ProgramCall& call);
+
+/// A program that reads its input from a pipe while it runs. Killed by the destructor if nobody has waited for its end.
+class PipedProgram {
+ public:
+  /// `call.input` is not used. Throws RunError if the program cannot be started.
+  explicit PipedProgram(const ProgramCall& call);
+  ~PipedProgram();
+  PipedProgram(const PipedProgram&) = delete;
+  PipedProgram& operator=(const PipedProgram&) = delete;
+
+  /// Waits until the program has read almost all of it. Returns false if the program reads no more. Throws Interrupted.
+  bool write(std::string_view bytes);
+
+  /// Ends the input and waits for the program's end. Throws Interrupted.
+  ProgramResult finish();
+
+ private:
+  struct Output;
+  std::unique_ptr<Output> output_;
+  int input_ = -1;  ///< our end of the pipe
+  int process_ = -1;
+};
 
 }  // namespace ballpit

@@ -78,6 +78,22 @@ std::string line_named(const std::string& name, const std::vector<std::string>& 
 
 }  // namespace
 
+Film::Film(Demo& demo, const FilmPlan& all) : plan(all), demo_(demo), next_(all.first) {
+  if (!plan.folder.empty()) frames_.emplace(plan.folder, plan.first, plan.key);
+  if (!plan.file.empty()) file_.emplace(plan.file, plan.size.width, plan.size.height, plan.rate());
+}
+
+void Film::push(Image frame) {
+  if (file_) file_->push(frame);
+  if (frames_) frames_->push(std::move(frame));
+  ++next_;
+}
+
+void Film::finish() {
+  if (frames_) frames_->finish();
+  if (file_ && is_done()) file_->finish();
+}
+
 bool Film::advance(const std::function<bool()>& stop) {
   Session& session = demo_.session;
   const double time = plan.from + next() * plan.interval;

@@ -113,7 +113,7 @@ void Saver::advance() {
     if (!film_->advance([&] { return std::chrono::steady_clock::now() - start > kMaxTurn; })) return;
     const bool measured = std::exchange(demo_.measures, false);  // films are repeatable
     demo_.touch();
-    film_->frames.push(draw(*drawing_, demo_, {}));
+    film_->push(draw(*drawing_, demo_, {}));
     demo_.measures = measured;
     demo_.say(fmt::format("frame {} of {} in {}", film_->next(), film_->plan.frames, film_->plan.folder));
     if (film_->is_done()) stop_film();
@@ -123,7 +123,7 @@ void Saver::advance() {
 void Saver::stop_film() {
   if (!film_) return;
   attempt([&] {
-    film_->frames.finish();
+    film_->finish();
     const std::string done = counted(film_->next(), "frame") + " in " + film_->plan.folder;
     demo_.say(done);
     film_.reset();

@@ -39,7 +39,7 @@ std::vector<Row> rows_of_commands() {
       {"cli/command_line.cpp: (name, \"nothing\", allowed_by",
        "--time: found nothing, allowed SECONDS",
        {"simulate", "--time"}},
-      {"cli/command_line.cpp: get_name(), \"nothing\"", "--out: found nothing, allowed DIR", {"render"}},
+      {"cli/command_line.cpp: get_name(), \"nothing\"", "FILE: found nothing, allowed CSV", {"pairs"}},
       {"show/options.h: kKind", "--time: found x, allowed a number from", {"simulate", "--time", "x"}},
       {"show/options.cpp: choices", "--theme: found pink, allowed projector", render({"--theme", "pink"})},
       {"cli/command_line.cpp: a path", "--out: found nothing, allowed a path", {"simulate", "--out", ""}},

@@ -45,6 +45,7 @@ std::vector<Row> rows_of_acts();
 std::vector<Row> rows_of_views();
 std::vector<Row> rows_of_pictures();
 std::vector<Unreached> unreached_of_choices();
+std::vector<Unreached> unreached_of_pictures();
 std::vector<Row> all_rows();
 const std::vector<Unreached>& unreached();
 

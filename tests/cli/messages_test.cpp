@@ -122,11 +122,14 @@ void write_program(const std::string& path, const std::string& text) {
 
 /// What the rows read, beside a.toml and a.csv.
 void write_files(const Scratch& scratch) {
-  for (const char* folder : {"no-gl", "no-egl", "no-shell", "broken"}) fs::create_directory(scratch / folder);
+  for (const char* folder : {"no-gl", "no-egl", "no-shell", "broken", "folder.mp4"})
+    fs::create_directory(scratch / folder);
   write_text(scratch / "no-gl/libGL.so.1", "");
   write_text(scratch / "no-egl/libEGL.so.1", "");
   write_program(scratch / "no-shell/gnuplot", "#!/nowhere\n");
-  write_program(scratch / "broken/gnuplot", "#!/bin/sh\necho broken >&2\nexit 1\n");
+  for (const char* program : {"broken/gnuplot", "broken/ffmpeg"}) {
+    write_program(scratch / program, "#!/bin/sh\necho broken >&2\nexit 1\n");
+  }
   for (const char* folder : {"no-choice", "poor-choice"}) fs::create_directory(scratch / folder);
   write_text(scratch / "no-choice/choice.json", "nonsense");
   write_text(scratch / "poor-choice/choice.json", "{\"chosen\": {\"response\": \"impulse\", \"dt\": 0.1}}");
@@ -141,10 +144,13 @@ void write_files(const Scratch& scratch) {
   Arguments film = kRender;
   film.back() = scratch / "old";
   REQUIRE(run_program(film).status == 0);
-  film.back() = scratch / "dark";
-  film.insert(film.end(), {"--theme", "dark"});
-  REQUIRE(run_program(film).status == 0);
-  const std::string picture = scratch / "old/frame_00000.png";
+  for (const char* theme : {"projector", "dark"}) {
+    film.back() = scratch / theme;
+    Arguments themed = film;
+    themed.insert(themed.end(), {"--theme", theme});
+    REQUIRE(run_program(themed).status == 0);
+  }
+  const std::string picture = scratch / "dark/frame_00000.png";
   REQUIRE(run_program({"compare", picture, picture, "--out", scratch / "large.png"}).status == 0);
   fs::create_directories(scratch / "old/frame_00002.png/x");
 }
@@ -186,6 +192,7 @@ TEST_CASE("each place that makes an error has a row, or a reason why nothing rea
   for (const Row& row : all_rows()) names.push_back(row.site);
   for (const Unreached& site : unreached()) names.push_back(site.site);
   for (const Unreached& site : unreached_of_choices()) names.push_back(site.site);
+  for (const Unreached& site : unreached_of_pictures()) names.push_back(site.site);
   for (const std::string& name : names) site_named(sites, name);
   for (const Site& site : sites) {
     INFO(site.file << ": " << site.code << " is in no row of this file");

@@ -97,7 +97,7 @@ TEST_CASE("an option without its value, with two, or a flag with one is refused"
       {{"list", "--json=5"}, "--json: found a value, allowed none"},
       {{"doctor", "--json=5"}, "--json: found a value, allowed none"},
       {{"render", "--out", "x", "--resume=no"}, "--resume: found a value, allowed none"},
-      {{"render"}, "--out: found nothing, allowed DIR"},
+      {{"render"}, "--out: found nothing, allowed --out DIR, --film FILE.mp4 or both"},
       {{"render", "--out"}, "--out: found nothing, allowed DIR"},
       {{"render", "--out", ""}, "--out: found nothing, allowed a path"},
       {{"simulate", "--out", ""}, "--out: found nothing, allowed a path"},

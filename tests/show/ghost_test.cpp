@@ -173,6 +173,6 @@ TEST_CASE("a film has a ghost from its start, also where its first frame is late
   CHECK(seen.dropped == 0);
   CHECK(seen.curve.size() == 13);
   CHECK(seen.wrong);
-  film.frames.finish();
+  film.finish();
   std::filesystem::remove_all(plan.folder);
 }
