@@ -25,7 +25,7 @@ ProgramCall call_of(const fs::path& part, int width, int height, double rate) {
   call.arguments = words(fmt::format(
       "-nostdin -hide_banner -loglevel error -y -f rawvideo -pixel_format rgba -video_size {}x{} -framerate {} -i "
       "pipe:0 "
-      "-vf scale=out_color_matrix=bt709:out_range=tv -pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 "
+      "-vf scale=out_color_matrix=bt709 -pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 "
       "-color_trc "
       "bt709 -color_range tv -c:v libx264 -preset medium -crf 18 -movflags +faststart -fflags +bitexact -f mp4",
       width, height, rate));

@@ -22,8 +22,9 @@ using Arguments = std::vector<std::string>;
 
 /// A folder with a script named ffmpeg, which comes first on the PATH.
 struct Fake {
-  explicit Fake(
-      const std::string& script = "for last; do :; done; echo \"$@\" > \"$0.arguments\"; cat > \"${last#file:}\"") {
+  explicit Fake(const std::string& script =
+                    "for last; do :; done; echo \"$@\" > \"$0.arguments\"; [ \"${last#file:}\" != \"$last\" ] && cat > "
+                    "\"${last#file:}\"") {
     write_text(folder / "ffmpeg", "#!/bin/sh\n" + script + "\n");
     fs::permissions(folder / "ffmpeg", fs::perms::owner_all);
   }
@@ -165,7 +166,8 @@ TEST_CASE("without ffmpeg, --film is refused before anything is drawn, and the m
 }
 
 TEST_CASE("Ctrl-C leaves no film, no temporary file and no ffmpeg, also while ffmpeg does not read") {
-  for (const char* script : {"for last; do :; done; cat > \"${last#file:}\"", "exec sleep 100"}) {
+  for (const char* script :
+       {"for last; do :; done; [ \"${last#file:}\" != \"$last\" ] && cat > \"${last#file:}\"", "exec sleep 100"}) {
     const Fake fake("echo $$ > \"$0.id\"; " + std::string(script));
     const Scratch scratch;
     Program program(render({"--film", scratch / "a.mp4"}, 100'000));
