@@ -125,10 +125,19 @@ const ColoringEntry& coloring_named(std::string_view name) { return entry_named(
 Vec3 color_of(const Theme& theme, int mark) {
   if (mark == static_cast<int>(Mark::none)) return theme.body;
   if (mark == static_cast<int>(Mark::contact)) return theme.contact;
-  // The darkest colours are invisible on a dark ground.
+  // The darkest colours are invisible on a dark ground: below 0.5, their contrast to the floor is less than 3.
   const float step = static_cast<float>(mark - 2) / static_cast<float>(kScaleColors - 1);
-  const float darkest = theme.background.r < 0.5f ? 0.25f : 0.0f;
+  const float darkest = theme.background.r < 0.5f ? 0.5f : 0.0f;
   return cividis(darkest + (1 - darkest) * step);
+}
+
+float rim_width(const Theme& theme, int mark) {
+  if (mark == static_cast<int>(Mark::contact)) return 6;
+  const Vec3 color = color_of(theme, mark);
+  const float least = std::min(contrast(color, theme.background), contrast(color, theme.floor));
+  constexpr float kLight = 1.2f;  // the lit side of a sphere is paler than its colour
+  const bool is_light = luminance(theme.background) > 0.5f;  // on a dark ground, pale colours are visible
+  return mark >= 2 && is_light && least < kLight * kMinContrast ? 3.0f : 0.0f;
 }
 
 void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter& painter) {

@@ -39,6 +39,10 @@ const ColoringEntry& coloring_named(std::string_view name);
 /// The colour of a mark.
 Vec3 color_of(const Theme& theme, int mark);
 
+/// [1/1080 of the picture's height] Width of the dark rim of spheres with a mark: of those that touch another, and, thinner,
+/// of colours that are too pale for the ground. 0: none.
+float rim_width(const Theme& theme, int mark);
+
 /// Draws the scale with the values at its ends, or the reason why there is none, in the upper right corner.
 void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter& painter);
 

@@ -45,8 +45,6 @@ void set_sides(FrameBlock& uniforms, const Vec3& towards_eye) {
   }
 }
 
-constexpr float kContactRim = 6;  // [1/1080 of the picture's height]
-
 /// For all shaders used from now on: for a view of this size in a picture of this height [pixel].
 void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& theme, int width, int height, int whole) {
   FrameBlock uniforms;
@@ -67,8 +65,7 @@ void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& th
   uniforms.floor = Vec4(theme.floor, 1);
   uniforms.rim = Vec4(rim_of(theme.contact), 0);
   for (int mark = 0; mark < 2 + kScaleColors; ++mark) {
-    const bool is_contact = mark == static_cast<int>(Mark::contact);
-    uniforms.mark_color[mark] = Vec4(color_of(theme, mark), is_contact ? kContactRim : 0);
+    uniforms.mark_color[mark] = Vec4(color_of(theme, mark), rim_width(theme, mark));
   }
   uniforms.viewport = Vec2(width, height);
   uniforms.pixel = camera.pixel_size(1.0f, height);

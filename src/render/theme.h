@@ -51,7 +51,7 @@ inline const std::vector<Theme>& themes() {
        .label = "Projector (white)",
        .background = rgb(0xFFFFFF),
        .text = rgb(0x1A1A1A),
-       .floor = rgb(0xEEF0F2),
+       .floor = rgb(0xF1F3F5),
        .shadow = 0.45f,
        .ambient = 0.55f,
        .key = 0.62f,

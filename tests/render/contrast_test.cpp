@@ -21,6 +21,7 @@ struct Use {
   const char* mark;
   Vec3 color, rim;  // equal if it has no rim
   std::vector<Vec3> grounds;
+  bool is_outline = false;  // the rim need not differ from the colour
 };
 
 /// The tints of cells with up to eight spheres, as the grid draws them.
@@ -40,12 +41,17 @@ std::vector<Use> uses_of(const Theme& theme) {
       {"touching sphere, with its rim", theme.contact, contact_rim, anywhere},
       {"candidate", theme.candidate, rim_of(theme.candidate), anywhere},
       {"selected sphere and block", theme.selected, rim_of(theme.selected), anywhere},
-      {"missed contact, on its casing", theme.missed, theme.missed, {ground}},
+      {"missed contact, on its casing", theme.missed, theme.missed, {ground, floor}},
       {"velocity and path", theme.text, ground, anywhere},
       {"domain", theme.domain, theme.domain, {ground, floor}},
       {"begin and end", theme.begin, theme.begin, {ground}},
       {"idle thread", theme.idle, theme.idle, {ground}},
-      {"grid", theme.grid, theme.grid, {ground}},
+      {"grid", theme.grid, theme.grid, {ground, floor}},
+      {"theory, reference and exact motion", theme.reference, theme.reference, {ground, floor}},
+      {"brute force in charts", theme.text, theme.text, {ground}},
+      {"sort and sweep in charts", theme.begin, theme.begin, {ground}},
+      {"linked cell in charts", theme.grid, theme.grid, {ground}},
+      {"sorted grid and a failed run in charts", theme.missed, theme.missed, {ground}},
       {"number of a cell", theme.cell_text, theme.cell_text, cell_tints(theme)},
       {"text", theme.text, theme.text, {ground, floor}},
       {"pale text", blended(theme.text, 0.6f, ground), blended(theme.text, 0.6f, ground), {ground}},
@@ -53,6 +59,8 @@ std::vector<Use> uses_of(const Theme& theme) {
   for (int mark = 0; mark < 2 + kScaleColors; ++mark) {
     const Vec3 fill = color_of(theme, mark);
     uses.push_back({"number of a sphere", text_on(fill), text_on(fill), {fill}});
+    const Vec3 edge = rim_width(theme, mark) > 0 ? contact_rim : fill;
+    if (mark > 0) uses.push_back({"sphere with a mark, or its rim", fill, edge, {ground, floor}, true});
   }
   for (const Vec3& fill : {theme.begin, theme.candidate}) {
     uses.push_back({"name of an endpoint", text_on(fill), text_on(fill), {fill}});
@@ -66,6 +74,18 @@ float most_contrast(const Image& image, int y, int from, int to, const Vec3& gro
   for (int x = from; x <= to; ++x) {
     const uint8_t* pixel = image.pixel(x, y);
     most = std::max(most, contrast(Vec3(pixel[0], pixel[1], pixel[2]) / 255.0f, ground));
+  }
+  return most;
+}
+
+/// The largest contrast to the ground on the way from the middle of a sphere to its edge, in direction k of eight.
+float contrast_along(const Image& image, Vec2 middle, float radius, int k, const Vec3& ground) {
+  const float angle = static_cast<float>(k) * 3.14159265f / 4;
+  float most = 1;
+  for (float part = 0; part < 1; part += 0.004f) {
+    const Vec2 at = middle + part * radius * Vec2(std::cos(angle), std::sin(angle));
+    most = std::max(
+        most, most_contrast(image, static_cast<int>(at.y), static_cast<int>(at.x), static_cast<int>(at.x), ground));
   }
   return most;
 }
@@ -92,7 +112,7 @@ TEST_CASE("every mark, or its rim, has a contrast of at least 3:1 to all that it
                         << ground.b * 255);
         CHECK(std::max(contrast(use.color, ground), contrast(use.rim, ground)) >= kMinContrast);
       }
-      if (use.color != use.rim) CHECK(contrast(use.color, use.rim) >= kMinContrast);
+      if (use.color != use.rim && !use.is_outline) CHECK(contrast(use.color, use.rim) >= kMinContrast);
     }
   }
 }
@@ -114,6 +134,43 @@ TEST_CASE("a touching sphere differs from a resting one by a dark rim, in the pl
       const int y = static_cast<int>(centre.y), x = static_cast<int>(edge.x);
       CHECK(most_contrast(image, y, x - 5, x + 1, theme.contact) >= kMinContrast);
       CHECK(most_contrast(image, y, x - 5, x + 1, theme.body) >= kMinContrast);
+    }
+  }
+}
+
+TEST_CASE("a sphere of any colour, or its edge, can be told from the ground in every direction") {
+  constexpr int kSize = 900;
+  const DomainBox box{Vec3(0), Vec3(4, 4, 4)}, plane{Vec3(0), Vec3(4, 4, 0), 2, false};
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 16; ++k) {
+    const float x = 0.5f + static_cast<float>(k % 4), y = 0.5f + static_cast<float>(k / 4);
+    spheres.push_back({{x, y, 2}, 0.2f + 0.01f * static_cast<float>(k)});  // each has a step of the scale to itself
+  }
+  for (const bool is_planar : {true, false}) {
+    if (is_planar) std::ranges::for_each(spheres, [](Sphere& sphere) { sphere.center.z = 0; });
+    if (!is_planar) std::ranges::for_each(spheres, [](Sphere& sphere) { sphere.center.z = 2; });
+    Inspection inspection = inspect(spheres, is_planar ? plane : box);
+    inspection.contacts = {{0, 1}};
+    for (const Theme& theme : themes()) {
+      for (const char* coloring : {"contact", "size"}) {
+        FrameView view = view_of(inspection, is_planar ? plane : box, 1);
+        view.coloring = coloring;
+        const Image image = draw(view, kSize, kSize, {theme});
+        // In space, a sphere without a rim is told from a light ground by its shaded side, from a dark one by its lit side.
+        const bool has_edge = is_planar || (theme.background.r > 0.5f && view.coloring == "size");
+        for (const Sphere& sphere : spheres) {
+          const Vec2 middle = place(view, sphere.center, kSize);
+          const float radius = length(place(view, sphere.center + sphere.radius * view.camera.up, kSize) - middle);
+          float most_of_all = 1;
+          for (int k = 0; k < 8; ++k) {
+            const float most = contrast_along(image, middle, radius, k, theme.background);
+            most_of_all = std::max(most_of_all, most);
+            INFO(is_planar << ", " << theme.name << ", " << coloring << ", radius " << sphere.radius << ", " << k);
+            if (has_edge) CHECK(most >= kMinContrast);
+          }
+          CHECK(most_of_all >= kMinContrast);
+        }
+      }
     }
   }
 }
