@@ -13,29 +13,16 @@ namespace ballpit {
 
 namespace {
 
-/// Places values on the scale, from the smallest to the largest.
-Colored on_scale(const std::vector<float>& values, const char* unit, bool starts_at_zero) {
-  Colored result;
-  if (values.empty()) return result;
-  const auto [min, max] = std::minmax_element(values.begin(), values.end());
-  const float low = starts_at_zero ? std::min(0.0f, *min) : *min, range = *max - low;
-  result.marks.reserve(values.size());
-  for (const float value : values) {
-    const float part = range > 0 ? (value - low) / range : 0.0f;
-    result.marks.push_back(scale_mark(std::clamp(static_cast<int>(part * kScaleColors), 0, kScaleColors - 1)));
-  }
-  result.low = local_number(fmt::format("{:.3g}{}", low, unit));
-  result.high = local_number(fmt::format("{:.3g}{}", *max, unit));
-  return result;
-}
+// [1/1080 of the picture's height] kStep: width of a colour of the scale
+constexpr float kMargin = 24, kAbove = 16, kPad = 8, kStep = 18;
 
 /// No marks, since the method has no such quantity.
 Colored nothing_of(const Inspection& inspection, const char* lacking) {
-  return {std::vector<Mark>(static_cast<size_t>(inspection.bodies.count), Mark::none), "", "", lacking};
+  return {std::vector<Mark>(static_cast<size_t>(inspection.bodies.count), Mark::none), "", "", {}, lacking};
 }
 
 Colored by_contact(const Inspection& inspection) {
-  return {contact_marks(inspection.bodies.count, inspection.contacts), "", ""};
+  return {contact_marks(inspection.bodies.count, inspection.contacts)};
 }
 
 Colored by_speed(const Inspection& inspection) {
@@ -52,46 +39,46 @@ Colored by_size(const Inspection& inspection) {
 }
 
 Colored by_touching(const Inspection& inspection) {
-  std::vector<float> touching(static_cast<size_t>(inspection.bodies.count), 0);
+  std::vector<int> touching(static_cast<size_t>(inspection.bodies.count), 0);
   for (const Pair& pair : inspection.contacts) {
     for (const int body : {pair.i, pair.j}) touching[static_cast<size_t>(body)] += 1;
   }
-  return on_scale(touching, "", true);
+  return on_whole_numbers(touching, 0);
 }
 
-/// By value(position in the list of the cell, length of the list).
+/// By value(position in the list of the cell, length of the list), whose smallest possible value is `first`.
 template <class Value>
-Colored by_listed(const Inspection& inspection, Value&& value) {
+Colored by_listed(const Inspection& inspection, int first, Value&& value) {
   if (inspection.grids.empty()) return nothing_of(inspection, "this method has no cells");
-  std::vector<float> values(static_cast<size_t>(inspection.bodies.count), 0);
+  std::vector<int> values(static_cast<size_t>(inspection.bodies.count), first);
   for (const GridInspection& grid : inspection.grids) {
     for (const int32_t head : grid.head) {
       int count = 0, k = 0;
       for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)]) ++count;
       for (int32_t b = head; b >= 0; b = grid.next[static_cast<size_t>(b)], ++k) {
-        values[static_cast<size_t>(b)] = static_cast<float>(value(grid.is_sorted() ? count - 1 - k : k, count));
+        values[static_cast<size_t>(b)] = value(grid.is_sorted() ? count - 1 - k : k, count);
       }
     }
   }
-  return on_scale(values, "", true);
+  return on_whole_numbers(values, first);
 }
 
 Colored by_cell(const Inspection& inspection) {
-  return by_listed(inspection, [](int, int count) { return count; });
+  return by_listed(inspection, 1, [](int, int count) { return count; });
 }
 
 Colored by_list(const Inspection& inspection) {
-  return by_listed(inspection, [](int position, int) { return position; });
+  return by_listed(inspection, 0, [](int position, int) { return position; });
 }
 
 Colored by_work(const Inspection& inspection) {
   if (inspection.work.empty()) return nothing_of(inspection, "this method has no thread for each sphere");
-  std::vector<float> work(static_cast<size_t>(inspection.bodies.count), 0);
+  std::vector<int> work(static_cast<size_t>(inspection.bodies.count), 0);
   for (size_t t = 0; t < inspection.work.size(); ++t) {
     const int32_t body = inspection.worker[t];
-    if (body >= 0) work[static_cast<size_t>(body)] += static_cast<float>(inspection.work[t]);
+    if (body >= 0) work[static_cast<size_t>(body)] += static_cast<int>(inspection.work[t]);
   }
-  return on_scale(work, "", true);
+  return on_whole_numbers(work, 0);
 }
 
 /// cividis at equal distances.
@@ -135,31 +122,50 @@ float rim_width(const Theme& theme, int mark) {
   if (mark == static_cast<int>(Mark::contact)) return 6;
   const Vec3 color = color_of(theme, mark);
   const float least = std::min(contrast(color, theme.background), contrast(color, theme.floor));
-  constexpr float kLight = 1.2f;  // the lit side of a sphere is paler than its colour
+  constexpr float kLight = 1.2f;                             // the lit side of a sphere is paler than its colour
   const bool is_light = luminance(theme.background) > 0.5f;  // on a dark ground, pale colours are visible
   return mark >= 2 && is_light && least < kLight * kMinContrast ? 3.0f : 0.0f;
 }
 
 void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter& painter) {
-  if (colored.low.empty() && colored.lacking.empty()) return;
+  if (!colored.has_scale() && colored.lacking.empty()) return;
   Sheet& sheet = painter.sheet;
-  const float unit = sheet.unit(), width = 18 * unit, height = 26 * unit, margin = 24 * unit;
-  const float line = sheet.size_of("0", TextSize::small).y, top = margin + (painter.note_left > 0 ? 0 : painter.noted);
-  const Rgba ink = to_rgba(painter.theme.text);
-  const Vec2 right(static_cast<float>(sheet.width()) - margin, top);
-  sheet.text(right, kUpperRight, ink, translated(coloring.label), TextSize::small);
-  if (!colored.lacking.empty()) {
-    sheet.text(right + Vec2(0, line), kUpperRight, ink, translated(colored.lacking), TextSize::small);
-    return;
+  const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y, pad = kPad * u;
+  const float right = static_cast<float>(sheet.width()) - kMargin * u, room = right - kMargin * u;
+  float y = kAbove * u + (painter.note_left > 0 ? 0 : painter.noted);
+  const auto text = [&](float x, const std::string& words, float scale = 1) {
+    sheet.text({x, y}, kUpperRight, painter.ink(), words, TextSize::small, scale);
+    painter.cover({x - scale * sheet.size_of(words, TextSize::small).x, y}, {x, y + line});
+  };
+  const auto in_line = [&](const std::string& words) {
+    text(right, words, std::min(1.0f, room / std::max(1.0f, sheet.size_of(words, TextSize::small).x)));
+    y += line;
+  };
+  in_line(translated(coloring.label));
+  if (!colored.lacking.empty()) return in_line(translated(colored.lacking));
+
+  const bool has_numbers = !colored.boxes.empty();
+  std::vector<LegendBox> boxes = colored.boxes;
+  for (int k = 0; !has_numbers && k < kScaleColors; ++k) boxes.push_back({scale_mark(k), ""});
+  const auto width_of = [&](const std::string& words, float least) {
+    return words.empty() ? least : sheet.size_of(words, TextSize::small).x + 2 * pad;
+  };
+  float all = width_of(colored.low, 0) + width_of(colored.high, 0);
+  for (const LegendBox& box : boxes) all += width_of(box.text, kStep * u);
+  const float scale = std::min(1.0f, room / all);
+  text(right, colored.high, scale);
+  const float end = right - scale * width_of(colored.high, 0);
+  float x = end;
+  for (size_t k = boxes.size(); k-- > 0;) {
+    const Vec3 color = color_of(painter.theme, static_cast<int>(boxes[k].mark));
+    const float width = scale * width_of(boxes[k].text, kStep * u);
+    sheet.box({x - width, y}, {x, y + line}, to_rgba(color));
+    sheet.text({x - width / 2, y + line / 2}, kCentre, to_rgba(text_on(color)), boxes[k].text, TextSize::small, scale);
+    x -= width;
   }
-  const Vec2 corner = right + Vec2(-kScaleColors * width, line + 4 * unit);
-  for (int k = 0; k < kScaleColors; ++k) {
-    const Vec2 low = corner + Vec2(static_cast<float>(k) * width, 0);
-    sheet.box(low, low + Vec2(width, height), to_rgba(color_of(painter.theme, static_cast<int>(scale_mark(k)))));
-  }
-  const Vec2 foot = corner + Vec2(0, height + 4 * unit);
-  sheet.text(foot, kUpperLeft, ink, colored.low, TextSize::small);
-  sheet.text(foot + Vec2(kScaleColors * width, 0), kUpperRight, ink, colored.high, TextSize::small);
+  sheet.frame({x, y}, {end, y + line}, painter.ink(), 1.5f * u);  // around colours that are as pale as the ground
+  painter.cover({x, y}, {end, y + line});
+  text(x - scale * pad, colored.low, scale);
 }
 
 }  // namespace ballpit

@@ -9,19 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "render/body_buffer.h"
+#include "render/color_scale.h"
 #include "render/theme.h"
 
 namespace ballpit {
 
 struct Painter;
-
-/// The marks of all bodies, and the values at the ends of the scale; empty if there is no scale.
-struct Colored {
-  std::vector<Mark> marks;
-  std::string low, high;
-  std::string lacking{};  ///< why the method has no such quantity
-};
 
 struct ColoringEntry {
   std::string_view name;   ///< "speed", as typed
@@ -43,7 +36,7 @@ Vec3 color_of(const Theme& theme, int mark);
 /// of colours that are too pale for the ground. 0: none.
 float rim_width(const Theme& theme, int mark);
 
-/// Draws the scale with the values at its ends, or the reason why there is none, in the upper right corner.
+/// Draws the name of the quantity and its scale, or the reason why there is none, in two lines in the upper right corner.
 void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter& painter);
 
 }  // namespace ballpit

@@ -30,6 +30,13 @@ struct DomainBox {
   float longest_edge() const { return std::max({max.x - min.x, max.y - min.y, is_planar() ? 0 : max.z - min.z}); }
 };
 
+/// Where notes and legend are, if they need a strip above the scene; fractions of the picture's height and width.
+struct NotesRoom {
+  float above = 0;  ///< height of the strip, below a title; 0: they lie beside the domain
+  float width = 0;  ///< of a note; 0: unknown
+  float skip = 0;   ///< height of the legend, if the notes lie below it
+};
+
 struct PageView;  // render/page_view.h: what a page of a lecture adds
 
 /// An act that a hand prepares: an arrow of a velocity, and rings around the spheres that will get it.
@@ -62,6 +69,7 @@ struct FrameView {
   const PageView* page = nullptr;     ///< of a lecture
   float typical_speed = 0;            ///< [m/s] of the scene: much slower spheres count as at rest; 0: unknown
   const Aim* aim = nullptr;           ///< of the mouse
+  NotesRoom notes{};
 };
 
 }  // namespace ballpit

@@ -46,6 +46,22 @@ void draw_swatch(Sheet& sheet, const NotePart& part, Vec2 at) {
   }
 }
 
+/// Sentences without samples that are wider than `width` become several notes.
+std::vector<std::vector<NotePart>> in_lines(const std::vector<std::vector<NotePart>>& notes, const Sheet& sheet,
+                                            float width) {
+  std::vector<std::vector<NotePart>> lines;
+  for (const std::vector<NotePart>& parts : notes) {
+    if (parts.size() == 1 && parts.front().swatch == Swatch::none) {
+      for (const std::string& line : wrap_text(sheet, parts.front().text, width, TextSize::small)) {
+        lines.push_back({{Swatch::none, {}, line}});
+      }
+    } else {
+      lines.push_back(parts);
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 void Painter::note(const std::string& text) {
@@ -63,14 +79,15 @@ void Painter::draw_notes() {
     return sheet.size_of(part.text, kSize).x + space + (part.swatch == Swatch::none ? 0 : sample);
   };
   const float left = kMargin * u + note_left;
-  float y = kMargin * u + noted;
-  for (const std::vector<NotePart>& parts : notes) {
+  float y = kMargin * u + noted + note_skip;
+  for (const std::vector<NotePart>& parts : wraps_sentences ? in_lines(notes, sheet, note_width) : notes) {
     for (size_t first = 0, end = 0; first < parts.size(); first = end) {  // the lines of a note
       float width = 0;
       while (end < parts.size() && (end == first || note_width <= 0 || width + width_of(parts[end]) <= note_width)) {
         width += width_of(parts[end++]);
       }
       sheet.box({left - kPad * u, y}, {left + width - space + kPad * u, y + height}, ground());
+      cover({left - kPad * u, y}, {left + width - space + kPad * u, y + height});
       Vec2 at(left, y + height / 2);
       for (size_t k = first; k < end; ++k) {
         const bool has_sample = parts[k].swatch != Swatch::none;

@@ -35,23 +35,32 @@ struct NotePart {
   std::string text;
 };
 
+/// From its upper left to its lower right corner [pixel].
+struct PixelRect {
+  Vec2 low, high;
+};
+
 struct Painter {
   LineRenderer& lines;
   FaceRenderer& faces;
   Sheet& sheet;  ///< in pixels, in front of everything that is drawn in space
   const Theme& theme;
-  float line_unit;       ///< [pixel] 1/1080 of the picture's height, so that lines look the same at every size
-  float noted = 0;       ///< [pixel] where the notes begin: their upper edge
-  float note_left = 0;   ///< [pixel] their left edge
-  float note_width = 0;  ///< [pixel] a longer note continues in the next line; 0: none does
-  float taken = 0;       ///< [pixel] height of the strips so far
+  float line_unit;               ///< [pixel] 1/1080 of the picture's height, so that lines look the same at every size
+  float noted = 0;               ///< [pixel] where the notes begin: their upper edge
+  float note_left = 0;           ///< [pixel] their left edge
+  float note_width = 0;          ///< [pixel] a longer note continues in the next line; 0: none does
+  bool wraps_sentences = false;  ///< whether notes without samples do so at blanks
+  float note_skip = 0;           ///< [pixel] the notes begin so much lower, below a legend
+  float taken = 0;               ///< [pixel] height of the strips so far
   const std::vector<Mark>* marks = nullptr;  ///< of the bodies, where a colouring has set them
   std::vector<std::vector<NotePart>> notes{};
+  std::vector<PixelRect> covered{};  ///< by notes and legend
 
   /// Adds a line to the legend in the upper left corner. All are drawn at last, in front of everything.
   void note(std::vector<NotePart> parts) { notes.push_back(std::move(parts)); }
   void note(const std::string& text);
   void draw_notes();
+  void cover(Vec2 low, Vec2 high) { covered.push_back({low, high}); }
 
   /// Draws lines with a rim on both sides, which keeps them visible on spheres and on either ground. `width` and `rim`
   /// in 1/1080 of the picture's height.

@@ -215,6 +215,11 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
   Painter painter{lines_, faces_, sheet_, options_.theme, static_cast<float>(canvas().height) / 1080.0f};
   const auto width = static_cast<float>(sheet_.width());
   painter.note_width = (view.domain.is_planar() ? 0.2f : 0.45f) * width;
+  if (view.notes.width > 0) {
+    painter.note_width = view.notes.width * width;
+    painter.wraps_sentences = true;
+    painter.note_skip = view.notes.skip * static_cast<float>(sheet_.height());
+  }
   if (!colored.marks.empty()) painter.marks = &colored.marks;
   if (view.page) {
     draw_page(*view.page, painter);
@@ -233,6 +238,7 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
   draw_aim(view, painter);
   painter.draw_notes();
   draw_legend(coloring, colored, painter);
+  covered_ = std::move(painter.covered);
 }
 
 /// Draws into a part of the picture only, which is `scale` times as large in the bound framebuffer. Beside other views

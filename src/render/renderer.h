@@ -57,6 +57,9 @@ class Renderer {
   BodyBuffer& bodies() { return bodies_; }  ///< what is drawn, for a world that writes its bodies
   Sheet& sheet() { return sheet_; }         ///< where text is drawn; a panel shares it
 
+  /// What notes and legend cover in the picture that was drawn last.
+  const std::vector<PixelRect>& covered() const { return covered_; }
+
   /// Changes style or size; what is shown stays the same.
   void set_options(const RenderOptions& options);
   void resize(int width, int height);
@@ -80,6 +83,7 @@ class Renderer {
   FaceRenderer faces_;
   Shader average_{"average.vert", "average.frag"};
   GlVertexArray no_attributes_;
+  std::vector<PixelRect> covered_;
 };
 
 }  // namespace ballpit

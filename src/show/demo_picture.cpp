@@ -4,6 +4,7 @@
 
 #include "core/numbers.h"
 #include "core/phrase.h"
+#include "render/notes_room.h"
 #include "render/overlays/overlay.h"
 #include "render/painter.h"
 #include "show/demo.h"
@@ -79,31 +80,40 @@ FrameView Demo::frame_view(float aspect, bool is_written, bool with_occluders, f
   const float below = room_below(view.overlays, seen, view.text_scale) / share;
   const View turned = view.turned(session.time());
   const bool has_page = view.has_caption || compared_;
-  Camera camera = leave_room_below(camera_of(turned, box, aspect), below);
+  Room room;
   if (has_page) {
     caption_ = compared_ ? compared() : captioned();
-    Room room = room_of(caption_, view.text_scale, aspect, share);
-    room.below += below;
-    camera = camera_of(turned, box, room, aspect);
+    room = room_of(caption_, view.text_scale, aspect, share);
   }
+  room.below += below;
+  const auto camera = [&](const View& seen_from) {
+    return has_page ? camera_of(seen_from, box, room, aspect)
+                    : leave_room_below(camera_of(seen_from, box, aspect), below);
+  };
+  View whole = turned;
+  whole.zoom = 1;
   const auto step = static_cast<float>(session.settings().dt / session.settings().substeps);
   std::vector<std::string> overlays = view.overlays;
   if (compared_) {  // beside a method that has cells, it needs no words that another one has none
     std::erase_if(overlays,
                   [&](const auto& name) { return !entry_named(overlay_table(), name, "").lack(seen).empty(); });
   }
-  return {seen,
-          box,
-          camera,
-          overlays,
-          view.selected,
-          view.coloring,
-          step,
-          left_out_,
-          is_written,
-          has_page ? &caption_ : nullptr,
-          view.shows("velocity") ? typical_speed(session.scene()) : 0,
-          aim ? &*aim : nullptr};
+  FrameView shown{seen,
+                  box,
+                  camera(whole),
+                  overlays,
+                  view.selected,
+                  view.coloring,
+                  step,
+                  left_out_,
+                  is_written,
+                  has_page ? &caption_ : nullptr,
+                  view.shows("velocity") ? typical_speed(session.scene()) : 0,
+                  aim ? &*aim : nullptr};
+  shown.notes = notes_room(shown, view.text_scale / share, room.above);
+  room.above += shown.notes.above;
+  shown.camera = shown.notes.above > 0 ? camera_of(turned, box, room, aspect) : camera(turned);
+  return shown;
 }
 
 std::string Demo::title() const {

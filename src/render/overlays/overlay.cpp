@@ -34,14 +34,14 @@ std::string lacks_ghost(const Inspection& inspection) {
 const std::vector<OverlayEntry>& overlay_table() {
   static const std::vector<OverlayEntry> table = {
       {"grid", "Grid cells", draw_grid, {}, nullptr, lacks_cells, true},
-      {"pairs", "Pairs", draw_pairs, {.candidates = true, .missed = true}},
-      {"velocity", "Velocities", draw_velocities},
-      {"swept", "Swept ways", draw_swept},
-      {"labels", "Numbers", draw_labels},
-      {"lists", "Lists", draw_lists, {}, lists_room, lacks_lists},
-      {"intervals", "Intervals", draw_intervals, {.endpoints = true}, intervals_room, lacks_intervals},
-      {"warps", "Warps", draw_warps, {.work = true}, warps_room, lacks_warps},
-      {"ghost", "Exact ghost", draw_ghost, {.ghost = true}, ghost_room, lacks_ghost},
+      {"pairs", "Pairs", draw_pairs, {.candidates = true, .missed = true}, nullptr, nullptr, false, 2},
+      {"velocity", "Velocities", draw_velocities, {}, nullptr, nullptr, false, 1},
+      {"swept", "Swept ways", draw_swept, {}, nullptr, nullptr, false, 1},
+      {"labels", "Numbers", draw_labels, {}, nullptr, nullptr, false, 1},
+      {"lists", "Lists", draw_lists, {}, lists_room, lacks_lists, false, 1},
+      {"intervals", "Intervals", draw_intervals, {.endpoints = true}, intervals_room, lacks_intervals, false, 3},
+      {"warps", "Warps", draw_warps, {.work = true}, warps_room, lacks_warps, false, 2},
+      {"ghost", "Exact ghost", draw_ghost, {.ghost = true}, ghost_room, lacks_ghost, false, 4},
   };
   return table;
 }

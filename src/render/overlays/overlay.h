@@ -21,6 +21,7 @@ struct OverlayEntry {
   float (*room_below)(const Inspection&, float text_scale) = nullptr;
   std::string (*lacking)(const Inspection&) = nullptr;  ///< why the method gives it nothing to draw; "" if it does
   bool is_under_discs = false;                          ///< in planar scenes; all others are drawn after the bodies
+  int notes = 0;                                        ///< lines that it writes at most, if they are wide
 
   std::string lack(const Inspection& inspection) const { return lacking ? lacking(inspection) : ""; }
 };

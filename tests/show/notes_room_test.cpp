@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Notes and legends do not cover the scene.
+#include "render/notes_room.h"
+
+#include <catch2/catch.hpp>
+
+#include "render/gl_context.h"
+#include "scene/read_scene.h"
+#include "show/demo_renderer.h"
+#include "tests/support/test_scenes.h"
+
+using namespace ballpit;
+
+namespace {
+
+const std::vector<std::vector<std::string>> kOverlays{{}, {"pairs"}, {"grid"}, {"grid", "pairs"}};
+
+/// Draws the scene in this size, and checks that its notes and its legend keep clear of the domain and of each other.
+void check_room(Demo& demo, DemoRenderer& drawing) {
+  const auto width = static_cast<float>(drawing.renderer().width()),
+             height = static_cast<float>(drawing.renderer().height());
+  demo.touch();
+  drawing.draw(demo, RenderOptions{});
+  const FrameView view = demo.frame_view(width / height);
+  const std::vector<PixelRect>& covered = drawing.renderer().covered();
+  for (size_t k = 0; k < covered.size(); ++k) {
+    const auto& [low, high] = covered[k];
+    INFO(low.x << ", " << low.y << " to " << high.x << ", " << high.y);
+    CHECK_FALSE(overlaps_domain(view.domain, view.camera, low, high, {width, height}));
+    CHECK((low.x >= 0 && low.y >= 0 && high.x <= width && high.y <= height));
+    for (size_t other = 0; other < k; ++other) {
+      const auto& [its_low, its_high] = covered[other];
+      const bool apart =
+          high.x <= its_low.x + 1 || its_high.x <= low.x + 1 || high.y <= its_low.y + 1 || its_high.y <= low.y + 1;
+      CHECK(apart);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("notes and legends cover neither the domain nor each other, in every scene, with pairs and grid", "[slow]") {
+  const GlContext context(-1);
+  DemoRenderer wide(960, 540, {}), square(720, 540, {}), upright(540, 960, {});
+  for (const SceneInfo& scene : built_in_scenes()) {
+    Demo demo(std::string(scene.name), {});
+    for (const ColoringEntry& coloring : coloring_table()) {
+      for (const std::vector<std::string>& overlays : kOverlays) {
+        INFO(scene.name << ", " << coloring.name << ", " << overlays.size() << " overlays");
+        demo.view.coloring = coloring.name;
+        demo.view.overlays = overlays;
+        check_room(demo, wide);
+        if (overlays.size() < 2) continue;
+        check_room(demo, square);
+        check_room(demo, upright);
+      }
+    }
+  }
+}
+
+TEST_CASE("the notes of a method that misses contacts, and of one without cells, have room, also below a title") {
+  const GlContext context(-1);
+  DemoRenderer wide(960, 540, {});
+  for (const std::vector<GivenOption>& given :
+       std::vector<std::vector<GivenOption>>{{{"broadphase", "linked-cell"}, {"cell-size", "0.5"}},
+                                             {{"broadphase", "sort-and-sweep"}},
+                                             {{"broadphase", "brute-force"}}}) {
+    for (const char* scene : {"lecture-grid", "lecture-sweep", "rain", "two-spheres"}) {
+      for (const float scale : {1.0f, 1.6f}) {
+        for (const bool has_caption : {false, true}) {
+          Demo demo(scene, given);
+          INFO(scene << ", " << given.front().value << ", " << scale << ", " << has_caption);
+          demo.view.coloring = "contacts";
+          demo.view.overlays = {"grid", "pairs", "velocity"};
+          demo.view.text_scale = scale;
+          demo.view.has_caption = has_caption;
+          check_room(demo, wide);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a scene keeps its place while its numbers change, and takes the whole picture without notes") {
+  const GlContext context(-1);
+  Demo demo("rain", {});
+  demo.view.overlays = {"pairs"};
+  demo.view.coloring = "contacts";
+  const Camera before = demo.frame_view(1.6f).camera;
+  demo.advance_to(1.0, [] { return false; });
+  demo.touch();
+  CHECK(demo.frame_view(1.6f).camera.shift == before.shift);
+  CHECK(demo.frame_view(1.6f).camera.fov == before.fov);
+  CHECK(before.shift.y < 0);
+  demo.view.overlays = {"grid"};
+  demo.view.coloring = "contact";
+  CHECK(demo.frame_view(1.6f).notes.above == 0);
+  CHECK(demo.frame_view(1.6f).camera.shift == Vec2(0));
+}
+
+TEST_CASE("a rectangle overlaps the picture of a domain where it covers it, and not beside a slanted edge") {
+  const DomainBox box{Vec3(-1), Vec3(1)};
+  Camera camera = frame_box(box.min, box.max, 3, 1);
+  const Vec2 size(1000, 1000);
+  CHECK(overlaps_domain(box, camera, {490, 490}, {510, 510}, size));
+  CHECK(overlaps_domain(box, camera, {0, 0}, size, size));
+  CHECK_FALSE(overlaps_domain(box, camera, {0, 0}, {1000, 20}, size));
+  CHECK_FALSE(overlaps_domain(box, camera, {0, 0}, {90, 90}, size));  // within the bounding box of the corners
+  camera.eye = Vec3(0);
+  CHECK(overlaps_domain(box, camera, {0, 0}, {1, 1}, size));
+}
