@@ -19,7 +19,7 @@ constexpr float kLeastNotes = 0.4f;   // [of the same] beside a legend; narrower
 
 /// Lines of all notes that these overlays may write, in a picture that is wide enough for one line each.
 int count_lines(const FrameView& view) {
-  int lines = 0;
+  int lines = view.shows("grid") && draws_densest(view) ? 1 : 0;
   for (const OverlayEntry& entry : overlay_table()) {
     if (view.shows(entry.name)) lines += entry.lack(view.inspection).empty() ? entry.notes : 1;
   }

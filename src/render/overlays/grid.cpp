@@ -201,6 +201,8 @@ std::vector<int> count_per_cell(const GridInspection& grid) {
   return counts;
 }
 
+bool draws_densest(const FrameView& view) { return !view.domain.is_planar() && view.inspection.bodies.count > kCrowd; }
+
 void draw_grid(const FrameView& view, Painter& painter) {
   const float width = kEdgeWidth * painter.line_unit;
   for (const GridInspection& grid : view.inspection.grids) {
@@ -210,10 +212,10 @@ void draw_grid(const FrameView& view, Painter& painter) {
       painter.faces.draw(occupied_faces(grid, counts, view, painter.theme));
       painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
       if (!view.shows("labels")) draw_counts(grid, counts, view, painter);
-    } else if (view.inspection.bodies.count <= kCrowd) {
-      painter.lines.draw(occupied_edges(grid, counts, view, painter.theme), width);
-    } else {
+    } else if (draws_densest(view)) {
       draw_densest(grid, counts, view, painter);
+    } else {
+      painter.lines.draw(occupied_edges(grid, counts, view, painter.theme), width);
     }
   }
   draw_selection(view, painter);

@@ -34,6 +34,7 @@ float room_below(const std::vector<std::string>& overlays, const Inspection& ins
 
 // The overlays; each file explains what it draws.
 void draw_grid(const FrameView& view, Painter& painter);
+bool draws_densest(const FrameView& view);  ///< whether the grid is drawn in its densest cells alone, with a note
 void draw_pairs(const FrameView& view, Painter& painter);
 void draw_velocities(const FrameView& view, Painter& painter);
 void draw_swept(const FrameView& view, Painter& painter);
