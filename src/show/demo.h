@@ -149,6 +149,8 @@ class Demo {
   /// show it.
   bool shows_occlusion(int height = 1080) const;
 
+  double writing_time = 0;  ///< [s] that the last picture took to find the occluders and to write the spheres; 0: none
+
   /// Why an overlay has nothing to draw, in any view; "" if it has, or if it is not shown.
   std::string lack_of(const OverlayEntry& overlay);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "show/demo_renderer.h"
 
+#include <chrono>
+
 namespace ballpit {
 
 DemoRenderer::DemoRenderer(int width, int height, const RenderOptions& options)
@@ -26,7 +28,9 @@ void DemoRenderer::draw(Demo& demo, RenderOptions options) {
 void DemoRenderer::draw_view(Demo& demo, float aspect, float share) {
   renderer_.set_options(options_);
   const bool with_occluders = demo.shows_occlusion(static_cast<int>(share * static_cast<float>(renderer_.height())));
+  const auto start = std::chrono::steady_clock::now();
   const bool is_written = write(demo, with_occluders);
+  demo.writing_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   renderer_.draw(demo.frame_view(aspect, is_written, with_occluders, share));
 }
 

@@ -146,6 +146,7 @@ class Panel {
   void draw_tabs(Demo& demo);
   void draw_time(Demo& demo);
   void draw_scene(Demo& demo);
+  void draw_occlusion(Demo& demo);
   void draw_export(Demo& demo);
   void draw_method(Demo& demo);
   void draw_choice(Demo& demo);

@@ -8,6 +8,7 @@
 
 #include "core/language.h"
 #include "core/numbers.h"
+#include "core/phrase.h"
 #include "methods/methods.h"
 #include "render/overlays/overlay.h"
 #include "scene/read_scene.h"
@@ -154,6 +155,24 @@ void Panel::choose(Demo& demo, const char* name, const char* label, const Table&
   });
 }
 
+/// The switch of ambient occlusion, and what it costs, or why nothing is seen of it.
+void Panel::draw_occlusion(Demo& demo) {
+  bool& is_on = demo.view.occlusion;
+  ImGui::BeginDisabled(demo.session.scene().domain.dimensions == 2);
+  if (ImGui::Checkbox((translated("ambient occlusion and shadow") + "##occlusion").c_str(), &is_on)) demo.touch();
+  note("occlusion");
+  ImGui::EndDisabled();
+  if (demo.session.scene().domain.dimensions == 2 || !is_on) return;
+  if (!demo.shows_occlusion(sheet_.height())) {
+    ImGui::TextDisabled("%s", translated("spheres are too small here to show it").c_str());
+    note("lack of occlusion");
+  } else if (demo.measures && demo.writing_time > 0) {
+    const std::string time = local_number(three_digits(1000 * demo.writing_time));
+    ImGui::TextDisabled("%s", phrase("{} ms a picture to find who hides whom", time).c_str());
+    note("cost of occlusion");
+  }
+}
+
 void Panel::draw_scene(Demo& demo) {
   View& view = demo.view;
   heading("Overlays");
@@ -183,8 +202,7 @@ void Panel::draw_scene(Demo& demo) {
     value = std::clamp(value, kMinUiScale, kMaxUiScale);  // a typed number may be any
     demo.touch();
   };
-  if (ImGui::Checkbox((translated("ambient occlusion and shadow") + "##occlusion").c_str(), &view.occlusion)) demo.touch();
-  note("occlusion");
+  draw_occlusion(demo);
   if (pages.titles.empty()) {  // a lecture's pages have their own
     if (ImGui::Checkbox((translated("caption") + "##caption").c_str(), &view.has_caption)) demo.touch();
     note("caption");
