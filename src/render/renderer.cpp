@@ -178,7 +178,7 @@ void Renderer::draw(const FrameView& view) {
   sheet_.begin(width(), height(), part, options_.text_scale);
   set_uniforms(uniforms_, view, options_.theme, part.width * options_.supersample, part.height * options_.supersample,
                canvas().height);
-  if (bodies_.has_occluders()) {
+  if (bodies_.has_occluders() && !(view.page && view.page->has_no_scene)) {
     if (!occlusion_) occlusion_.emplace();
     occlusion_->make_floor_map(bodies_, view.domain);
   }
@@ -225,7 +225,7 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
     draw_page(*view.page, painter);
     if (view.page->has_no_scene) return;
   }
-  if (bodies_.has_occluders()) {
+  if (bodies_.has_occluders() && !(view.page && view.page->has_no_scene)) {
     occlusion_->draw_floor();
     occlusion_->draw_bodies(bodies_, canvas().depth);
   } else {

@@ -16,8 +16,8 @@ class DemoRenderer {
   /// See Renderer.
   DemoRenderer(int width, int height, const RenderOptions& options);
 
-  /// Draws the present state and view, or all views of a comparison, in the view's theme. If a GPU cannot share its memory with OpenGL, copies are
-  /// drawn, and the demonstration's message reports this once.
+  /// Draws the present state and view, or all views of a comparison, in the view's theme. If a GPU cannot share its
+  /// memory with OpenGL, copies are drawn, and the demonstration's message reports this once.
   void draw(Demo& demo, RenderOptions options);
 
   /// From now on the bodies are copied to the host and uploaded, as if the GPU could not share its memory with OpenGL.
