@@ -192,6 +192,34 @@ TEST_CASE("every response moves worlds on CUDA by the bits that it has on the CP
   CHECK(worlds.cuda->last_good().position == worlds.cpu->last_good().position);
 }
 
+TEST_CASE("spheres that are thrown and dropped in on CUDA move as on the CPU, also after going back") {
+  for (const int count : {300, 4095}) {  // sorted in memory from the next one on
+    const Scene scene = heap({.count = count, .smallest = 0.03, .largest = 0.05});
+    Settings settings = settings_of("sorted-grid");
+    settings.max_overlap = settings.max_energy = 1e15;
+    const Twins twins(scene, settings);
+    twins.step(10);
+    const auto before = twins.cuda->snapshot();
+    twins.step(10);
+    Bodies bodies = twins.cpu->bodies();
+    bodies.velocity[7] = {1, 2, 3};
+    bodies.position.emplace_back(0.2, 0.93, 0.1);
+    bodies.velocity.emplace_back(0.0);
+    bodies.radius.push_back(0.06);
+    bodies.mass.push_back(0.5);
+    twins.cpu->replace(bodies);
+    twins.cuda->replace(bodies);
+    const auto after = twins.cuda->snapshot();
+    twins.step(60);
+    twins.compare();
+    twins.cuda->restore(*before);
+    CHECK(twins.cuda->shape().count == count);
+    twins.cuda->restore(*after);
+    for (int k = 0; k < 60; ++k) twins.cuda->step();
+    CHECK(twins.cuda->report().state_hash == twins.cpu->report().state_hash);
+  }
+}
+
 TEST_CASE("event-driven motion is refused on CUDA, with what is allowed") {
   Settings settings = settings_of("sorted-grid");
   settings.response = Response::event_driven;

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/random.h"
+#include "show/hand.h"
 #include "show/presenter.h"
 #include "tests/support/desk.h"
 #include "tests/support/run_program.h"
@@ -32,7 +33,7 @@ class Monkey {
     static constexpr std::array kActions{&Monkey::press, &Monkey::click,  &Monkey::click,  &Monkey::drag,
                                          &Monkey::drag,  &Monkey::type,   &Monkey::scroll, &Monkey::turn,
                                          &Monkey::pick,  &Monkey::resize, &Monkey::scrub,  &Monkey::restage,
-                                         &Monkey::play,  &Monkey::play};
+                                         &Monkey::play,  &Monkey::play,   &Monkey::touch};
     (this->*kActions[below(kActions.size())])();
     handle_requests();
     desk_.demo.advance(0.01, 0.002);
@@ -110,6 +111,18 @@ class Monkey {
     desk_.demo.view.selected = body_at(view.camera, view.inspection.bodies, {2 * part() - 1, 2 * part() - 1});
     desk_.demo.touch();
   }
+  /// Throws, pushes or drops a sphere, or cancels that.
+  void touch() {
+    const auto place = [&] { return Vec2(2 * part() - 1, 2 * part() - 1); };
+    const auto view = [&] { return desk_.demo.frame_view(1.5f); };
+    if (uniform() < 0.2) return hand_.drop(view(), place());
+    for (int tries = 0; tries < 20 && !hand_.is_aiming(); ++tries) {
+      hand_.grab(view(), place(), uniform() < 0.5 ? ActKind::to_throw : ActKind::push);
+    }
+    hand_.drag(view(), place());
+    desk_.frame(PanelInput{});
+    uniform() < 0.9 ? hand_.release() : hand_.cancel();
+  }
   void resize() {
     const bool is_tiny = uniform() < 0.2;
     const auto side = [&](int most) { return 16 + static_cast<int>(part() * static_cast<float>(is_tiny ? 30 : most)); };
@@ -135,7 +148,8 @@ class Monkey {
     if (requests.picture) saver_.save_picture({64, 48});
     if (requests.state) saver_.save_state();
     if (requests.film) saver_.is_filming() ? saver_.stop_film() : saver_.start_film({64, 48}, 5);
-    requests.picture = requests.state = requests.film = false;
+    if (requests.acts) saver_.save_acts();
+    requests.picture = requests.state = requests.acts = requests.film = false;
     saver_.advance();
     desk_.panel.is_filming = saver_.is_filming();
   }
@@ -143,6 +157,7 @@ class Monkey {
   Random random_;
   Desk desk_{"lecture-grid", 480, 270};
   Saver saver_{desk_.demo};
+  Hand hand_{desk_.demo};
 };
 
 }  // namespace
