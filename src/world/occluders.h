@@ -51,7 +51,7 @@ struct FindOccluders {
       for (const int strong : found) {
         if (strong == other) return;
       }
-      const Vec3 way(widen(bodies.position[other] - bodies.position[slot]));
+      const Vec3 way = way_to(other, slot);
       const float length = std::sqrt(dot(way, way)), sum = float(bodies.radius[slot]) + float(bodies.radius[other]);
       const float fades = (kOcclusionReach - length / sum) / (kOcclusionReach - kOcclusionFades);
       const float hidden = float(share_of(slot, other)) * (fades < 1 ? fades : 1);
@@ -78,7 +78,15 @@ struct FindOccluders {
 
   HOST_DEVICE Occluder seen_from(int slot, int other) const {
     if (other < 0) return {};
-    return {Vec3(widen(bodies.position[other] - bodies.position[slot])), float(bodies.radius[other])};
+    return {way_to(other, slot), float(bodies.radius[other])};
+  }
+
+  HOST_DEVICE Vec3 way_to(int other, int slot) const {
+    Vec3 way(0.0f);
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      way[axis] = float(bodies.position[other][axis] - bodies.position[slot][axis]);
+    }
+    return way;
   }
 };
 
@@ -101,8 +109,7 @@ class OccluderSearch {
     const BodiesView<V> grown = grow_radii(exec, bodies, Real(kOcclusionReach), Real(0), grown_);
     const Span<const Pair> near = search_.pairs(exec, grown);
     lists_.link(exec, near, search_.first());
-    exec.parallel_for("find occluders", bodies.size(),
-                      FindOccluders<V>{bodies, lists_.view(), id_at, occluders});
+    exec.parallel_for("find occluders", bodies.size(), FindOccluders<V>{bodies, lists_.view(), id_at, occluders});
     exec.stage_times() = times;
   }
 

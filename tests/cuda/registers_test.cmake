@@ -44,6 +44,8 @@ set(allowed
   "MirrorVelocity" 96
   # A wall on each side of each axis, with what it has given, and a limit to it.
   "MoveOutOfWalls" 72
+  # The four strongest occluders so far with their shares, and the sums of the others: once for a picture, not in a step.
+  "FindOccluders" 64
   # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum and the largest
   # overlap; for a tally, collisions.
   "ReduceBlock.*AxisSums" 48
