@@ -13,7 +13,7 @@ namespace ballpit {
 namespace {
 
 constexpr int64_t kMaxEvents = 40, kFewEvents = 2000;  // of a sphere in a step, and in any case: more take too long
-constexpr double kEventsPerSample = 0.2;  // of each sphere: with fewer, a sample would cost more than a tenth of them
+constexpr double kEventsPerSample = 1;  // of each sphere: a sample then costs a fiftieth of them
 constexpr size_t kFew = 300;              // spheres, of which samples cost little at any rate
 constexpr size_t kFirstSamples = 32;      // however few events they have: distances grow fastest at first
 constexpr double kTolerance = 1e-6;       // of a step: times that differ by less are equal

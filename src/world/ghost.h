@@ -7,7 +7,7 @@
 //        ●    ●    ●    ● ○   distances: of every step at first; when there are kMaxSamples, every second one is
 //                             dropped, so that those of every 2nd, 4th, … are left. ○: the present one, for a picture
 //
-// Cost: that of event-driven motion, and a tenth more for the distances. Until the first wrong collision is found, also
+// Cost: that of event-driven motion, and a fiftieth more for the distances. Until the first wrong collision is found, also
 // a copy of all spheres in each step, as much as about n/20 events. States that lie back are computed again
 // (world/exact_motion.h); distances of steps that were seen before are remembered.
 //
