@@ -17,9 +17,11 @@ constexpr float kLegend = 680;        // width of the widest legend: five ranges
 constexpr float kPlanarNotes = 0.2f;  // [of the picture's width] of notes beside a planar domain
 constexpr float kLeastNotes = 0.4f;   // [of the same] beside a legend; narrower ones go below it
 
-/// Lines of all notes that these overlays may write, in a picture that is wide enough for one line each.
-int count_lines(const FrameView& view) {
-  int lines = view.shows("grid") && draws_densest(view) ? 1 : 0;
+/// Lines of all notes that these overlays may write, in a picture that is wide enough for one line of each other one.
+int count_lines(const FrameView& view, float text_scale) {
+  constexpr float kWide = 1.2f;  // text that the densest cells' note does not fit beside a legend
+  int lines = 0;
+  if (view.shows("grid") && draws_densest(view)) lines = text_scale > kWide ? 2 : 1;
   for (const OverlayEntry& entry : overlay_table()) {
     if (view.shows(entry.name)) lines += entry.lack(view.inspection).empty() ? entry.notes : 1;
   }
@@ -29,10 +31,11 @@ int count_lines(const FrameView& view) {
 }  // namespace
 
 bool overlaps_domain(const DomainBox& domain, const Camera& camera, Vec2 low, Vec2 high, Vec2 size) {
+  const auto [min, max] = domain.framed.value_or(FramedBox{domain.min, domain.max});
   const Mat4 clip = camera.projection() * camera.view();
   std::array<Vec2, 8> corners;
   for (int k = 0; k < 8; ++k) {
-    const Vec4 at = clip * Vec4(corner_of(domain.min, domain.max, k), 1);
+    const Vec4 at = clip * Vec4(corner_of(min, max, k), 1);
     if (at.w <= 0) return true;  // the eye is within the domain
     corners[static_cast<size_t>(k)] = Vec2(1 + at.x / at.w, 1 - at.y / at.w) / 2.0f * size;
   }
@@ -63,7 +66,7 @@ NotesRoom notes_room(const FrameView& view, float text_scale, float above) {
   const Vec2 size(1080 * view.camera.aspect, 1080);
   const float line = line_height(TextSize::small, text_scale), top = above * size.y;
   const bool has_legend = view.coloring != coloring_table().front().name;
-  const int lines = count_lines(view) * (view.camera.aspect < 1 ? 2 : 1);
+  const int lines = count_lines(view, text_scale) * (view.camera.aspect < 1 ? 2 : 1);
   const float legend = has_legend ? std::min(size.x, kLegend * text_scale) : 0;
   const float legend_height = has_legend ? kMargin + 2 * line + kLineGap : 0;
   const float notes_height = lines > 0 ? kMargin + static_cast<float>(lines) * (line + kLineGap) : 0;

@@ -18,7 +18,7 @@ namespace ballpit {
 /// For a view whose camera leaves no room for notes. `above`: the part of the picture's height that a page's title takes.
 NotesRoom notes_room(const FrameView& view, float text_scale, float above);
 
-/// Whether a rectangle, from `low` to `high`, overlaps the picture of the domain. Both in the picture's coordinates: (0, 0)
+/// Whether a rectangle, from `low` to `high`, overlaps the picture of the domain, or of the part that the scene frames. Both in the picture's coordinates: (0, 0)
 /// is its upper left corner, and `size` its lower right.
 bool overlaps_domain(const DomainBox& domain, const Camera& camera, Vec2 low, Vec2 high, Vec2 size);
 

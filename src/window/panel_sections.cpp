@@ -159,16 +159,20 @@ void Panel::choose(Demo& demo, const char* name, const char* label, const Table&
 void Panel::draw_occlusion(Demo& demo) {
   bool& is_on = demo.view.occlusion;
   ImGui::BeginDisabled(demo.session.scene().domain.dimensions == 2);
-  if (ImGui::Checkbox((translated("ambient occlusion and shadow") + "##occlusion").c_str(), &is_on)) demo.touch();
+  if (ImGui::Checkbox((translated("ambient occlusion") + "##occlusion").c_str(), &is_on)) demo.touch();
   note("occlusion");
   ImGui::EndDisabled();
   if (demo.session.scene().domain.dimensions == 2 || !is_on) return;
   if (!demo.shows_occlusion(sheet_.height())) {
+    ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", translated("spheres are too small here to show it").c_str());
+    ImGui::PopTextWrapPos();
     note("lack of occlusion");
   } else if (demo.measures && demo.writing_time > 0) {
     const std::string time = local_number(three_digits(1000 * demo.writing_time));
+    ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", phrase("{} ms a picture to find who hides whom", time).c_str());
+    ImGui::PopTextWrapPos();
     note("cost of occlusion");
   }
 }

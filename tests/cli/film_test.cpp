@@ -83,7 +83,7 @@ TEST_CASE("ffmpeg gets the pixels of the frames, one after the other, and no pic
   }
 }
 
-TEST_CASE("--out beside --film writes the pictures too") {
+TEST_CASE("the option --out beside --film writes the pictures too") {
   const Fake fake;
   const Scratch scratch;
   REQUIRE(run_program(render({"--film", scratch / "a.mp4", "--out", scratch / "frames"})).status == 0);

@@ -44,6 +44,7 @@ std::vector<Row> rows_of_lectures() {
            "stored = { x = 1 }"),
       page("show/lecture.cpp: whole numbers or texts", "[[page]] stored: found 1.5, allowed whole numbers or texts",
            "stored = { spheres = 1.5 }"),
+      page("show/lecture.cpp: (\"occlusion\"", "[[page]] occlusion: found \"x\", allowed on, off", "occlusion = \"x\""),
       page("show/lecture.cpp: (\"color\"", "[[page]] color: found \"x\", allowed contact", "color = \"x\""),
   };
 }

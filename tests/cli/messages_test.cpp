@@ -132,7 +132,7 @@ void write_files(const Scratch& scratch) {
   }
   for (const char* folder : {"no-choice", "poor-choice"}) fs::create_directory(scratch / folder);
   write_text(scratch / "no-choice/choice.json", "nonsense");
-  write_text(scratch / "poor-choice/choice.json", "{\"chosen\": {\"response\": \"impulse\", \"dt\": 0.1}}");
+  write_text(scratch / "poor-choice/choice.json", "{\"chosen\": {\"response\": \"penalty\", \"dt\": 0.1}}");
   write_text(scratch / "empty.toml", "[domain]\n");
   write_text(scratch / "b.toml", kBox + kSphere);
   write_text(scratch / "b.csv", "x,y,z,radius\n0,0,0,1\n");

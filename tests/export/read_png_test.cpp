@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // read_png() decodes the pictures of any program, and refuses what is no whole picture.
+#include <unistd.h>
+
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -23,7 +25,9 @@ class ScratchFile {
   explicit ScratchFile(const std::string& bytes) { write_file(path, bytes); }
   ~ScratchFile() { std::filesystem::remove(path); }
 
-  const std::string path = (std::filesystem::temp_directory_path() / "ballpit-read-png-test.png").string();
+  // Tests run beside each other, each in a process of its own.
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("ballpit-read-png-" + std::to_string(getpid()) + ".png")).string();
 };
 
 Image read(const std::string& bytes) { return read_png(ScratchFile(bytes).path); }

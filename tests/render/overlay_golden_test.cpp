@@ -133,15 +133,15 @@ TEST_CASE("golden: numbers of cells and spheres, on both grounds") {
   CHECK(compare("labels_cloud_dark", stored("cloud", kBox, 0), kBox, {"labels"}, "dark") == "");
 }
 
-TEST_CASE("golden: only the floors of thousands of cells, on both grounds") {
+TEST_CASE("golden: the densest of thousands of cells, on both grounds") {
   Random random(5);
   std::vector<Sphere> spheres;
   const auto at = [&] { return static_cast<float>(random.uniform(0.02, 0.98)); };
   for (int k = 0; k < 7000; ++k) spheres.push_back({{at(), at(), at()}, 0.01f});
   const Inspection inspection = inspect(spheres, kBox, 0.05f);
-  const FrameView view = view_of(inspection, kBox, kAspect, {"grid"});  // without text, a small picture is sufficient
-  for (const auto& [name, theme] : {std::pair{"grid_floors", "projector"}, {"grid_floors_dark", "dark"}})
-    CHECK(compare_with_golden(name, draw(view, kWidth / 2, kHeight / 2, {theme_named(theme), 1})) == "");
+  const FrameView view = view_of(inspection, kBox, kAspect, {"grid"});
+  for (const auto& [name, theme] : {std::pair{"grid_densest", "projector"}, {"grid_densest_dark", "dark"}})
+    CHECK(compare_with_golden(name, draw(view, kWidth, kHeight, {theme_named(theme), 1})) == "");
 }
 
 TEST_CASE("golden: a selected sphere and its block") {

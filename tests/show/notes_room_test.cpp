@@ -92,7 +92,7 @@ TEST_CASE("a scene keeps its place while its numbers change, and takes the whole
   CHECK(demo.frame_view(1.6f).camera.shift == before.shift);
   CHECK(demo.frame_view(1.6f).camera.fov == before.fov);
   CHECK(before.shift.y < 0);
-  demo.view.overlays = {"grid"};
+  demo.view.overlays = {};
   demo.view.coloring = "contact";
   CHECK(demo.frame_view(1.6f).notes.above == 0);
   CHECK(demo.frame_view(1.6f).camera.shift == Vec2(0));

@@ -81,6 +81,8 @@ namespace {
 const std::map<std::string, std::string>& expected_figures() {
   static const std::map<std::string, std::string> figures{
       {"poster", "2\u2009000 balls: 11\u2009072 tests in place of 1\u2009999\u2009000"},
+      {"unlit", "1\u2009000 spheres in one light"},
+      {"lit", "each of 1\u2009000 spheres"},
       {"project", "3 spheres cast 6 marks"},
       {"store", "6 entries"},
       {"sort", "Here 3 stores"},

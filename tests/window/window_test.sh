@@ -89,7 +89,7 @@ drag() { xdotool mousemove --window "$window" $1 $2 mousedown 1 sleep 0.1 mousem
 xdotool keydown shift; drag 597 163 640 110; xdotool keyup shift
 xdotool keydown shift mousemove --window "$window" 512 439 click 1 keyup shift; expect_title "21 spheres"
 xdotool keydown ctrl; drag 563 295 540 270; xdotool keyup ctrl
-xdotool mousemove --window "$window" 178 448 click 1
+xdotool mousemove --window "$window" 178 485 click 1
 expect_file acts_00000.toml
 for act in throw drop push; do grep -q "act = \"$act\"" acts_00000.toml || fail "no $act"; done
 grep -A1 'act = "throw"' acts_00000.toml | grep -q "sphere = 15" || fail "another sphere is thrown"

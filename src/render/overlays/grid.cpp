@@ -138,9 +138,9 @@ void draw_densest(const GridInspection& grid, const std::vector<int>& counts, co
     add_box_edges(low, high, to_rgba(painter.theme.grid), lines);
   }
   painter.draw_shining(lines, painter.theme.background, kDenseWidth, kDenseRim);
-  painter.note({{Swatch::line, painter.theme.grid,
-                 phrase("the densest {} of {} occupied cells: {} to {} spheres each", cells.size(), grouped(occupied),
-                        cells.back().count, cells.front().count)}});
+  painter.note(
+      {{Swatch::line, painter.theme.grid, phrase("densest {} of {} cells:", cells.size(), grouped(occupied))},
+       {Swatch::none, {}, phrase("{} to {} spheres each", cells.back().count, cells.front().count)}});
 }
 
 /// The borders of all cells, except on the edges of the domain.
