@@ -109,7 +109,7 @@ xdotool key Prior; expect_title "Sort the list"
 xdotool key 2 2 Return; expect_title "two threads insert"
 xdotool key Right Right Left shift+Right shift+Left b period Tab Tab p p r
 xdotool key d; expect_title "gleichzeitig"
-xdotool key d End; expect_title "eight times as many"
+xdotool key d End; expect_title "lights the picture"
 xdotool key Home; expect_title "Fast collision"
 xdotool mousemove --window "$window" 300 250 click 3; sleep 0.3; xdotool click 3  # the panel, and away again
 xdotool mousemove --window "$window" 300 250 click 1
