@@ -5,6 +5,8 @@ flat in vec4 hiding[4];  // as in hiding.glsl
 flat in vec4 fading;
 flat in vec4 rest;
 
+const float kGivenBack = 0.2;  // by the surfaces that hide it, which are bright
+
 // x: of the sky; y: of the key light. Occluders overlap, so the product of what each leaves is an approximation.
 // `from_center` leads from the sphere's centre to the point.
 vec2 light_at(vec3 from_center, vec3 normal) {
@@ -16,5 +18,5 @@ vec2 light_at(vec3 from_center, vec3 normal) {
     float light = light_left(way, frame.key_light.xyz, radius);
     left *= 1 - fading[k] * (1 - vec2(1 - share, light));
   }
-  return left;
+  return mix(left, vec2(1), kGivenBack);
 }

@@ -25,11 +25,11 @@ Value upper_end(std::vector<Value> values) {
   return *found;
 }
 
-/// With one significant digit: 3, 40, 600. The smallest width with which `numbers` numbers give at most five ranges.
+/// With two significant digits: 3, 12, 650. The smallest width with which `numbers` numbers give at most five ranges.
 int range_width(int64_t numbers) {
   const int64_t least = (numbers + kMaxRanges - 1) / kMaxRanges;
   int64_t ten = 1;
-  while (ten * 10 <= least) ten *= 10;
+  while (ten * 100 <= least) ten *= 10;
   return static_cast<int>((least + ten - 1) / ten * ten);
 }
 

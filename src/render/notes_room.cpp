@@ -5,6 +5,7 @@
 
 #include "render/coloring.h"
 #include "render/overlays/overlay.h"
+#include "render/page_view.h"
 #include "render/sheet.h"
 
 namespace ballpit {
@@ -23,7 +24,10 @@ int count_lines(const FrameView& view, float text_scale) {
   int lines = 0;
   if (view.shows("grid") && draws_densest(view)) lines = text_scale > kWide ? 2 : 1;
   for (const OverlayEntry& entry : overlay_table()) {
-    if (view.shows(entry.name)) lines += entry.lack(view.inspection).empty() ? entry.notes : 1;
+    if (!view.shows(entry.name)) continue;
+    const bool is_lacking = !entry.lack(view.inspection).empty();
+    const bool is_compared = view.page && !view.page->figures.empty();  // then it says nothing
+    lines += is_lacking ? (is_compared ? 0 : 1) : entry.notes;
   }
   return lines;
 }

@@ -93,15 +93,10 @@ FrameView Demo::frame_view(float aspect, bool is_written, bool with_occluders, f
   View whole = turned;
   whole.zoom = 1;
   const auto step = static_cast<float>(session.settings().dt / session.settings().substeps);
-  std::vector<std::string> overlays = view.overlays;
-  if (compared_) {  // beside a method that has cells, it needs no words that another one has none
-    std::erase_if(overlays,
-                  [&](const auto& name) { return !entry_named(overlay_table(), name, "").lack(seen).empty(); });
-  }
   FrameView shown{seen,
                   box,
                   camera(whole),
-                  overlays,
+                  view.overlays,
                   view.selected,
                   view.coloring,
                   step,
@@ -112,6 +107,10 @@ FrameView Demo::frame_view(float aspect, bool is_written, bool with_occluders, f
                   aim ? &*aim : nullptr};
   shown.notes = notes_room(shown, view.text_scale / share, room.above);
   room.above += shown.notes.above;
+  if (compared_) {  // beside a method that has cells, it needs no words that another one has none, but the same room
+    std::erase_if(shown.overlays,
+                  [&](const auto& name) { return !entry_named(overlay_table(), name, "").lack(seen).empty(); });
+  }
   shown.camera = shown.notes.above > 0 ? camera_of(turned, box, room, aspect) : camera(turned);
   return shown;
 }

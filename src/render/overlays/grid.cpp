@@ -23,8 +23,8 @@ namespace ballpit {
 namespace {
 
 constexpr float kEdgeWidth = 2.0f, kDenseWidth = 4, kDenseRim = 2;  // [1/1080 of the picture's height]
-constexpr int64_t kCrowd = 500;                                        // spheres in space
-constexpr size_t kDensest = 12;                                        // cells drawn in a crowd
+constexpr int64_t kCrowd = 500;                                     // spheres in space
+constexpr size_t kDensest = 12;                                     // cells drawn in a crowd
 
 /// 0 to 1: one body is clearly visible, and counts up to about eight look different.
 float strength(int count) { return static_cast<float>(count) / static_cast<float>(count + 2); }
@@ -138,9 +138,12 @@ void draw_densest(const GridInspection& grid, const std::vector<int>& counts, co
     add_box_edges(low, high, to_rgba(painter.theme.grid), lines);
   }
   painter.draw_shining(lines, painter.theme.background, kDenseWidth, kDenseRim);
+  const int least = cells.back().count, most = cells.front().count;
   painter.note(
       {{Swatch::line, painter.theme.grid, phrase("densest {} of {} cells:", cells.size(), grouped(occupied))},
-       {Swatch::none, {}, phrase("{} to {} spheres each", cells.back().count, cells.front().count)}});
+       {Swatch::none,
+        {},
+        least < most ? phrase("{} to {} spheres each", least, most) : phrase("{} each", counted(most, "sphere"))}});
 }
 
 /// The borders of all cells, except on the edges of the domain.
