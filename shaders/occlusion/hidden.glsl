@@ -20,3 +20,12 @@ vec2 light_at(vec3 from_center, vec3 normal) {
   }
   return mix(left, vec2(1), kGivenBack);
 }
+
+// The same for the pixels of an outline, which are seen in part: roughly, with the sky's share for the light as well.
+vec2 light_at_edge(vec3 from_center, vec3 normal) {
+  float left = 1 - clamp(rest.w + dot(rest.xyz, normal), 0.0, 1.0);
+  for (int k = 0; k < 4; ++k) {
+    left *= 1 - fading[k] * rough_share(hiding[k].xyz - from_center, normal, max(hiding[k].w, 1e-6));
+  }
+  return vec2(mix(left, 1, kGivenBack));
+}

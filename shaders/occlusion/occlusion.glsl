@@ -18,6 +18,13 @@ float hidden_share(vec3 way, vec3 normal, float radius) {
   return (s2 * c * cut - sqrt((s2 - c2) * (1 - s2)) + acos(min(q, 1.0f))) / kPi;
 }
 
+// About the same share, in a third of the time: a smooth step across the horizon.
+float rough_share(vec3 way, vec3 normal, float radius) {
+  float s = min(radius * inversesqrt(dot(way, way)), 1.0f);
+  float above = clamp(0.5f + 0.5f * dot(normal, way) / radius, 0.0f, 1.0f);
+  return s * s * s * above * above;
+}
+
 // The half-width of the edge of its shadow at a distance: the light is not a point. Bounded, so that a ball in flight
 // still has a shadow.
 float soft_edge(float along, float radius) { return min(kPenumbra * max(along, 0.0f), radius) + 0.1f * radius; }

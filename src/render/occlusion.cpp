@@ -8,9 +8,9 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kPerRadius = 4;             // pixels of the floor map: shadows are soft
-constexpr int kFewest = 128, kMost = 768;  // of its longer side [pixel]
-constexpr int64_t kCrowd = 500;             // spheres
+constexpr float kPerRadius = 2.5f;           // pixels of the floor map: shadows are soft
+constexpr int kFewest = 128, kMost = 768;    // of its longer side [pixel]
+constexpr int64_t kCrowd = 500;              // spheres
 constexpr float kAnywhere = 1e6f, kLow = 6;  // [radius] height up to which spheres have a shadow: in a crowd, those of
                                              // higher ones would make the whole floor dark
 

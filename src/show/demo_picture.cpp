@@ -15,7 +15,7 @@ namespace {
 
 constexpr int64_t kMaxListedCandidates = 2'000'000;  // listed for an overlay
 constexpr int64_t kMaxForPicked = 100'000;           // candidates, and spheres, to search for the picked sphere
-constexpr double kSmallestOccluded = 4;              // [pixel] radius of the largest spheres
+constexpr double kSmallestOccluded = 6;              // [pixel] radius of the largest spheres
 constexpr int64_t kMaxForOracle = 20'000;            // spheres among which brute force searches for missed contacts
 
 /// [m/s] After a fall through the domain, or at the start if that is faster.

@@ -27,7 +27,8 @@ void DemoRenderer::draw(Demo& demo, RenderOptions options) {
 
 void DemoRenderer::draw_view(Demo& demo, float aspect, float share) {
   renderer_.set_options(options_);
-  const bool with_occluders = demo.shows_occlusion(static_cast<int>(share * static_cast<float>(renderer_.height())));
+  const bool with_occluders =
+      demo.shows_occlusion(static_cast<int>(share * static_cast<float>(renderer_.height() * options_.supersample)));
   const auto start = std::chrono::steady_clock::now();
   const bool is_written = write(demo, with_occluders);
   demo.writing_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
