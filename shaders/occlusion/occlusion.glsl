@@ -4,8 +4,13 @@
 const float kPi = 3.14159265f;
 const float kPenumbra = 0.25f;  // half the width of a shadow's edge, of the way from the sphere
 
+// The arc cosine of x from 0 to 1, within 0.0001. Source: Abramowitz and Stegun, 4.4.45.
+float arc_cosine(float x) {
+  return sqrt(1 - x) * (1.5707288f + x * (-0.2121144f + x * (0.0742610f - 0.0187293f * x)));
+}
+
 // The share of the sky that it hides, weighted by the cosine of the angle from the normal: cos θ · sin² σ, where the sphere
-// appears with the angular radius σ. If the horizon cuts it, only what is above counts. Exact. Source: Quilez, "Sphere
+// appears with the angular radius σ. If the horizon cuts it, only what is above counts. Source: Quilez, "Sphere
 // ambient occlusion", iquilezles.org/articles/sphereao; Snyder, "Area light sources for real-time graphics" (1996).
 float hidden_share(vec3 way, vec3 normal, float radius) {
   float distance2 = max(dot(way, way), radius * radius);
@@ -14,8 +19,9 @@ float hidden_share(vec3 way, vec3 normal, float radius) {
   float c2 = c * c;
   if (c2 >= s2) return max(0.0f, c) * s2;
   float q = sqrt((1 - s2) / (1 - c2));
-  float cut = acos(clamp(-c * q * inversesqrt(s2), -1.0f, 1.0f));
-  return (s2 * c * cut - sqrt((s2 - c2) * (1 - s2)) + acos(min(q, 1.0f))) / kPi;
+  float cut = arc_cosine(min(abs(c) * q * inversesqrt(s2), 1.0f));
+  float lune = c > 0 ? kPi - cut : cut;  // half of what the horizon leaves of the sphere's outline, as an angle
+  return (s2 * c * lune - sqrt((s2 - c2) * (1 - s2)) + arc_cosine(min(q, 1.0f))) / kPi;
 }
 
 // About the same share, in a third of the time: a smooth step across the horizon.
