@@ -225,7 +225,7 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
     draw_page(*view.page, painter);
     if (view.page->has_no_scene) return;
   }
-  if (bodies_.has_occluders() && !(view.page && view.page->has_no_scene)) {
+  if (bodies_.has_occluders()) {
     occlusion_->draw_floor();
     occlusion_->draw_bodies(bodies_, canvas().depth);
   } else {
@@ -236,6 +236,10 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
   draw_overlays(view, painter, false);
   draw_edges(view.domain, painter);
   draw_aim(view, painter);
+  if (view.domain.framed && view.notes.above > 0) {  // the strip of the notes ends what rises above the framed part
+    const float bottom = painter.noted + view.notes.above * static_cast<float>(sheet_.height());
+    sheet_.box({0, painter.noted}, {width, bottom}, to_rgba(options_.theme.background));
+  }
   painter.draw_notes();
   draw_legend(coloring, colored, painter);
   covered_ = std::move(painter.covered);
