@@ -32,9 +32,9 @@ struct Occluders {
 struct BodySnapshot {
   int64_t count = 0;
   int dimensions = 3;
-  std::vector<float> position;  ///< [m] count × dimensions
-  std::vector<float> velocity;  ///< [m/s] count × dimensions
-  std::vector<float> radius;    ///< [m] 1 or count values
+  std::vector<float> position;       ///< [m] count × dimensions
+  std::vector<float> velocity;       ///< [m/s] count × dimensions
+  std::vector<float> radius;         ///< [m] 1 or count values
   std::vector<Occluders> occluders;  ///< one for each; empty unless wanted
 
   Vec3 position_of(int64_t i) const { return vector_at(position, i); }
@@ -59,9 +59,9 @@ struct BodyShape {
 
 /// Memory on the world's own processor that a vertex shader reads, for bodies in the order of their ids.
 struct BodyTarget {
-  Span<float> position;    ///< [m] count × dimensions
-  Span<float> radius;      ///< [m] count values; none if all are equal
-  Span<uint8_t> touching;  ///< 1 for a body in contact, else 0
+  Span<float> position;         ///< [m] count × dimensions
+  Span<float> radius;           ///< [m] count values; none if all are equal
+  Span<uint8_t> touching;       ///< 1 for a body in contact, else 0
   Span<Occluders> occluders{};  ///< one for each; none if they are not wanted
 };
 

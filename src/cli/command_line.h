@@ -66,7 +66,8 @@ class CommandOptions {
 /// file of its own: command_render.cpp and so on.
 using MakeCommand = std::function<void()>(CommandOptions& options);
 MakeCommand make_show_command, make_lecture_command, make_render_command, make_simulate_command, make_choose_command,
-    make_pairs_command, make_compare_command, make_bench_command, make_lab_command, make_list_command, make_doctor_command;
+    make_pairs_command, make_compare_command, make_bench_command, make_lab_command, make_list_command,
+    make_doctor_command;
 
 /// For a command with functions add_options() and run().
 template <class Command>

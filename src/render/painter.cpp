@@ -115,7 +115,8 @@ void Painter::draw_shining(const std::vector<Line>& lines_, const Vec3& rim_colo
   constexpr Rgba kFaint = 0x73000000u;  // 45 %
   std::vector<Line> faint = lines_;
   for (Line& line : faint) {
-    for (Rgba* end : {&line.color_a, &line.color_b}) *end = std::min(*end >> 24, kFaint >> 24) << 24 | (*end & 0xFFFFFFu);
+    for (Rgba* end : {&line.color_a, &line.color_b})
+      *end = std::min(*end >> 24, kFaint >> 24) << 24 | (*end & 0xFFFFFFu);
   }
   glDepthFunc(GL_GREATER);
   draw_rimmed(faint, rim_color, width, rim);

@@ -9,8 +9,8 @@
 
 namespace ballpit {
 
-inline constexpr float kMinZoom = 0.25f, kMaxZoom = 50;  ///< zoom
-inline constexpr float kFastestTurn = 360, kSlowTurn = 6;    ///< turn; 6°/s is one round a minute
+inline constexpr float kMinZoom = 0.25f, kMaxZoom = 50;    ///< zoom
+inline constexpr float kFastestTurn = 360, kSlowTurn = 6;  ///< turn; 6°/s is one round a minute
 inline constexpr float kMinUiScale = 0.5f, kMaxUiScale = 3;
 
 struct View {

@@ -254,11 +254,11 @@ class EventDrivenWorld final : public World {
   }
 
   double dt_, patience_;  // [s]
-  Scene scene_;          // without bodies
+  Scene scene_;           // without bodies
   EventDriven<V> motion_;
   int64_t steps_ = 0, events_before_ = 0;
-  double time_ = 0;  // [s] since its own start: the end of the last step, or the moment at which it stopped
-  double began_ = 0;                     // [s] when the present motion began, at an act or at the start
+  double time_ = 0;   // [s] since its own start: the end of the last step, or the moment at which it stopped
+  double began_ = 0;  // [s] when the present motion began, at an act or at the start
   double start_time_ = 0, seconds_ = 0;  // [s]
   Tally tally_before_;
   CpuExecutor exec_{1};

@@ -13,10 +13,10 @@ namespace ballpit {
 namespace {
 
 constexpr int64_t kMaxEvents = 40, kFewEvents = 2000;  // of a sphere in a step, and in any case: more take too long
-constexpr double kEventsPerSample = 1;  // of each sphere: a sample then costs a fiftieth of them
-constexpr size_t kFew = 300;              // spheres, of which samples cost little at any rate
-constexpr size_t kFirstSamples = 32;      // however few events they have: distances grow fastest at first
-constexpr double kTolerance = 1e-6;       // of a step: times that differ by less are equal
+constexpr double kEventsPerSample = 1;                 // of each sphere: a sample then costs a fiftieth of them
+constexpr size_t kFew = 300;                           // spheres, of which samples cost little at any rate
+constexpr size_t kFirstSamples = 32;                   // however few events they have: distances grow fastest at first
+constexpr double kTolerance = 1e-6;                    // of a step: times that differ by less are equal
 constexpr std::string_view kDeep =
     "spheres overlap by more than half a radius here; drop it at a moment with less overlap";
 constexpr std::string_view kEndless = "exact motion ends here: where spheres rest on each other, collisions never end";

@@ -156,7 +156,7 @@ TEST_CASE("a sphere of any colour, or its edge, can be told from the ground in e
         FrameView view = view_of(inspection, is_planar ? plane : box, 1);
         view.coloring = coloring;
         const Image image = draw(view, kSize, kSize, {theme});
-        // In space, a sphere without a rim is told from a light ground by its shaded side, from a dark one by its lit side.
+        // In space, a sphere without a rim stands out by its shaded side on light ground, by its lit side on dark.
         const bool has_edge = is_planar || (theme.background.r > 0.5f && view.coloring == "size");
         for (const Sphere& sphere : spheres) {
           const Vec2 middle = place(view, sphere.center, kSize);
