@@ -24,7 +24,7 @@ float hidden_share(vec3 way, vec3 normal, float radius) {
   return (s2 * c * lune - sqrt((s2 - c2) * (1 - s2)) + arc_cosine(min(q, 1.0f))) / kPi;
 }
 
-// About the same share, in a third of the time: a smooth step across the horizon.
+// About the same share with fewer operations, up to 0.24 off where spheres touch: a smooth step across the horizon.
 float rough_share(vec3 way, vec3 normal, float radius) {
   float s = min(radius * inversesqrt(dot(way, way)), 1.0f);
   float above = clamp(0.5f + 0.5f * dot(normal, way) / radius, 0.0f, 1.0f);

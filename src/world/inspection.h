@@ -17,15 +17,13 @@ struct Wanted {
   bool endpoints = false;  ///< and the axis
   bool work = false;
   bool occluders = false;  ///< of the bodies
-  bool ghost = false;  ///< by the demonstration that keeps one; worlds have none
+  bool ghost = false;      ///< by the demonstration that keeps one; worlds have none
 
   bool more_than_state() const { return candidates || missed || endpoints || work; }
 
   Wanted operator|(const Wanted& other) const {
-    return {state || other.state,   candidates || other.candidates,
-            missed || other.missed, endpoints || other.endpoints,
-            work || other.work,     occluders || other.occluders,
-            ghost || other.ghost};
+    return {state || other.state, candidates || other.candidates, missed || other.missed, endpoints || other.endpoints,
+            work || other.work,   occluders || other.occluders,   ghost || other.ghost};
   }
   bool operator==(const Wanted&) const = default;
 };

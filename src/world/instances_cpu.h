@@ -24,7 +24,7 @@
 #define BALLPIT_INSPECTION(EXTERN, V)                                                            \
   EXTERN template void ballpit::inspect_more(const ballpit::BodyStore<V, ballpit::CpuExecutor>&, \
                                              const ballpit::Collider<V, ballpit::CpuExecutor>&,  \
-                                             const ballpit::Wanted&, ballpit::Inspection&);  \
+                                             const ballpit::Wanted&, ballpit::Inspection&);      \
   EXTERN template class ballpit::OccluderSearch<V, ballpit::CpuExecutor>
 
 BALLPIT_DETECTION(extern, ballpit::Vec2);

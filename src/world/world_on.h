@@ -242,7 +242,7 @@ class WorldOn final : public World {
   BodyStore<V, Exec>& bodies_ = world_.bodies;
   OccluderSearch<V, Exec> occluders_;
   int64_t steps_ = 0;
-  int64_t edition_ = 0, editions_ = 0;  // of the bodies: another one with each replace()
+  int64_t edition_ = 0, editions_ = 0;   // of the bodies: another one with each replace()
   double start_time_ = 0, seconds_ = 0;  // [s]
 };
 

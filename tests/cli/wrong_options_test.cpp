@@ -60,7 +60,8 @@ Arguments with(Arguments arguments, const Arguments& more) {
 
 TEST_CASE("a command that does not exist is refused with those that do") {
   const std::string allowed =
-      ", allowed show, lecture, render, simulate, choose, pairs, compare, bench, lab, list, doctor, --help, --version\n";
+      ", allowed show, lecture, render, simulate, choose, pairs, compare, bench, lab, list, doctor, --help, "
+      "--version\n";
   check_all({
       {{}, "command: found nothing" + allowed},
       {{""}, "command: found nothing" + allowed},

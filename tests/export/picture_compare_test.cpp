@@ -73,7 +73,7 @@ TEST_CASE("up to 8 pixels may differ in each block of 8 x 8, and the worst block
   CHECK(found.left == 16);
   CHECK(found.top == 8);
   fill(b, 26, 20, 1, 1, 0);
-  CHECK(comparison_of(a, b).left == 16);  // the first of two that are equal
+  CHECK(comparison_of(a, b).left == 16);        // the first of two that are equal
   CHECK(comparison_of(b, a).worst_block == 9);  // what is missing counts as what is too much
 }
 

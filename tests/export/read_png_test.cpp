@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // read_png() decodes the pictures of any program, and refuses what is no whole picture.
-#include <unistd.h>
-
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -9,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <libdeflate.h>
 #include <png.h>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "core/file.h"

@@ -69,7 +69,7 @@ TEST_CASE("a sphere hides as much of the sky as a Monte Carlo reference says, cu
       const float share = shader::hidden_share(way, normal, radius);
       CAPTURE(distance, angle, exact);
       CHECK(share == Approx(exact).epsilon(0.02).margin(1e-4));
-      CHECK(std::abs(shader::rough_share(way, normal, radius) - exact) < 0.26f);
+      CHECK(std::abs(shader::rough_share(way, normal, radius) - exact) < 0.245f);  // 0.24 where they touch
       const bool is_cut = std::abs(std::cos(angle)) < 1 / distance;
       (is_cut ? cut : whole) += exact > 0;
     }
