@@ -84,7 +84,8 @@ class Chooser {
     chosen.cost *= cheapest.ratio;
   }
 
-  /// The cheapest attempt of each method that holds, or nearly, with its own steps and finer ones.
+  /// The cheapest attempt of each method that broke nothing, also of those given up for their cost, with its own steps
+  /// and finer ones.
   void list_dearer() {
     constexpr int kHalvings = 10;
     const Attempt& chosen = *choice_.chosen;

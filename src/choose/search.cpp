@@ -166,7 +166,7 @@ Search::Tried Search::try_rung(const Ladder& ladder) {
                   result.is_unseen,
                   is_seen && ballpit::holds(result, tolerances_, margin),
                   !is_seen && ballpit::holds(result, tolerances_, margin),
-                  ballpit::holds(result, tolerances_, 1),
+                  worst_ratio(result, tolerances_) <= 1,
                   worst_ratio(result, tolerances_),
                   std::max(result.largest_overlap, result.seen.overlap),
                   result.stopped,
