@@ -16,12 +16,6 @@ constexpr double kBoundary = 1e-3;    // of a step: collisions so near its end m
 /// How much of a change has been reached: 1 for all of it.
 double part_of(const Vec3d& change, const Vec3d& reached) { return dot(reached, change) / dot(change, change); }
 
-double mean_speed(const std::vector<Vec3d>& velocity) {
-  double sum = 0;
-  for (const Vec3d& v : velocity) sum += dot(v, v);
-  return velocity.empty() ? 0 : std::sqrt(sum / double(velocity.size()));
-}
-
 template <class Visit>
 void each_body(const LoggedCollision& c, const Visit& visit) {
   visit(size_t(c.body), c.change);
@@ -41,15 +35,10 @@ CollisionWatch::Judged CollisionWatch::judged(const LoggedCollision& c) {
   return {size_t(is_partner ? c.partner : c.body), is_partner ? c.partner_change : c.change};
 }
 
-void CollisionWatch::step(double time, double dt, const Bodies& stepped, const ExactMotion& exact,
+void CollisionWatch::step(double time, double dt, const Bodies& stepped, const ExactMotion& exact, Lead& lead,
                           std::vector<LoggedCollision> collisions) {
-  exact.velocities(now_.velocity);
-  slight_ = std::max(kSlightPart * mean_speed(now_.velocity), kGravitySteps * dt * length(gravity_));
-  exact.positions(now_.position);
-  for (size_t i = 0; i < stepped_velocity_.size(); ++i) {
-    now_.position[i] = exact.displacement(now_.position[i], stepped.position[i]);
-    now_.velocity[i] = stepped.velocity[i] - now_.velocity[i];
-  }
+  std::swap(now_, lead);
+  slight_ = std::max(kSlightPart * now_.exact_speed, kGravitySteps * dt * length(gravity_));
   if (missing_) {
     follow(time, dt, stepped, exact);
   } else {

@@ -33,9 +33,9 @@ class CollisionWatch {
   /// Both motions begin with these bodies.
   CollisionWatch(const Bodies& start, const Vec3d& gravity);
 
-  /// A step of `dt` [s] that ends at `time` [s]: the stepped world's bodies and exact velocities at its end, and the
-  /// exact collisions in it.
-  void step(double time, double dt, const Bodies& stepped, const ExactMotion& exact,
+  /// A step of `dt` [s] that ends at `time` [s]: the stepped world's bodies and their lead at its end, and the exact
+  /// collisions in it. Afterwards `lead` holds something else.
+  void step(double time, double dt, const Bodies& stepped, const ExactMotion& exact, Lead& lead,
             std::vector<LoggedCollision> collisions);
 
   /// Whether the search goes on: a wrong collision may still be late or missed.
@@ -44,12 +44,6 @@ class CollisionWatch {
   const std::optional<WrongCollision>& found() const { return found_; }
 
  private:
-  /// What the stepped world is ahead of exact motion, for each sphere.
-  struct Lead {
-    std::vector<Vec3d> position;  // [m] from the exact one, the nearest image
-    std::vector<Vec3d> velocity;  // [m/s]
-  };
-
   /// Whose change of velocity shows a collision: the faster changed sphere of a pair.
   struct Judged {
     size_t body;

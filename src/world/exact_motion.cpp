@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "world/exact_motion.h"
 
+#include <cmath>
 #include <iterator>
 #include <map>
 
@@ -47,14 +48,19 @@ class ExactMotionOf final : public ExactMotion {
 
   double now() const override { return now_; }
 
-  void positions(std::vector<Vec3d>& result) const override {
-    result.resize(size_t(motion_.size()));
-    for (int i = 0; i < motion_.size(); ++i) result[size_t(i)] = widen(motion_.position_at(now_, i));
-  }
-
-  void velocities(std::vector<Vec3d>& result) const override {
-    result.resize(size_t(motion_.size()));
-    for (int i = 0; i < motion_.size(); ++i) result[size_t(i)] = widen(motion_.velocity_at(now_, i));
+  void lead(const Bodies& stepped, Lead& result) const override {
+    const auto n = size_t(motion_.size());
+    result.position.resize(n);
+    result.velocity.resize(n);
+    double sum = 0;
+    for (size_t i = 0; i < n; ++i) {
+      const V velocity = motion_.velocity_at(now_, int(i));
+      const V there = narrow<V>(stepped.position[i]);
+      result.position[i] = widen(motion_.rules().box.displacement(motion_.position_at(now_, int(i)), there));
+      result.velocity[i] = stepped.velocity[i] - widen(velocity);
+      sum += dot(velocity, velocity);
+    }
+    result.exact_speed = n > 0 ? std::sqrt(sum / double(n)) : 0;
   }
 
   Vec3d displacement(const Vec3d& from, const Vec3d& to) const override {

@@ -15,6 +15,13 @@
 
 namespace ballpit {
 
+/// What a stepped world is ahead of exact motion, for each sphere.
+struct Lead {
+  std::vector<Vec3d> position;  ///< [m] from the exact one, the nearest image
+  std::vector<Vec3d> velocity;  ///< [m/s]
+  double exact_speed = 0;       ///< [m/s] root mean square of the exact velocities
+};
+
 class ExactMotion {
  public:
   virtual ~ExactMotion() = default;
@@ -24,8 +31,7 @@ class ExactMotion {
   virtual bool go_to(double time, int64_t max_events, std::vector<LoggedCollision>* log = nullptr) = 0;
 
   virtual double now() const = 0;                                            ///< [s] where go_to() has arrived
-  virtual void positions(std::vector<Vec3d>& result) const = 0;              ///< [m] at now()
-  virtual void velocities(std::vector<Vec3d>& result) const = 0;             ///< [m/s]
+  virtual void lead(const Bodies& stepped, Lead& result) const = 0;          ///< of stepped bodies, at now()
   virtual Vec3d displacement(const Vec3d& from, const Vec3d& to) const = 0;  ///< [m] to the nearest image
   virtual int64_t collisions() const = 0;                                    ///< between spheres, so far
   virtual int64_t events() const = 0;                                        ///< so far

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int64_t kMaxEvents = 40, kFewEvents = 2000;  // of a sphere in a step, and in any case: more take too long
 constexpr double kEventsPerSample = 1;                 // of each sphere: a sample then costs a fiftieth of them
-constexpr size_t kFew = 300;                           // spheres, of which samples cost little at any rate
+constexpr int64_t kFew = 300;                          // spheres, of which samples cost little at any rate
 constexpr size_t kFirstSamples = 32;                   // however few events they have: distances grow fastest at first
 constexpr double kTolerance = 1e-6;                    // of a step: times that differ by less are equal
 constexpr std::string_view kDeep =
@@ -71,7 +71,7 @@ Ghost::Ghost(const Scene& scene, const Settings& settings, World& world, double 
   fresh_watch_.emplace(start.bodies, start.physics.gravity);
   watch_ = fresh_watch_;
   samples_.push_back({dropped_, 0, 0});
-  exact_ = start.bodies.position;
+  count_ = start.bodies.size();
 }
 
 /// False if exact motion does not reach that time.
@@ -80,7 +80,7 @@ bool Ghost::go_to(double time, double dt, std::vector<LoggedCollision>* log) {
   const double from = time < dropped_ + motion_->now() ? dropped_ : dropped_ + motion_->now();
   const auto steps = std::max<int64_t>(1, std::llround((time - from) / dt));
   try {
-    if (motion_->go_to(time - dropped_, steps * (kMaxEvents * int64_t(exact_.size()) + kFewEvents), log)) return true;
+    if (motion_->go_to(time - dropped_, steps * (kMaxEvents * count_ + kFewEvents), log)) return true;
   } catch (const Interrupted&) {
     return false;  // the caller ends soon
   } catch (const RunError&) {
@@ -104,12 +104,13 @@ void Ghost::follow(World& world, double time, double dt) {
   if (is_watching && !go_to(before, dt)) return;  // in case it was shown at an earlier moment
   if (!go_to(time, dt, is_watching ? &collisions : nullptr)) return;
   const double events = double(motion_->events()) - sampled_;
-  const bool is_cheap = exact_.size() <= kFew || events >= kEventsPerSample * double(exact_.size());
+  const bool is_cheap = count_ <= kFew || events >= kEventsPerSample * double(count_);
   const bool is_sampled = is_due && (is_cheap || samples_.size() < kFirstSamples);
   if (!is_watching && !is_sampled) return;
   const Bodies stepped = world.bodies();
-  if (is_watching) watch_->step(time - dropped_, dt, stepped, *motion_, std::move(collisions));
-  if (is_sampled) keep(distance_at(time, stepped));
+  motion_->lead(stepped, lead_);
+  if (is_sampled) keep(distance_at(time, stepped.radius));
+  if (is_watching) watch_->step(time - dropped_, dt, stepped, *motion_, lead_, std::move(collisions));
 }
 
 void Ghost::keep(const GhostDistance& distance) {
@@ -122,16 +123,13 @@ void Ghost::keep(const GhostDistance& distance) {
   samples_.resize(kept);
 }
 
-GhostDistance Ghost::distance_at(double time, const Bodies& stepped, std::vector<Vec3>* ahead) {
-  motion_->positions(exact_);
-  distance_.resize(exact_.size());
-  if (ahead) ahead->resize(exact_.size());
+/// By the present lead.
+GhostDistance Ghost::distance_at(double time, const std::vector<double>& radius) {
+  distance_.resize(radius.size());
   GhostDistance result{time, 0, 0};
-  for (size_t i = 0; i < exact_.size(); ++i) {
-    const Vec3d d = motion_->displacement(stepped.position[i], exact_[i]);
-    distance_[i] = length(d) / stepped.radius[i];
+  for (size_t i = 0; i < radius.size(); ++i) {
+    distance_[i] = length(lead_.position[i]) / radius[i];
     result.largest = std::max(result.largest, distance_[i]);
-    if (ahead) (*ahead)[i] = Vec3(d);
   }
   if (distance_.empty()) return result;
   const auto middle = distance_.begin() + std::ptrdiff_t(distance_.size() / 2);
@@ -160,7 +158,10 @@ GhostInspection Ghost::inspect(World& world, double time, double dt, bool is_exa
   }
   const bool is_there = go_to(time, dt);
   if (is_there) {
-    result.curve.push_back(distance_at(time, world.bodies(), &result.ahead));
+    const Bodies stepped = world.bodies();
+    motion_->lead(stepped, lead_);
+    result.curve.push_back(distance_at(time, stepped.radius));
+    for (const Vec3d& lead : lead_.position) result.ahead.push_back(Vec3(-lead));
     add_growth(result, time);
   } else {
     result.lack = lack_;
@@ -178,7 +179,7 @@ void Ghost::add_growth(GhostInspection& seen, double time) const {
   const std::optional<double> e_folds = e_folds_per_collision(density_);
   const double elapsed = time - dropped_;
   if (!e_folds || !(elapsed > 0)) return;
-  const double rate = 2.0 * double(motion_->collisions()) / double(exact_.size()) / elapsed;
+  const double rate = 2.0 * double(motion_->collisions()) / double(count_) / elapsed;
   if (rate * elapsed < 1) return;
   seen.growth = *e_folds * rate;
   seen.growth_from = dropped_ + 1 / rate;

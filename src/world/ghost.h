@@ -57,7 +57,7 @@ class Ghost {
 
  private:
   bool go_to(double time, double dt, std::vector<LoggedCollision>* log = nullptr);
-  GhostDistance distance_at(double time, const Bodies& stepped, std::vector<Vec3>* ahead = nullptr);
+  GhostDistance distance_at(double time, const std::vector<double>& radius);
   void keep(const GhostDistance& distance);
   void add_growth(GhostInspection& seen, double time) const;
 
@@ -72,8 +72,9 @@ class Ghost {
   std::vector<GhostDistance> samples_;
   int64_t steps_ = 0, stride_ = 1;  // steps seen; from one sample to the next
   double sampled_ = 0;              // events at the latest sample
-  std::vector<Vec3d> exact_;        // [m] exact positions, and
-  std::vector<double> distance_;    // [radii], kept for their memory
+  int64_t count_ = 0;               // of spheres
+  Lead lead_;                       // kept for its memory, as is
+  std::vector<double> distance_;    // [radii]
 };
 
 }  // namespace ballpit

@@ -50,7 +50,7 @@ TEST_CASE("notes and legends cover neither the domain nor each other, in every s
         demo.view.coloring = coloring.name;
         demo.view.overlays = overlays;
         check_room(demo, wide);
-        if (overlays.size() < 2) continue;
+        if (overlays.size() < 2 || coloring.name != coloring_table().back().name) continue;
         check_room(demo, square);
         check_room(demo, upright);
       }

@@ -296,10 +296,10 @@ TEST_CASE("the cursor stays within the record, however far it is moved") {
   CHECK(presenter.cursor() == 0);
 }
 
-TEST_CASE("thousands of random keys neither crash nor leave the lecture") {
+TEST_CASE("a thousand random keys neither crash nor leave the lecture") {
   Presenter presenter(built_in_lecture());
   Random random(5);
-  for (int press = 0; press < 3000; ++press) {
+  for (int press = 0; press < 1000; ++press) {
     switch (static_cast<int>(random.uniform(0, 8))) {
       case 0:
         presenter.next();

@@ -185,24 +185,26 @@ TEST_CASE("Lyapunov's exponent is left out where it was not measured") {
   for (const Scene& scene : {falling, lossy, mixed}) CHECK(growth_of(scene) == 0);
 }
 
-TEST_CASE("a ghost costs hardly more than event-driven motion") {
+TEST_CASE("a ghost costs no more than event-driven motion, also while it looks for the first wrong collision") {
   const Scene scene = melted_gas(8, 0.5, 1);  // 2 048 spheres
-  Settings settings = stepping("impulse", 0.01);
-  settings.broadphase = BroadPhase::linked_cell;
-  double least = 1e9;
-  for (int turn = 0; turn < 5; ++turn) {
-    const auto exact = make_cpu_world(scene, stepping("event-driven", 0.01)), world = make_cpu_world(scene, settings);
-    Ghost ghost(scene, settings, *world, 0);
-    double own = 0;
-    for (int k = 0; k < 100; ++k) {
-      exact->step();
-      world->step();
-      const auto start = std::chrono::steady_clock::now();
-      ghost.follow(*world, world->time(), 0.01);
-      own += seconds_since(start);
+  for (const char* response : {"impulse", "event-driven"}) {  // whose first collision is wrong; which has no wrong one
+    Settings settings = stepping(response, 0.01);
+    settings.broadphase = BroadPhase::linked_cell;
+    double least = 1e9;
+    for (int turn = 0; turn < 5; ++turn) {
+      const auto exact = make_cpu_world(scene, stepping("event-driven", 0.01)), world = make_cpu_world(scene, settings);
+      Ghost ghost(scene, settings, *world, 0);
+      double own = 0;
+      for (int k = 0; k < 100; ++k) {
+        exact->step();
+        world->step();
+        const auto start = std::chrono::steady_clock::now();
+        ghost.follow(*world, world->time(), 0.01);
+        own += seconds_since(start);
+      }
+      least = std::min(least, own / exact->report().seconds);
     }
-    least = std::min(least, own / exact->report().seconds);
+    CAPTURE(response, least);
+    CHECK(least < 1.25);  // other tests run beside this one
   }
-  INFO("ghost / event-driven " << least);
-  CHECK(least < 1.6);
 }
