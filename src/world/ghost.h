@@ -7,9 +7,10 @@
 //        ●    ●    ●    ● ○   distances: of every step at first; when there are kMaxSamples, every second one is
 //                             dropped, so that those of every 2nd, 4th, … are left. ○: the present one, for a picture
 //
-// Cost: that of event-driven motion, and a fiftieth more for the distances. Until the first wrong collision is found, also
-// a copy of all spheres in each step, as much as about n/20 events. States that lie back are computed again
-// (world/exact_motion.h); distances of steps that were seen before are remembered.
+// Cost: that of event-driven motion, and a fiftieth more for the distances. Until the first wrong collision is found,
+// which takes a step or two in a gas, also a look at all spheres in each step, a fifth of what a stepped world's step
+// costs. States that lie back are computed again (world/exact_motion.h); distances of steps that were seen before are
+// remembered.
 //
 // A stepped state may have spheres that overlap. Such a pair collides at once if it approaches, and parts freely if not
 // (event_driven/flight.h). Deeper overlap than kMaxOverlap is refused, and so is a motion with endless collisions.
