@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels of CudaExecutor::bin(): sorting indices by small keys, and finding where each key's begin.
+// The kernels of CudaExecutor::bin() and bin_few(): sorting indices by small keys, and finding where each key's begin.
 //
 //     index    0  1  2  3  4          store keys      one thread an index
 //     key      1  4  1  0  4
@@ -13,12 +13,20 @@
 // search for each bin distributes the work evenly, but costs log₂ n reads, and most bins are empty. So each thread
 // searches once, for its first bin, and gallops from there: an empty bin costs no read, a full one as many as its count
 // has bits. The work is even, whatever the bins contain.
+//
+// Where bins hold few indices, counters take fewer passes:
+//
+//     counts   1  2  0  0  2          count keys      one thread an index, by atomic addition
+//     offsets  0  1  3  3  3  5       scan
+//     unsorted 3  2  0  4  1          place indices   one thread an index; within a bin in any order
+//     order    3  0  2  1  4          rank indices    one thread an index: as many places on as lower indices share its bin
 #pragma once
 
 #include <cstdint>
 
 #include "core/host_device.h"
 #include "core/span.h"
+#include "exec/atomics.h"
 
 namespace ballpit {
 
@@ -84,6 +92,43 @@ struct GatherValue {
   Span<const int> order;
   Span<T> values;
   HOST_DEVICE void operator()(int k) const { values[k] = value_of(order[k]); }
+};
+
+/// Kernel: stores the key of index i, and counts it. `counts` are 0 before.
+template <class KeyOf>
+struct CountKey {
+  KeyOf key_of;
+  Span<int> keys, counts;
+
+  HOST_DEVICE void operator()(int i) const {
+    const int key = key_of(i);
+    keys[i] = key;
+    atomic_add(&counts[key], 1);
+  }
+};
+
+/// Kernel: places index i anywhere in its bin. `counts` are 0 afterwards.
+struct PlaceIndex {
+  Span<const int> keys, offsets;
+  Span<int> counts, unsorted;
+
+  HOST_DEVICE void operator()(int i) const {
+    const int key = keys[i];
+    unsorted[offsets[key] + atomic_add(&counts[key], -1) - 1] = i;
+  }
+};
+
+/// Kernel: sorts the k-th of the unsorted indices within its bin.
+struct RankIndex {
+  Span<const int> keys, offsets, unsorted;
+  Span<int> order;
+
+  HOST_DEVICE void operator()(int k) const {
+    const int i = unsorted[k], key = keys[i], begin = offsets[key], end = offsets[key + 1];
+    int rank = 0;
+    for (int other = begin; other < end; ++other) rank += unsorted[other] < i;
+    order[begin + rank] = i;
+  }
 };
 
 }  // namespace ballpit

@@ -2,33 +2,26 @@
 // The executor interface of exec/cpu_executor.h on a GPU: one stream, one thread per index, sort and scan by CUB.
 //
 // Memory is reused from step to step, since an allocation waits for the GPU. The host runs ahead of the device and
-// waits only where it reads a number: the total of a scan that sizes a buffer, a reduction, a download.
+// waits only where it reads a number: the total of a scan that sizes a buffer, a reduction, a download. In defer() it
+// reads none of those that deferred.h names, and what is launched waits to be submitted at once (cuda_queue.h).
 #pragma once
 
 #include <bit>
 #include <cstdint>
+#include <map>
 #include <type_traits>
-#include <vector>
 
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
+#include <thrust/iterator/counting_iterator.h>
 #include <thrust/iterator/tabulate_output_iterator.h>
+#include <thrust/iterator/transform_iterator.h>
 
 #include "bin_kernels.h"
-#include "core/span.h"
-#include "cuda_timer.h"
-#include "device_buffer.h"
-#include "exec/stage_times.h"
+#include "cuda_launcher.h"
+#include "scan_kernels.h"
 
 namespace ballpit {
-
-inline constexpr int kCudaBlock = 256;  // threads
-
-template <class Kernel>
-__global__ void run_kernel(int n, Kernel kernel) {
-  const int64_t i = int64_t(blockIdx.x) * blockDim.x + threadIdx.x;
-  if (i < n) kernel(static_cast<int>(i));
-}
 
 template <class T>
 struct FillSpan {
@@ -37,36 +30,7 @@ struct FillSpan {
   HOST_DEVICE void operator()(int i) const { span[i] = value; }
 };
 
-struct AddInt64 {
-  HOST_DEVICE int64_t operator()(int64_t a, int64_t b) const { return a + b; }
-};
-
-/// Receives the sums of a scan, in any order: stores them as offsets, and the last one in 64 bits.
-struct StoreSum {
-  int n;
-  int* offsets;
-  int64_t* total;
-
-  HOST_DEVICE void operator()(int64_t i, int64_t sum) const {
-    if (i == 0) offsets[0] = 0;
-    offsets[i + 1] = static_cast<int>(sum);
-    if (i + 1 == n) *total = sum;
-  }
-};
-
-class CudaStream {
- public:
-  CudaStream() { BALLPIT_CUDA_CHECK(cudaStreamCreate(&stream_)); }
-  ~CudaStream() { (void)cudaStreamDestroy(stream_); }
-  CudaStream(const CudaStream&) = delete;
-  CudaStream& operator=(const CudaStream&) = delete;
-  cudaStream_t get() const { return stream_; }
-
- private:
-  cudaStream_t stream_ = nullptr;
-};
-
-class CudaExecutor {
+class CudaExecutor : public CudaLauncher {
  public:
   template <class T>
   using Buffer = DeviceBuffer<T>;
@@ -74,25 +38,13 @@ class CudaExecutor {
   /// The total of a scan. Converting it to a number waits for the device; callers that ignore it do not wait.
   class Total {
    public:
-    Total(const CudaExecutor& exec, Span<const int64_t> total) : exec_(exec), total_(total) {}
+    Total(CudaExecutor& exec, Span<const int64_t> total) : exec_(exec), total_(total) {}
     operator int64_t() const { return total_.empty() ? 0 : exec_.download(total_)[0]; }
 
    private:
-    const CudaExecutor& exec_;
+    CudaExecutor& exec_;
     Span<const int64_t> total_;  // invalid after the next scan
   };
-
-  StageTimes& stage_times() { return timer_.times(); }
-
-  static constexpr bool runs_in_order() { return false; }
-
-  template <class Kernel>
-  void parallel_for(const char* name, int64_t n, const Kernel& kernel) {
-    if (n == 0) return;
-    timer_.start(name);
-    launch(name, n, kernel);
-    timer_.stop();
-  }
 
   template <class T>
   void fill(const char* name, Span<T> span, T value) {
@@ -101,19 +53,11 @@ class CudaExecutor {
 
   /// As on the CPU.
   Total exclusive_scan(const char* name, Span<const int> counts, Span<int> offsets) {
-    const auto n = static_cast<int>(counts.size());
-    if (n == 0) {
-      clear(offsets);
-      return {*this, {}};
-    }
-    const Span<int64_t> total = memory<int64_t>(kTotal, 1);
-    const auto sums = thrust::make_tabulate_output_iterator(StoreSum{n, offsets.data(), total.data()});
-    timer_.start(name);
-    run_cub(name, [&](void* scratch, size_t& bytes) {
-      return cub::DeviceScan::InclusiveScan(scratch, bytes, counts.data(), sums, AddInt64{}, n, stream_.get());
-    });
-    timer_.stop();
-    return {*this, total};
+    return scan(name, counts, {}, offsets, {});
+  }
+  Total exclusive_scan(const char* name, Span<const int> a, Span<const int> b, Span<int> a_offsets,
+                       Span<int> b_offsets) {
+    return scan(name, a, b, a_offsets, b_offsets);
   }
 
   /// As on the CPU: radix sort.
@@ -125,27 +69,46 @@ class CudaExecutor {
     cub::DoubleBuffer<Key> key_buffers(keys.data(), memory<Key>(kOtherKeys, n).data());
     cub::DoubleBuffer<Value> value_buffers(values.data(), memory<Value>(kOtherValues, n).data());
     timer_.start(name);
+    queue_.submit();
     radix_sort(name, key_buffers, value_buffers, n, bits);
     move_back(keys, key_buffers);
     move_back(values, value_buffers);
     timer_.stop();
   }
 
-  /// As on the CPU, by the kernels of bin_kernels.h.
+  /// As on the CPU, by the kernels of bin_kernels.h: radix sort, whatever the bins hold.
   template <class KeyOf, class ValueOf, class T>
   void bin(const char* name, const KeyOf& key_of, const ValueOf& value_of, Span<int> offsets, Span<T> values) {
     const int64_t n = values.size();
     timer_.start(name);
+    queue_.submit();
     const Span<int> order = bin_indices(name, key_of, offsets, memory<int>(kValues, n));
-    if (n > 0) launch(name, n, GatherValue<ValueOf, T>{value_of, order, values});
+    if (n > 0) launch_now(name, {n}, GatherValue<ValueOf, T>{value_of, order, values});
     timer_.stop();
   }
 
   template <class KeyOf>
   void bin(const char* name, const KeyOf& key_of, Span<int> offsets, Span<int> order) {
     timer_.start(name);
+    queue_.submit();
     const Span<int> sorted = bin_indices(name, key_of, offsets, order);
     if (sorted.data() != order.data()) copy(order.data(), sorted.data(), order.size(), cudaMemcpyDeviceToDevice);
+    timer_.stop();
+  }
+
+  /// The same by counters, where bins hold few.
+  template <class KeyOf>
+  void bin_few(const char* name, const KeyOf& key_of, Span<int> offsets, Span<int> order) {
+    const int64_t n = order.size(), bins = offsets.size() - 1;
+    if (n == 0) return clear(offsets);
+    const Span<int> keys = memory<int>(kKeys, n), unsorted = memory<int>(kValues, n),
+                    counts = memory<int>(kOtherKeys, bins);
+    timer_.start(name);
+    clear(counts);
+    launch(name, {n}, CountKey<KeyOf>{key_of, keys, counts});
+    add_up(name, counts, {}, offsets, {});
+    launch(name, {n}, PlaceIndex{keys, offsets, counts, unsorted});
+    launch(name, {n}, RankIndex{keys, offsets, unsorted, order});
     timer_.stop();
   }
 
@@ -153,25 +116,6 @@ class CudaExecutor {
   template <class T>
   Span<T> scratch(int index, int64_t n) {
     return memory<T>(kScratch + index, n);
-  }
-
-  template <class T>
-  void upload(DeviceBuffer<T>& buffer, const T* values, int64_t n) {
-    buffer.resize(n);
-    copy(buffer.span().data(), values, n, cudaMemcpyHostToDevice);
-    BALLPIT_CUDA_CHECK(cudaStreamSynchronize(stream_.get()));
-  }
-  template <class T>
-  void upload(DeviceBuffer<T>& buffer, const std::vector<T>& values) {
-    upload(buffer, values.data(), static_cast<int64_t>(values.size()));
-  }
-
-  template <class T>
-  std::vector<std::remove_const_t<T>> download(Span<T> span) const {
-    std::vector<std::remove_const_t<T>> values(static_cast<size_t>(span.size()));
-    copy(values.data(), span.data(), span.size(), cudaMemcpyDeviceToHost);
-    BALLPIT_CUDA_CHECK(cudaStreamSynchronize(stream_.get()));
-    return values;
   }
 
  private:
@@ -186,11 +130,42 @@ class CudaExecutor {
     return {reinterpret_cast<T*>(buffer.span().data()), n};
   }
 
-  template <class Kernel>
-  void launch(const char* name, int64_t n, const Kernel& kernel) {
-    const auto blocks = static_cast<unsigned>((n + kCudaBlock - 1) / kCudaBlock);
-    run_kernel<<<blocks, kCudaBlock, 0, stream_.get()>>>(static_cast<int>(n), kernel);
-    check_cuda(cudaGetLastError(), name);
+  Total scan(const char* name, Span<const int> a, Span<const int> b, Span<int> a_offsets, Span<int> b_offsets) {
+    if (a.empty()) {
+      for (const Span<int> offsets : {a_offsets, b_offsets}) clear(offsets);
+      return {*this, {}};
+    }
+    timer_.start(name);
+    const Span<int64_t> total = add_up(name, a, b, a_offsets, b_offsets);
+    timer_.stop();
+    return {*this, total};
+  }
+
+  /// Returns where the total will be.
+  Span<int64_t> add_up(const char* name, Span<const int> a, Span<const int> b, Span<int> a_offsets,
+                       Span<int> b_offsets) {
+    const auto n = static_cast<int>(a.size());
+    const Span<int64_t> total = memory<int64_t>(kTotal, 1);
+    const auto counts =
+        thrust::make_transform_iterator(thrust::make_counting_iterator(int64_t(0)), ReadCounts{a.data(), b.data()});
+    const auto sums =
+        thrust::make_tabulate_output_iterator(StoreSums{n, a_offsets.data(), b_offsets.data(), total.data()});
+    const auto algorithm = [=, stream = stream_.get()](void* scratch, size_t& bytes) {
+      return cub::DeviceScan::InclusiveScan(scratch, bytes, counts, sums, AddSums{}, n, stream);
+    };
+    auto known = scan_bytes_.find(n);
+    if (known == scan_bytes_.end()) {
+      size_t bytes = 0;
+      check_cuda(algorithm(nullptr, bytes), name);
+      known = scan_bytes_.emplace(n, bytes).first;
+    }
+    const size_t bytes = known->second;
+    const Span<char> scratch = memory<char>(kCub, static_cast<int64_t>(bytes));
+    submit_later(key_of(a.data(), b.data(), a_offsets.data(), b_offsets.data(), total.data(), scratch.data(), n), [=] {
+      size_t room = bytes;
+      check_cuda(algorithm(scratch.data(), room), name);
+    });
+    return total;
   }
 
   /// Calls a CUB algorithm twice, as CUB requires: for the size of its scratch memory, and to run it.
@@ -229,26 +204,14 @@ class CudaExecutor {
     // Each pass sorts from one buffer into the other. With an odd number of passes, the other one comes first, so that
     // the last pass ends in `order`.
     indices.selector = (bits + kDigitBits - 1) / kDigitBits % 2;
-    launch(name, n, StoreKey<KeyOf>{key_of, {keys.Current(), n}, {indices.Current(), n}});
+    launch_now(name, {n}, StoreKey<KeyOf>{key_of, {keys.Current(), n}, {indices.Current(), n}});
     radix_sort(name, keys, indices, n, bits);
-    launch(name, (offsets.size() + kBinsPerThread - 1) / kBinsPerThread, FindBins{{keys.Current(), n}, offsets});
+    launch_now(name, {(offsets.size() + kBinsPerThread - 1) / kBinsPerThread}, FindBins{{keys.Current(), n}, offsets});
     return {indices.Current(), n};
   }
 
-  void clear(Span<int> span) {
-    const auto bytes = static_cast<size_t>(span.size()) * sizeof(int);
-    BALLPIT_CUDA_CHECK(cudaMemsetAsync(span.data(), 0, bytes, stream_.get()));
-  }
-
-  template <class T>
-  void copy(T* to, const T* from, int64_t n, cudaMemcpyKind kind) const {
-    if (n == 0) return;
-    BALLPIT_CUDA_CHECK(cudaMemcpyAsync(to, from, static_cast<size_t>(n) * sizeof(T), kind, stream_.get()));
-  }
-
-  CudaStream stream_;
-  CudaTimer timer_{stream_.get()};
   DeviceBuffer<char> memory_[kMemories];
+  std::map<int, size_t> scan_bytes_;  // of scratch memory, by the number of values
 };
 
 }  // namespace ballpit

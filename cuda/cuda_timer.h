@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stage times of a stream: records events around each launch and reads them later, so that a step never waits for
-// timing.
+// Stage times of a stream: while they are wanted, records events around each launch and reads them later, so that a step
+// never waits for timing.
 #pragma once
 
 #include <memory>
@@ -33,8 +33,13 @@ class CudaTimer {
  public:
   explicit CudaTimer(cudaStream_t stream) : stream_(stream) {}
 
+  /// Off at first: then nothing is recorded.
+  void turn(bool is_on) { is_on_ = is_on; }
+  bool is_on() const { return is_on_; }
+
   /// Records the start of a stage. Call stop() next, unless the launch failed.
   void start(const char* name) {
+    if (!is_on_) return;
     if (used_ == kPending) collect();
     if (used_ == pending_.size()) pending_.emplace_back();
     pending_[used_].name = name;
@@ -42,6 +47,7 @@ class CudaTimer {
   }
 
   void stop() {
+    if (!is_on_) return;
     BALLPIT_CUDA_CHECK(cudaEventRecord(pending_[used_].end.get(), stream_));
     ++used_;
   }
@@ -71,6 +77,7 @@ class CudaTimer {
   }
 
   cudaStream_t stream_;
+  bool is_on_ = false;
   std::vector<Pending> pending_;
   size_t used_ = 0;
   StageTimes times_;

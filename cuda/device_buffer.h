@@ -6,11 +6,15 @@
 #include <cstdint>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/span.h"
 #include "cuda_error.h"
 
 namespace ballpit {
+
+/// While this thread has launches that wait to be submitted, memory that they use is kept here (cuda_queue.h).
+inline thread_local std::vector<void*>* memory_in_use = nullptr;
 
 template <class T>
 class DeviceBuffer {
@@ -37,6 +41,7 @@ class DeviceBuffer {
   }
 
   int64_t size() const { return size_; }
+  int64_t capacity() const { return capacity_; }
   int64_t bytes() const { return capacity_ * int64_t(sizeof(T)); }  ///< of memory held
   Span<T> span() { return {data_, size_}; }
   Span<const T> span() const { return {data_, size_}; }
@@ -50,8 +55,14 @@ class DeviceBuffer {
 
   /// If freeing fails, an earlier launch has failed, and its own check reports it.
   void release() {
-    if (data_ != nullptr) (void)cudaFree(std::exchange(data_, nullptr));
+    void* const memory = std::exchange(data_, nullptr);
     size_ = capacity_ = 0;
+    if (memory == nullptr) return;
+    if (memory_in_use != nullptr) {
+      memory_in_use->push_back(memory);
+    } else {
+      (void)cudaFree(memory);
+    }
   }
 
   T* data_ = nullptr;

@@ -28,4 +28,14 @@ struct CopyValues {
   HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }
 };
 
+/// Velocities, after a kick that is added where they are read: so no kernel stores them.
+template <class V>
+struct KickedVelocity {
+  Span<const V> velocity;  ///< [m/s]
+  V change{};              ///< [m/s]
+  bool is_kicked = false;  ///< without a kick the bits of zeros stay
+
+  HOST_DEVICE V operator[](int64_t i) const { return is_kicked ? velocity[i] + change : velocity[i]; }
+};
+
 }  // namespace ballpit

@@ -5,6 +5,7 @@
 #include "bodies/pair.h"
 #include "core/math.h"
 #include "core/span.h"
+#include "exec/deferred.h"
 
 namespace ballpit {
 
@@ -32,6 +33,9 @@ struct ContactsView {
   Span<const int> first;
   Span<const int> incoming_first;
   Span<const IncomingContact> incoming;
+
+  /// How many contacts there are.
+  Bounded count() const { return {pairs.size(), first.empty() ? nullptr : first.data() + first.size() - 1}; }
 
   HOST_DEVICE int count_of(int body) const {
     return first[body + 1] - first[body] + incoming_first[body + 1] - incoming_first[body];

@@ -139,7 +139,7 @@ class SortedGrid {
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     offsets_.resize(buckets_ + 1);
     slots_.resize(bodies.size());
-    exec.bin("sort by cell", BucketOfBody<V>{grids_, bodies.position, bodies.radius}, offsets_.span(), slots_.body());
+    exec.bin_few("sort by cell", BucketOfBody<V>{grids_, bodies.position, bodies.radius}, offsets_.span(), slots_.body());
     slots_.gather(exec, bodies.position, bodies.radius);
     if (is_hashed_) {
       tag_.resize(bodies.size() + kSlotPadding);

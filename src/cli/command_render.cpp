@@ -70,6 +70,7 @@ class RenderCommand {
     warn_of_run(demo.session);
     demo.play(acts_.read(demo.session));
     Session& session = demo.session;
+    session.time_stages(json_ || has_panel_);
     if (!out_.empty()) check_output_folder(out_);
     FilmPlan plan{out_, "", 0, frames_, from_, every_ / fps_, has_panel_, film_, size_};
     plan.key = film_key(demo, plan, {size_, supersample_, has_panel_, clicks_.value_or("")});

@@ -56,6 +56,7 @@ class SimulateCommand {
   void run() {
     check_outputs();
     Session session(arguments_.scene, arguments_.given, need_tally(observables_));
+    session.time_stages(json_);
     const double time = time_.value_or(session.scene().needs.duration);
     check_observation(time);
     session.play(acts_.read(session));

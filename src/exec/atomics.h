@@ -27,6 +27,14 @@ HOST_DEVICE inline unsigned long long atomic_add(unsigned long long* at, unsigne
 #endif
 }
 
+HOST_DEVICE inline int atomic_add(int* at, int value) {
+#ifdef __CUDA_ARCH__
+  return atomicAdd(at, value);
+#else
+  return std::atomic_ref<int>(*at).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
 /// Reads memory that other threads write at the same time.
 HOST_DEVICE inline int relaxed_load(const int* at) {
 #ifdef __CUDA_ARCH__

@@ -4,10 +4,13 @@
 // A method is a template over its executor and calls
 //     exec.parallel_for("link bodies", n, LinkBody{…})      kernel(i) for each i in 0 … n−1, in any order, in parallel
 //     exec.fill("clear cells", span, −1)                    sets all elements
+//     exec.clear(span)                                      sets integers to 0
 //     exec.exclusive_scan("offsets", counts, offsets)       offsets[i] = counts[0] + … + counts[i−1]; returns the total
 //     exec.sort_pairs("sort endpoints", keys, values)       stable, by unsigned key
 //     exec.bin("sort by cell", key_of, offsets, order)      indices sorted by small keys, stable; each key's start
+//     exec.bin_few("…", key_of, offsets, order)             the same where bins hold few
 //     exec.bin("…", key_of, value_of, offsets, values)      the same for values of the indices
+//     exec.exclusive_scan("…", a, b, a_offsets, b_offsets)  the same of two arrays with equal totals
 //     exec.upload(buffer, host) / exec.download(span)       copies from and to the host
 // and reduce() of exec/reduce.h. Results do not depend on the number of threads. Every launch is timed under its name.
 // Its sibling is CudaExecutor in cuda/.
@@ -19,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "exec/deferred.h"
 #include "exec/host_buffer.h"
 #include "exec/stage_times.h"
 #include "exec/thread_pool.h"
@@ -39,11 +43,21 @@ class CpuExecutor {
   bool runs_in_order() const { return threads() == 1; }
   StageTimes& stage_times() { return times_; }
 
+  // Nothing is deferred (deferred.h), and atomic operations cost more than sorting.
+  static constexpr bool kDefers = false;
+  static constexpr bool is_deferring() { return false; }
+  static constexpr Halt halt() { return {}; }
+
   /// Calls kernel(i) for each i in 0 … n−1. Kernels that change the same element must use exec/atomics.h.
   template <class Kernel>
   void parallel_for(const char* name, int64_t n, const Kernel& kernel) {
     const StageTimer timer(times_, name);
     run(n, kGrain, kernel);
+  }
+
+  template <class Kernel>
+  void parallel_for(const char* name, const Bounded& n, const Kernel& kernel) {
+    parallel_for(name, n.most, kernel);
   }
 
   /// Calls body(b) for each b in 0 … blocks−1: for loops that are already divided into blocks.
@@ -57,6 +71,8 @@ class CpuExecutor {
   void fill(const char* name, Span<T> span, T value) {
     parallel_for(name, span.size(), [span, value](int i) { span[i] = value; });
   }
+
+  void clear(Span<int> span) { fill("clear", span, 0); }
 
   /// offsets[i] = counts[0] + … + counts[i−1] for i in 0 … n, so offsets has one element more than counts. Returns the
   /// total in 64 bits: if an int cannot hold it, the offsets are invalid and the caller must report it.
@@ -79,6 +95,12 @@ class CpuExecutor {
     });
     offsets[n] = static_cast<int>(starts.back());
     return starts.back();
+  }
+
+  int64_t exclusive_scan(const char* name, Span<const int> a, Span<const int> b, Span<int> a_offsets,
+                         Span<int> b_offsets) {
+    exclusive_scan(name, a, a_offsets);
+    return exclusive_scan(name, b, b_offsets);
   }
 
   /// Sorts values by the lowest `bits` bits of their keys; values of equal keys keep their order. Radix sort, from the
@@ -131,7 +153,13 @@ class CpuExecutor {
     run(bins, kGrain, [=](int64_t k) { offsets[k + 1] = ends[k]; });
   }
 
-  /// The same for the indices themselves.
+  /// The same for the indices themselves, where bins hold few.
+  template <class KeyOf>
+  void bin_few(const char* name, const KeyOf& key_of, Span<int> offsets, Span<int> order) {
+    bin(name, key_of, offsets, order);
+  }
+
+  /// Whatever bins hold.
   template <class KeyOf>
   void bin(const char* name, const KeyOf& key_of, Span<int> offsets, Span<int> order) {
     bin(

@@ -14,6 +14,7 @@
 
 #include "core/span.h"
 #include "exec/atomics.h"
+#include "exec/deferred.h"
 
 namespace ballpit {
 
@@ -89,6 +90,14 @@ bool any(Exec& exec, const char* name, int64_t n, const Predicate& predicate) {
   exec.fill("lower flag", flag, 0);
   exec.parallel_for(name, n, RaiseFlag<Predicate>{predicate, flag});
   return exec.download(flag)[0] != 0;
+}
+
+/// The same for a condition that ends the run. While the executor defers, the answer is false, and the device halts.
+template <class Exec, class Predicate>
+bool stops_if(Exec& exec, const char* name, int64_t n, const Predicate& predicate) {
+  if (!exec.is_deferring()) return any(exec, name, n, predicate);
+  exec.parallel_for(name, n, HaltIf<Predicate>{predicate, exec.halt()});
+  return false;
 }
 
 }  // namespace ballpit

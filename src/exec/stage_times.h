@@ -32,6 +32,19 @@ class StageTimes {
   std::vector<Stage> stages_;
 };
 
+/// Adds the time from its construction to its destruction [s].
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 /// Adds the time from its construction to its destruction to a stage.
 class StageTimer {
  public:

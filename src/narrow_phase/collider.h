@@ -64,6 +64,12 @@ class Collider {
     linked_search_ = -1;
   }
 
+  /// The same, and counts searches from this number on.
+  void discard(int64_t searches) {
+    discard();
+    searches_ = searches;
+  }
+
   /// Stage 1, broad phase: finds candidates, unless the candidate list is fresh. Spheres within `margin` [m] of each
   /// other count as touching.
   void find_candidates(Exec& exec, const BodiesView<V>& bodies, Real margin = 0) {
@@ -79,15 +85,18 @@ class Collider {
   ContactsView<V> find_contacts(Exec& exec, const BodiesView<V>& bodies, ContactKind kind) {
     const bool is_list = kind != ContactKind::touching && source_ == Source::list;
     if (!is_list) test_candidates(exec);
-    const Span<const Pair> pairs = is_list ? list_.candidates().pairs : this->pairs();
-    const Span<const int> first = is_list ? list_.candidates().first : this->first();
-    if (kind == ContactKind::near) return {pairs, {}, first, {}, {}};
+    ContactRows<Exec>& rows = is_list ? list_.rows() : rows_;
     if (kind == ContactKind::touching) {
-      contacts_.build(exec, pairs, first, bodies, box());
+      contacts_.build(exec, rows, bodies, box());
       return contacts_.view();
     }
+    if (kind == ContactKind::near) {
+      rows.sort(exec);
+      return {rows.pairs(), {}, rows.first(), {}, {}};
+    }
     if (linked_search_ != searches_) {
-      near_.link(exec, pairs, first);
+      rows.sort(exec);
+      near_.link(exec, rows);
       linked_search_ = searches_;
     }
     return near_.view();
@@ -97,6 +106,7 @@ class Collider {
   Span<const Pair> pairs(Exec& exec, const BodiesView<V>& bodies) {
     find_candidates(exec, bodies);
     test_candidates(exec);
+    rows_.sort(exec);
     return rows_.pairs();
   }
 
@@ -106,9 +116,9 @@ class Collider {
     return find_contacts(exec, bodies, ContactKind::near).pairs;
   }
 
-  /// The pairs in contact that were found last, and where each body's row of them begins.
+  /// The pairs in contact that were found last, by rows.
   Span<const Pair> pairs() const { return rows_.pairs(); }
-  Span<const int> first() const { return rows_.first(); }
+  ContactRows<Exec>& rows() { return rows_; }
 
   /// Whether the candidate list shows that all bodies are finite and inside the domain.
   bool shows_all_inside(Exec& exec, const BodiesView<V>& bodies) { return list_.shows_all_inside(exec, bodies, box()); }
@@ -117,6 +127,7 @@ class Collider {
   int64_t tests(Exec& exec) const;
 
   int64_t searches() const { return searches_; }  ///< by the broad phase since plan()
+  int64_t earlier_searches() const { return searches_ - (source_ == Source::broad_phase); }  ///< for earlier positions
   const BroadPhaseChoice& choice() const { return choice_; }
   const BroadPhaseParameters<V>& parameters() const { return parameters_; }
   const Box<V>& box() const { return parameters_.box; }
@@ -150,6 +161,7 @@ class Collider {
       const BodiesView<V> grown = list_.grown(exec, bodies_);
       prepare(exec, grown);
       test_broad_phase(exec, grown, list_.rows());
+      list_.rows().sort(exec);
       list_.start(exec, bodies_, box(), margin_);
     }
     return state != ListState::off;
@@ -227,7 +239,10 @@ void Collider<V, Exec>::plan(BroadPhaseChoice choice, BroadPhaseParameters<V> pa
 
 template <class V, class Exec>
 int64_t Collider<V, Exec>::tests(Exec& exec) const {
-  if (source_ == Source::list) return list_.candidates().pairs.size();
+  if (source_ == Source::list) {
+    const Span<const int> first = list_.candidates().first;
+    return first.empty() ? 0 : exec.download(Span<const int>(first.end() - 1, 1))[0];
+  }
   return std::visit(
       [&](auto& method) {
         if constexpr (lecture::FindsPairs<decltype(method)>) {

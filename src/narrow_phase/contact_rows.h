@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "bodies/pair.h"
+#include "bodies/contacts.h"
 #include "core/error.h"
 #include "exec/reduce.h"
 
@@ -28,6 +28,10 @@ namespace row_sorting {
 
 inline constexpr int kMaxInsertion = 48;
 
+/// What the entries of a row are sorted by.
+HOST_DEVICE inline int key(const Pair& pair) { return pair.j; }
+HOST_DEVICE inline int key(const IncomingContact& incoming) { return incoming.contact; }
+
 /// Sorts two pairs of one row, without a branch, which would be hard to predict.
 HOST_DEVICE inline void order(Pair& a, Pair& b) {
   const Pair first = a, second = b;
@@ -36,39 +40,50 @@ HOST_DEVICE inline void order(Pair& a, Pair& b) {
   b = {first.i, is_swapped ? first.j : second.j};
 }
 
-HOST_DEVICE inline void insert_all(Pair* row, int count) {
+HOST_DEVICE inline void order(IncomingContact& a, IncomingContact& b) {
+  if (!(b.contact < a.contact)) return;
+  const IncomingContact first = a;
+  a = b;
+  b = first;
+}
+
+template <class Entry>
+HOST_DEVICE void insert_all(Entry* row, int count) {
   for (int k = 1; k < count; ++k) {
-    const Pair moved = row[k];
+    const Entry moved = row[k];
     int at = k;
-    for (; at > 0 && row[at - 1].j > moved.j; --at) row[at] = row[at - 1];
+    for (; at > 0 && key(row[at - 1]) > key(moved); --at) row[at] = row[at - 1];
     row[at] = moved;
   }
 }
 
 /// Moves row[at] down in a heap of `count` until none of its children is larger.
-HOST_DEVICE inline void sink(Pair* row, int at, int count) {
-  const Pair moved = row[at];
+template <class Entry>
+HOST_DEVICE void sink(Entry* row, int at, int count) {
+  const Entry moved = row[at];
   for (int child = 2 * at + 1; child < count; child = 2 * at + 1) {
-    if (child + 1 < count && row[child + 1].j > row[child].j) ++child;
-    if (row[child].j <= moved.j) break;
+    if (child + 1 < count && key(row[child + 1]) > key(row[child])) ++child;
+    if (key(row[child]) <= key(moved)) break;
     row[at] = row[child];
     at = child;
   }
   row[at] = moved;
 }
 
-HOST_DEVICE inline bool is_sorted(const Pair* row, int count) {
+template <class Entry>
+HOST_DEVICE bool is_sorted(const Entry* row, int count) {
   for (int k = 1; k < count; ++k) {
-    if (row[k - 1].j > row[k].j) return false;
+    if (key(row[k - 1]) > key(row[k])) return false;
   }
   return true;
 }
 
 }  // namespace row_sorting
 
-/// Sorts `count` pairs of a row by j, on any processor: a short row, the usual case, by insertion, a long one by
+/// Sorts a row of `count` entries by their keys, on any processor: a short row, the usual case, by insertion, a long one by
 /// heapsort, so that a body with thousands of contacts does not need millions of moves.
-HOST_DEVICE inline void sort_row(Pair* row, int count) {
+template <class Entry>
+HOST_DEVICE void sort_row(Entry* row, int count) {
   using namespace row_sorting;
   if (count == 2) {
     order(row[0], row[1]);
@@ -87,38 +102,12 @@ HOST_DEVICE inline void sort_row(Pair* row, int count) {
   if (is_sorted(row, count)) return;
   for (int at = count / 2 - 1; at >= 0; --at) sink(row, at, count);
   for (int last = count - 1; last > 0; --last) {
-    const Pair largest = row[0];
+    const Entry largest = row[0];
     row[0] = row[last];
     row[last] = largest;
     sink(row, 0, last);
   }
 }
-
-template <class Exec>
-class ContactRows {
- public:
-  void resize(int64_t bodies, int64_t contacts) {
-    first_.resize(bodies + 1);
-    pairs_.resize(contacts);
-  }
-  void resize_pairs(int64_t contacts) { pairs_.resize(contacts); }
-
-  Span<int> first() { return first_.span(); }
-  Span<Pair> pairs() { return pairs_.span(); }
-  Span<const int> first() const { return first_.span(); }
-  Span<const Pair> pairs() const { return pairs_.span(); }
-  int64_t bytes() const { return first_.bytes() + pairs_.bytes(); }
-
- private:
-  typename Exec::template Buffer<int> first_;
-  typename Exec::template Buffer<Pair> pairs_;
-};
-
-/// Key: the row that a pair belongs to.
-struct RowOfPair {
-  Span<const Pair> pairs;
-  HOST_DEVICE int operator()(int k) const { return pairs[k].i; }
-};
 
 /// Kernel: sorts the pairs of body i by j.
 struct SortRow {
@@ -129,6 +118,89 @@ struct SortRow {
     const int begin = first[i], count = first[i + 1] - begin;
     if (count > 1) sort_row(pairs.data() + begin, count);
   }
+};
+
+template <class Exec>
+class ContactRows {
+  template <class T>
+  using Buffer = typename Exec::template Buffer<T>;
+
+ public:
+  void resize(int64_t bodies, int64_t contacts) {
+    first_.resize(bodies + 1);
+    pairs_.resize(contacts);
+    is_sorted_ = true;
+    has_counts_ = false;
+    is_exact_ = true;
+  }
+  void resize_pairs(int64_t contacts) { pairs_.resize(contacts); }
+
+  // How row_search.h makes rows: count(), a kernel that counts, place(), and one that fills.
+
+  void count(Exec& exec, int64_t bodies) {
+    resize(bodies, 0);
+    lower_first_.resize(bodies + 1);
+    counts_.resize(2 * bodies);
+    exec.clear(counts_.span());
+  }
+
+  /// Finds where rows begin, and makes room for the pairs; while the executor defers, as much as there was. `what` is
+  /// counted; throws RunError if it is too much.
+  void place(Exec& exec, const char* what) {
+    const auto total = exec.exclusive_scan("scan contacts", higher(), lower(), first_.span(), lower_first_.span());
+    if (exec.is_deferring()) {
+      if constexpr (Exec::kDefers) pairs_.resize(pairs_.capacity());
+      is_exact_ = false;
+    } else {
+      const int count = checked_count(total, what);
+      if constexpr (Exec::kDefers) pairs_.resize(count + count / kSlack + kFew);
+      pairs_.resize(count);
+    }
+    is_sorted_ = false;
+    has_counts_ = true;
+  }
+
+  Span<int> higher() { return {counts_.span().data(), counts_.size() / 2}; }
+  Span<int> lower() { return {counts_.span().data() + counts_.size() / 2, counts_.size() / 2}; }
+
+  /// Where the contacts of each body with lower ones begin in their list; empty if that is not known.
+  Span<const int> lower_first() const { return has_counts_ ? lower_first_.span() : Span<const int>(); }
+
+  bool is_sorted() const { return is_sorted_; }
+
+  /// Sorts the rows if they are not; unless the executor defers, pairs() has as many as there are afterwards.
+  void sort(Exec& exec) {
+    if (!is_exact_ && !exec.is_deferring()) {
+      pairs_.resize(exec.download(Span<const int>(first_.span().end() - 1, 1))[0]);
+      is_exact_ = true;
+    }
+    if (!is_sorted_) exec.parallel_for("sort rows", first_.size() - 1, SortRow{first(), pairs()});
+    is_sorted_ = true;
+  }
+
+  /// Another kernel has sorted the rows, or used the counters `lower`, which are 0 afterwards.
+  void note_sorted() { is_sorted_ = true; }
+  void note_listed() { has_counts_ = false; }
+
+  Span<int> first() { return first_.span(); }
+  Span<Pair> pairs() { return pairs_.span(); }
+  Span<const int> first() const { return first_.span(); }
+  Span<const Pair> pairs() const { return pairs_.span(); }
+  int64_t bytes() const { return first_.bytes() + pairs_.bytes() + lower_first_.bytes() + counts_.bytes(); }
+
+ private:
+  static constexpr int kSlack = 4, kFew = 256;  // room for a fourth more contacts, and some
+
+  Buffer<int> first_, lower_first_;
+  Buffer<Pair> pairs_;
+  Buffer<int> counts_;  // of each body: contacts with higher ones, then those with lower ones
+  bool is_sorted_ = true, is_exact_ = true, has_counts_ = false;
+};
+
+/// Key: the row that a pair belongs to.
+struct RowOfPair {
+  Span<const Pair> pairs;
+  HOST_DEVICE int operator()(int k) const { return pairs[k].i; }
 };
 
 /// Sorts pairs (i < j) into canonical order.

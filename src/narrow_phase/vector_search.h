@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds contacts on the CPU in single precision, by vector instructions (range_tests.h), and chooses between them and
-// the kernels of kernel_search.h.
+// the kernels of kernel_search.h, or on a GPU those of row_search.h.
 //
 //     candidates in ranges    blocks of slots, tested at once; pairs in any order, sorted into rows afterwards
 //     a candidate list        blocks of pairs; the list is in canonical order, and so are the contacts
@@ -17,6 +17,7 @@
 #include "narrow_phase/candidate_list.h"
 #include "narrow_phase/kernel_search.h"
 #include "narrow_phase/range_tests.h"
+#include "narrow_phase/row_search.h"
 
 namespace ballpit {
 
@@ -140,7 +141,7 @@ class Search {
   static constexpr bool kByVectors = kHasVectorTests<V, Exec> &&
                                      (GivesRanges<Candidates> || std::is_same_v<Candidates, ListedCandidates>);
 
-  KernelSearch<V, Exec> kernels_;
+  std::conditional_t<Exec::kDefers, RowSearch<V, Exec>, KernelSearch<V, Exec>> kernels_;
   VectorSearch<V> vectors_;
 };
 

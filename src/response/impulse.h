@@ -24,6 +24,7 @@
 // (2005). Its siblings: kinematic.h, penalty.h, position_based.h.
 #pragma once
 
+#include <type_traits>
 #include <utility>
 
 #include "bodies/tally.h"
@@ -33,18 +34,18 @@
 namespace ballpit {
 
 /// Kernel: one Jacobi iteration for body i; reads the velocities and sums of the last iteration, writes new ones.
-/// Bodies gather: both bodies of a contact compute its impulse, so no two threads write to the same memory.
-template <class V>
+/// Bodies gather: both bodies of a contact compute its impulse, so no two threads write to the same memory. The first
+/// iteration reads velocities that are kicked, and sums count as 0: their memory is not initialized.
+template <class V, bool kIsFirst>
 struct ResolveVelocity {
   using Real = Scalar<V>;
   ImpulseView<V> view;
   Span<const ContactConstraint<V>> constraints;
-  Span<const V> velocity;
+  std::conditional_t<kIsFirst, KickedVelocity<V>, Span<const V>> velocity;
   Span<const Real> exchanged;  ///< total impulse of each contact so far [kg·m/s]
   Span<V> next_velocity;
   Span<Real> next_exchanged;
   WallSums<V> walls;
-  bool is_first;  ///< iteration: sums count as 0; the memory is not initialized
 
   HOST_DEVICE void operator()(int i) const {
     const V own = velocity[i];
@@ -57,7 +58,7 @@ struct ResolveVelocity {
     view.contacts.for_each_of(i, [&](int c, int other, int side) {
       const ContactConstraint<V>& contact = constraints[c];
       const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
-      Real sum = is_first ? Real(0) : exchanged[c];
+      Real sum = kIsFirst ? Real(0) : exchanged[c];
       impulse -= contact.normal * (Real(side) * add_unless_pulling(sum, contact.mass * (contact.wanted - parting)));
       if (side > 0) next_exchanged[c] = sum;
     });
@@ -65,7 +66,7 @@ struct ResolveVelocity {
     const Real part = view.share[i] * inverse_mass;
     view.for_each_wall(i, [&](int axis, int side, Real overlap) {
       Real& sum = walls.at(i, axis, side);
-      if (is_first) sum = 0;
+      if (kIsFirst) sum = 0;
       const Real missing = view.missing_at_wall(i, at_walls, axis, side, overlap);
       const Real change = Real(side) * add_unless_pulling(sum, missing / part);
       impulse[axis] -= change;
@@ -73,6 +74,14 @@ struct ResolveVelocity {
     });
     next_velocity[i] = own + impulse * inverse_mass;
   }
+};
+
+/// Kernel: the velocity of body i after the kick.
+template <class V>
+struct StoreKicked {
+  KickedVelocity<V> kicked;
+  Span<V> out;
+  HOST_DEVICE void operator()(int i) const { out[i] = kicked[i]; }
 };
 
 /// Kernel: solves the walls of body i.
@@ -127,16 +136,16 @@ class ImpulseResponse {
   explicit ImpulseResponse(const ImpulseParameters<Real>& parameters) : parameters_(parameters) {}
 
   /// Resolves all contacts of a step of dt. `bodies` has the velocities before the kick, `kicked` those after it.
-  /// Writes the new ones to `velocity`, which may be the same array as `kicked`.
+  /// Writes the new ones to `velocity`.
   void respond(Exec& exec, const BodiesView<V>& bodies, const WallsView<V>& walls, const ContactsView<V>& contacts,
-               Real dt, Span<const V> kicked, Buffer<V>& velocity, const ImpulseNotes<V>& notes) {
+               Real dt, const KickedVelocity<V>& kicked, Buffer<V>& velocity, const ImpulseNotes<V>& notes) {
     const int64_t n = bodies.size(), m = contacts.pairs.size();
     share_.resize(n);
     other_.resize(n);
     constraints_.resize(m);
     const ImpulseView<V> view{bodies, walls, contacts, share_.span(), parameters_, dt};
     exec.parallel_for("count shares", n, CountShares<V>{view, share_.span()});
-    exec.parallel_for("constrain contacts", m, ConstrainContact<V>{view, constraints_.span()});
+    exec.parallel_for("constrain contacts", contacts.count(), ConstrainContact<V>{view, constraints_.span()});
     exchanged_.resize(m);
     for (Buffer<V>* sums : {&low_, &high_}) sums->resize(walls.box.is_periodic() ? 0 : n);
     const WallSums<V> wall_sums{low_.span(), high_.span()};
@@ -149,12 +158,22 @@ class ImpulseResponse {
       exec.parallel_for("note impulses", m, NoteSum<Real>{exchanged_.span(), notes.contact});
       exec.parallel_for("note impulses", low_.size(), NoteFloorSum<V>{view, wall_sums, notes.floor});
     }
-    exec.parallel_for("correct positions", n,
-                      CorrectPosition<V>{view, constraints_.span(), velocity.span(), other_.span()});
+    correction_ = {view, constraints_.span(), velocity.span()};
   }
 
   /// After respond(): how far each body moves in addition to its velocity [m].
-  Span<const V> correction() const { return other_.span(); }
+  Span<const V> correction(Exec& exec) {
+    exec.parallel_for("correct positions", other_.size(), CorrectPosition<V>{correction_, other_.span()});
+    return other_.span();
+  }
+
+  /// After respond(): moves the bodies by their new velocities, and in addition.
+  void drift(Exec& exec, Real dt, Span<V> position) const {
+    exec.parallel_for("correct positions and drift", position.size(), DriftCorrected<V>{correction_, dt, position});
+  }
+
+  /// Whether it needs no count of contacts on the host, as sorting them by colour does.
+  bool goes_by_count() const { return !parameters_.is_by_colour; }
 
   int64_t bytes() const {
     return share_.bytes() + constraints_.bytes() + other_.bytes() + low_.bytes() + high_.bytes() + exchanged_.bytes() +
@@ -162,27 +181,27 @@ class ImpulseResponse {
   }
 
  private:
-  void solve_at_once(Exec& exec, const ImpulseView<V>& view, Span<const V> kicked, Buffer<V>& velocity,
+  void solve_at_once(Exec& exec, const ImpulseView<V>& view, const KickedVelocity<V>& kicked, Buffer<V>& velocity,
                      const WallSums<V>& walls) {
     next_exchanged_.resize(exchanged_.size());
-    Span<const V> current = kicked;
-    for (int k = 0; k < parameters_.iterations; ++k) {
+    const auto iterate = [&]<bool kIsFirst>(const auto& current) {
       exec.parallel_for("resolve velocities", view.bodies.size(),
-                        ResolveVelocity<V>{view, constraints_.span(), current, exchanged_.span(), other_.span(),
-                                           next_exchanged_.span(), walls, k == 0});
+                        ResolveVelocity<V, kIsFirst>{view, constraints_.span(), current, exchanged_.span(),
+                                                     other_.span(), next_exchanged_.span(), walls});
       std::swap(velocity, other_);
       std::swap(exchanged_, next_exchanged_);
-      current = velocity.span();
       other_.resize(view.bodies.size());
+    };
+    iterate.template operator()<true>(kicked);
+    for (int k = 1; k < parameters_.iterations; ++k) {
+      iterate.template operator()<false>(Span<const V>(velocity.span()));
     }
   }
 
-  void solve_by_colour(Exec& exec, const ImpulseView<V>& view, Span<const V> kicked, Buffer<V>& velocity,
+  void solve_by_colour(Exec& exec, const ImpulseView<V>& view, const KickedVelocity<V>& kicked, Buffer<V>& velocity,
                        const WallSums<V>& walls) {
     const int64_t n = view.bodies.size();
-    if (kicked.data() != velocity.span().data()) {
-      exec.parallel_for("copy velocities", n, CopyValues<V>{kicked, velocity.span()});
-    }
+    exec.parallel_for("kick", n, StoreKicked<V>{kicked, velocity.span()});
     colours_.build(exec, view.contacts, n);
     exec.fill("clear impulses", walls.low, V{});
     exec.fill("clear impulses", walls.high, V{});
@@ -199,7 +218,8 @@ class ImpulseResponse {
   ImpulseParameters<Real> parameters_;
   Buffer<Real> share_;
   Buffer<ContactConstraint<V>> constraints_;
-  Buffer<V> other_;       // velocities of the previous iteration, then the corrections
+  PositionCorrection<V> correction_;
+  Buffer<V> other_;       // velocities of the previous iteration; then corrections, where they are asked for
   Buffer<V> low_, high_;  // impulses from walls [kg·m/s]
   Buffer<Real> exchanged_, next_exchanged_;
   ContactColours<V, Exec> colours_;

@@ -157,16 +157,15 @@ struct ConstrainContact {
   }
 };
 
-/// Kernel: how far body i moves out of the overlap that its new velocity does not remove [m].
+/// How far body i moves out of the overlap that its new velocity does not remove [m].
 template <class V>
-struct CorrectPosition {
+struct PositionCorrection {
   using Real = Scalar<V>;
   ImpulseView<V> view;
   Span<const ContactConstraint<V>> constraints;
   Span<const V> velocity;
-  Span<V> correction;
 
-  HOST_DEVICE void operator()(int i) const {
+  HOST_DEVICE V operator[](int i) const {
     V move{};
     if (view.share[i] != 0) {
       const V own = velocity[i];
@@ -184,7 +183,28 @@ struct CorrectPosition {
         if (left > 0) move[axis] -= Real(side) * left / view.share[i];
       });
     }
-    correction[i] = move;
+    return move;
+  }
+};
+
+/// Kernel: stores it.
+template <class V>
+struct CorrectPosition {
+  PositionCorrection<V> correction;
+  Span<V> out;  ///< [m]
+  HOST_DEVICE void operator()(int i) const { out[i] = correction[i]; }
+};
+
+/// Kernel: moves body i by its velocity, and in addition.
+template <class V>
+struct DriftCorrected {
+  PositionCorrection<V> correction;
+  Scalar<V> dt;
+  Span<V> position;
+
+  HOST_DEVICE void operator()(int i) const {
+    const V more = correction[i];  // of the position before
+    position[i] = position[i] + correction.velocity[i] * dt + more;
   }
 };
 

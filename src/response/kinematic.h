@@ -92,7 +92,7 @@ struct MirrorVelocity {
   WallsView<V> walls;
   ContactsView<V> contacts;
   Real restitution, wall_restitution, dt;
-  Span<const V> kicked;
+  KickedVelocity<V> kicked;
   Span<V> velocity;
   Span<V> back;  ///< [m]
   ImpulseNotes<V> notes;
@@ -240,14 +240,13 @@ class KinematicResponse {
   KinematicResponse(double restitution, double wall_restitution)
       : restitution_(Real(restitution)), wall_restitution_(Real(wall_restitution)) {}
 
-  /// `bodies` has the velocities before the kick, `kicked` those after it. Writes the new ones to `velocity`, which may
-  /// be the same array as `kicked`.
+  /// `bodies` has the velocities before the kick, `kicked` those after it. Writes the new ones to `velocity`.
   void respond(Exec& exec, const BodiesView<V>& bodies, const WallsView<V>& walls, const ContactsView<V>& contacts,
-               Real dt, Span<const V> kicked, Buffer<V>& velocity, const ImpulseNotes<V>& notes) {
+               Real dt, const KickedVelocity<V>& kicked, Buffer<V>& velocity, const ImpulseNotes<V>& notes) {
     const int64_t n = bodies.size();
     back_.resize(n);
     if (notes.are_kept()) {
-      exec.parallel_for("note impulses", contacts.pairs.size(), NoteMirrored<V>{bodies, contacts, restitution_, notes});
+      exec.parallel_for("note impulses", contacts.count(), NoteMirrored<V>{bodies, contacts, restitution_, notes});
     }
     exec.parallel_for("mirror velocities", n,
                       MirrorVelocity<V>{bodies, walls, contacts, restitution_, wall_restitution_, dt, kicked,
@@ -255,7 +254,9 @@ class KinematicResponse {
   }
 
   /// After respond(): how far each body moves in addition to its velocity [m].
-  Span<const V> correction() const { return back_.span(); }
+  Span<const V> correction(Exec&) const { return back_.span(); }
+
+  static constexpr bool goes_by_count() { return true; }  ///< of contacts that the host does not know
 
   int64_t bytes() const { return back_.bytes(); }
 

@@ -154,7 +154,7 @@ class PenaltyResponse {
     force_.resize(pairs.pairs.size());
     sum_.resize(state.count());
     const PairForce<V> force_of{law_, state.view(), state.box()};
-    exec.parallel_for("pair forces", force_.size(),
+    exec.parallel_for("pair forces", pairs.count(),
                       StorePairForce<V>{force_of, pairs.pairs, force_.span(), duration, notes});
     exec.parallel_for("gather forces", state.count(), GatherForces<V>{pairs, force_.span(), sum_.span()});
     const Span<const V> sum = sum_.span();

@@ -131,6 +131,7 @@ void Session::use(Scene scene, const Settings& settings) {
   std::optional<Report> report;
   if (world_) report = world->report();  // now: if memory is too small for its contacts, the old world stays
   world_ = std::move(world);
+  world_->time_stages(times_stages_);
   report_ = std::move(report);
   reported_ = 0;
   settings_ = own;
@@ -157,6 +158,7 @@ void Session::advance_to(double end, const std::function<bool()>& stop, const st
       const bool is_seen = watch_ && (watch_->is_due(*world_) || steps_until(end) <= 0);
       if (is_seen) breach = watch_->breach(*world_, settings_);
       if (is_seen && breach.empty()) watch_->accept(*world_);
+      if (steps_until(end) <= 0) world_->wait();
     } catch (const RunError& error) {
       if (!watch_) throw;
       breach = error.what();

@@ -82,6 +82,12 @@ class Session {
   World& world() { return *world_; }
   const World& world() const { return *world_; }
 
+  /// Whether reports have the times of the stages also on a GPU, where each time costs some.
+  void time_stages(bool is_timed) {
+    times_stages_ = is_timed;
+    world_->time_stages(is_timed);
+  }
+
   /// Of the world's present state; made once for each step. Steps and seconds are those of the whole run, also where
   /// --response auto has changed the settings.
   const Report& report();
@@ -97,7 +103,7 @@ class Session {
 
   std::string scene_name_;
   std::vector<GivenOption> given_;
-  bool keeps_tally_;
+  bool keeps_tally_, times_stages_ = false;
   double start_time_ = 0;  // [s] at which the present world began
   Scene scene_;
   Settings settings_;

@@ -57,6 +57,7 @@ void Timeline::advance(bool keeps_recent) {
   const int64_t before = step_now();
   try {
     acts_ ? void(acts_->step(world_)) : world_.step();
+    world_.wait();  // so that an error belongs to this step
   } catch (const Interrupted&) {
     throw;  // the state is valid, and computing steps again would be interrupted again
   } catch (...) {

@@ -39,6 +39,7 @@ ShowWindow::ShowWindow(Window& its_window, Demo& demo)
       saver_(demo),
       stepping_(demo),
       hand_(demo) {
+  demo_.session.time_stages(true);  // the panel shows them
   for (const Key& key : key_table()) panel_.keys.push_back({std::string(key.name), std::string(key.help)});
   for (const WindowKey& key : window_keys()) panel_.keys.push_back({std::string(key.name), std::string(key.help)});
   for (const std::string_view gesture : hand_gestures()) panel_.gestures.emplace_back(gesture);

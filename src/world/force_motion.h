@@ -29,6 +29,8 @@ class ForceMotion final : public Motion<V, Exec> {
     return response_.adds_in_order(exec) ? ContactKind::near : ContactKind::near_by_body;
   }
 
+  bool can_repeat() const override { return true; }
+
   int first_pass(const BodyStore<V, Exec>& bodies) const override { return integrator_.first_pass(bodies.count()); }
   int passes() const override { return Integrator::kPasses; }
   bool counts_collisions(int pass) const override { return pass == Integrator::kCollisionPass; }

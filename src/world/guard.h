@@ -3,9 +3,13 @@
 // overlap or an energy beyond its limit. A state that passes is stored as the last good one.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/error.h"
+#include "methods/settings.h"
+#include "scene/scene.h"
 #include "world/body_store.h"
 #include "world/sums.h"
 
@@ -40,6 +44,22 @@ struct LeastEnergy {
   }
 };
 
+/// What helps against overlap: where springs are resolved by the steps, only stiffer ones do.
+inline std::string overlap_hint(const Scene& scene, const Settings& settings) {
+  constexpr const char* kSmallerSteps = "a smaller --dt or more --substeps may help";
+  constexpr double kResolved = 0.5;  // of √(m/k): well below the 0.71 at which packings become unstable
+  if (settings.response != Response::penalty || scene.bodies.size() == 0) return kSmallerSteps;
+  const double radius = *std::min_element(scene.bodies.radius.begin(), scene.bodies.radius.end());
+  const double mass = *std::min_element(scene.bodies.mass.begin(), scene.bodies.mass.end());
+  // Hertz's springs grow stiffer with overlap: at the largest that is allowed.
+  const double stiffness =
+      scene.physics.stiffness *
+      (scene.physics.law == "hertz" ? 1.5 * std::sqrt(std::fmin(settings.max_overlap, 1.0) * radius) : 1.0);
+  const bool is_resolved = settings.dt / settings.substeps < kResolved * std::sqrt(mass / stiffness);
+  if (!is_resolved || integrator_of(settings) == Integrator::explicit_euler) return kSmallerSteps;
+  return "a larger [physics] stiffness may help (and the smaller --dt that it needs)";
+}
+
 template <class V, class Exec>
 class Guard {
   using Buffer = typename Exec::template Buffer<V>;
@@ -64,12 +84,13 @@ class Guard {
       : values_{max_overlap}, max_energy_(max_energy), h_(h), hint_(std::move(hint)) {}
 
   /// Call before the first step, at `time` [s]. `near` are pairs that include all contacts; `elastic` is the energy in springs [J].
-  void start(const BodyStore<V, Exec>& bodies, Span<const Pair> near, double elastic, double time) {
+  /// `more` is what the motion keeps for each body, or null; it belongs to the state.
+  void start(const BodyStore<V, Exec>& bodies, Span<const Pair> near, double elastic, double time, const Buffer* more) {
     values_.overlap_at_start = largest_overlap(bodies.exec(), "check overlap", bodies.view(), bodies.box(), near);
     values_.max_overlap = std::fmax(values_.max_overlap, 2 * overlap_at_start());  // overlap at the start may settle
     values_.energy_at_start = energy(bodies) + elastic;
     values_.explained = std::fmax(values_.energy_at_start, least_energy(bodies));
-    keep(bodies, time);
+    keep(bodies, time, more);
   }
 
   bool is_started() const { return good_position_.size() > 0; }
@@ -78,9 +99,9 @@ class Guard {
   /// Whether check() is to be called after this step.
   static bool is_due(int64_t step) { return step % kSteps == 0; }
 
-  /// Throws RunError where a body is not a number, or outside the domain.
+  /// Throws RunError where a body is not a number, or outside the domain; halts the device instead while it defers.
   void check_inside(const BodyStore<V, Exec>& bodies, int64_t step, double time) const {
-    if (!any(bodies.exec(), "check bodies", bodies.count(), IsOutside<V>{bodies.view(), bodies.box()})) return;
+    if (!stops_if(bodies.exec(), "check bodies", bodies.count(), IsOutside<V>{bodies.view(), bodies.box()})) return;
     const std::vector<V> position = bodies.downloaded(bodies.position), velocity = bodies.downloaded(bodies.velocity);
     const IsOutside<V> is_outside{{{position.data(), bodies.count()}, {velocity.data(), bodies.count()}, {}, {}},
                                   bodies.box()};
@@ -90,18 +111,26 @@ class Guard {
     stop(step, time, hint_, "sphere ", bad, " left the domain: its centre is at (", p.x, ", ", p.y, ", ", p.z, ")");
   }
 
-  /// Throws RunError where overlap or energy are beyond their limits; else the state is the last good one. `near`: as above.
-  void check(const BodyStore<V, Exec>& bodies, Span<const Pair> near, int64_t step, double time) {
+  /// Throws RunError where overlap or energy are beyond their limits; else the state is the last good one. `near` and `more`: as
+  /// above.
+  void check(const BodyStore<V, Exec>& bodies, Span<const Pair> near, int64_t step, double time, const Buffer* more) {
     check_overlap(bodies, near, step, time);
     check_energy(bodies, step, time);
-    keep(bodies, time);
+    keep(bodies, time, more);
   }
 
   Bodies last_good(const BodyStore<V, Exec>& bodies) const { return bodies.download(good_position_, good_velocity_); }
   double last_good_time() const { return values_.good_time; }  ///< [s]
 
+  /// Makes the last good state the present one; where the executor defers, and since the last start or check.
+  void go_back(BodyStore<V, Exec>& bodies, Buffer* more) const {
+    copy(bodies.exec(), "go back", good_position_, bodies.position);
+    copy(bodies.exec(), "go back", good_velocity_, bodies.velocity);
+    if (more != nullptr) copy(bodies.exec(), "go back", good_more_, *more);
+  }
+
   /// The last good state, by slot.
-  std::array<Buffer*, 2> kept() { return {&good_position_, &good_velocity_}; }
+  std::array<Buffer*, 3> kept() { return {&good_position_, &good_velocity_, &good_more_}; }
 
   /// The guard of `bodies` at `time` [s].
   Saved save(const BodyStore<V, Exec>& bodies, double time) const {
@@ -121,7 +150,7 @@ class Guard {
     }
   }
 
-  int64_t bytes() const { return good_position_.bytes() + good_velocity_.bytes(); }
+  int64_t bytes() const { return good_position_.bytes() + good_velocity_.bytes() + good_more_.bytes(); }
 
  private:
   static constexpr int64_t kSteps = 16;
@@ -191,13 +220,16 @@ class Guard {
     return sum.kinetic + sum.potential;
   }
 
-  void keep(const BodyStore<V, Exec>& state, double time) {
-    const int64_t n = state.count();
-    good_position_.resize(n);
-    good_velocity_.resize(n);
-    state.exec().parallel_for("keep state", n, CopyValues<V>{state.position.span(), good_position_.span()});
-    state.exec().parallel_for("keep state", n, CopyValues<V>{state.velocity.span(), good_velocity_.span()});
+  void keep(const BodyStore<V, Exec>& state, double time, const Buffer* more = nullptr) {
+    copy(state.exec(), "keep state", state.position, good_position_);
+    copy(state.exec(), "keep state", state.velocity, good_velocity_);
+    if (Exec::kDefers && more != nullptr) copy(state.exec(), "keep state", *more, good_more_);
     values_.good_time = time;
+  }
+
+  static void copy(Exec& exec, const char* name, const Buffer& from, Buffer& to) {
+    to.resize(from.size());
+    exec.parallel_for(name, from.size(), CopyValues<V>{from.span(), to.span()});
   }
 
   static constexpr double kOverlapThatMatters = 0.001;  // of the smaller radius
@@ -205,7 +237,7 @@ class Guard {
   Values values_;
   double max_energy_, h_;
   std::string hint_;
-  Buffer good_position_, good_velocity_;
+  Buffer good_position_, good_velocity_, good_more_;
 };
 
 }  // namespace ballpit

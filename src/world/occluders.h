@@ -107,8 +107,8 @@ class OccluderSearch {
     for (SizeClass<V>& spheres : parameters.classes) spheres.largest *= Real(kOcclusionReach);
     search_.plan({BroadPhase::sorted_grid, ""}, parameters, 0);
     const BodiesView<V> grown = grow_radii(exec, bodies, Real(kOcclusionReach), Real(0), grown_);
-    const Span<const Pair> near = search_.pairs(exec, grown);
-    lists_.link(exec, near, search_.first());
+    search_.pairs(exec, grown);
+    lists_.link(exec, search_.rows());
     exec.parallel_for("find occluders", bodies.size(), FindOccluders<V>{bodies, lists_.view(), id_at, occluders});
     exec.stage_times() = times;
   }

@@ -111,6 +111,7 @@ class PairSearchOn final : public PairSearch {
  public:
   PairSearchOn(std::unique_ptr<Exec> exec, const Settings& settings) : exec_(std::move(exec)), settings_(settings) {
     if (!settings_.skin) settings_.skin = 0.0;
+    if constexpr (Exec::kDefers) exec_->time_stages(true);
   }
 
   void find(const SphereArrays& spheres) override {

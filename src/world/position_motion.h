@@ -81,11 +81,11 @@ class PositionMotion final : public Motion<V, Exec> {
 
  private:
   /// Loads are carried by the overlap that a substep leaves. While overlap from the start is removed, it must not be taken
-  /// for a load; then contacts may carry more from substep to substep, up to a heap of kPushSteps layers.
+  /// for a load; then contacts may carry more from substep to substep, up to a heap of kMost layers.
   Real push_steps() const {
-    constexpr Real kFirst = 2, kPerSubstep = 0.05, kPushSteps = 100;
+    constexpr Real kFirst = 2, kPerSubstep = 0.05, kMost = 100;
     const Real steps = kFirst + kPerSubstep * Real(substeps_);
-    return steps < kPushSteps ? steps : kPushSteps;
+    return steps < kMost ? steps : kMost;
   }
 
   PositionBasedResponse<V, Exec> response_;

@@ -41,7 +41,8 @@ template <class V, class Exec>
 void start(WorldParts<V, Exec>& world, double time, Scalar<V> h) {
   auto& [bodies, collider, motion, tally, guard] = world;
   const double elastic = motion->elastic_energy(bodies, collider.near_pairs(bodies.exec(), bodies.view()));
-  guard.start(bodies, collider.near_pairs(bodies.exec(), bodies.view()), elastic, time);
+  guard.start(bodies, collider.near_pairs(bodies.exec(), bodies.view()), elastic, time,
+              motion->kept());
   motion->start(bodies, guard.overlap_at_start(), h);
 }
 
@@ -92,7 +93,7 @@ void make_step(WorldParts<V, Exec>& world, const StepTimes& step, int substeps, 
   // Guard. Velocities are checked only where check() is due; a list that is fresh shows that positions are inside.
   const bool is_due = guard.is_due(step.number);
   if (is_due || !collider.shows_all_inside(exec, bodies.view())) guard.check_inside(bodies, step.number, step.end);
-  if (is_due) guard.check(bodies, collider.near_pairs(exec, bodies.view()), step.number, step.end);
+  if (is_due) guard.check(bodies, collider.near_pairs(exec, bodies.view()), step.number, step.end, motion->kept());
 }
 
 }  // namespace ballpit

@@ -185,7 +185,7 @@ class SweptContacts {
     pairs_.resize(exec.exclusive_scan("scan impacts", is_hit_.span(), place_.span()));
     exec.parallel_for("keep impacts", candidates.size(), KeepMarked{candidates, place_.span(), pairs_.span()});
     first_.resize(bodies.size() + 1);
-    exec.parallel_for("keep impacts", first_.size(), KeepRows{collider_.first(), place_.span(), first_.span()});
+    exec.parallel_for("keep impacts", first_.size(), KeepRows{collider_.rows().first(), place_.span(), first_.span()});
   }
 
   Collider<V, Exec> collider_;  // for the spheres around the paths

@@ -76,6 +76,8 @@ class TallyKeeper {
   /// `is_swept`: contacts are found along the way of a step.
   TallyKeeper(bool is_kept, bool is_swept) : is_kept_(is_kept), is_swept_(is_swept) {}
 
+  bool is_kept() const { return is_kept_; }
+
   /// Where the response records its impulses on `contacts`. Call when these have been found. `counts`: new contacts are
   /// collisions, with walls too.
   ImpulseNotes<V> begin(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, int64_t contacts,

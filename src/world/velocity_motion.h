@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The motion of the responses that change velocities, kinematic and impulse:
 //
-//     kick ──▶ contacts ──▶ respond ──▶ drift
+//     contacts ──▶ kick, respond ──▶ drift
 //     kick ──▶ contacts on the way ──▶ respond ──▶ drift        where contacts are swept: swept.h
 #pragma once
 
@@ -22,14 +22,12 @@ class VelocityMotion final : public Motion<V, Exec> {
   VelocityMotion(Response response, bool is_swept, double wall_restitution)
       : response_(std::move(response)), is_swept_(is_swept), wall_restitution_(static_cast<Real>(wall_restitution)) {}
 
+  bool can_repeat() const override { return !is_swept_ && response_.goes_by_count(); }
   SweptContacts<V, Exec>* swept() override { return is_swept_ ? &swept_ : nullptr; }
 
   bool before_contacts(BodyStore<V, Exec>& bodies, Real h, int) override {
     after_.resize(bodies.count());
-    kicked_ = bodies.velocity.span();
-    if (is_swept_ || !bodies.has_gravity()) return false;
-    bodies.exec().parallel_for("kick", bodies.count(), Kick<V>{kicked_, bodies.gravity() * h, after_.span()});
-    kicked_ = after_.span();
+    kick_ = bodies.gravity() * h;
     return false;
   }
 
@@ -38,7 +36,8 @@ class VelocityMotion final : public Motion<V, Exec> {
     if (is_swept_) {
       respond_on_way(bodies, contacts, h, notes);
     } else {
-      response_.respond(bodies.exec(), bodies.view(), {bodies.box(), {}}, contacts, h, kicked_, after_, notes);
+      response_.respond(bodies.exec(), bodies.view(), {bodies.box(), {}}, contacts, h,
+                        {bodies.velocity.span(), kick_, bodies.has_gravity()}, after_, notes);
     }
     return false;
   }
@@ -48,9 +47,7 @@ class VelocityMotion final : public Motion<V, Exec> {
     if (is_swept_) {
       std::swap(bodies.position, end_);
     } else {
-      bodies.exec().parallel_for("drift", bodies.count() * kDimensions<V>,
-                                 Drift<Real>{h, components(Span<const V>(bodies.velocity.span())),
-                                             components(response_.correction()), components(bodies.position.span())});
+      drift(bodies.exec(), h, bodies.velocity.span(), bodies.position.span());
     }
     return true;
   }
@@ -60,13 +57,23 @@ class VelocityMotion final : public Motion<V, Exec> {
   }
 
  private:
+  void drift(Exec& exec, Real h, Span<const V> velocity, Span<V> position) {
+    if constexpr (requires { response_.drift(exec, h, position); }) {
+      response_.drift(exec, h, position);
+    } else {
+      exec.parallel_for(
+          "drift", position.size() * kDimensions<V>,
+          Drift<Real>{h, components(velocity), components(response_.correction(exec)), components(position)});
+    }
+  }
+
   void respond_on_way(BodyStore<V, Exec>& bodies, const ContactsView<V>& contacts, Real h,
                       const ImpulseNotes<V>& notes) {
     Exec& exec = bodies.exec();
     const int64_t n = bodies.count();
     const Sweep<V> sweep = swept_.sweep();
     const Span<const V> kicked = swept_.kicked(bodies);
-    response_.respond(exec, swept_.bodies(bodies), {bodies.box(), sweep}, contacts, h, kicked, after_, notes);
+    response_.respond(exec, swept_.bodies(bodies), {bodies.box(), sweep}, contacts, h, {kicked}, after_, notes);
     end_.resize(n);
     flown_.resize(n);
     const SweptDrift<V> drift{bodies.view(),
@@ -74,7 +81,7 @@ class VelocityMotion final : public Motion<V, Exec> {
                               contacts,
                               sweep,
                               after_.span(),
-                              response_.correction(),
+                              response_.correction(exec),
                               kicked,
                               bodies.gravity() * h,
                               h,
@@ -92,9 +99,9 @@ class VelocityMotion final : public Motion<V, Exec> {
   bool is_swept_;
   Real wall_restitution_;
   SweptContacts<V, Exec> swept_;
-  Buffer after_;          // velocities after the kick, then after the response
-  Span<const V> kicked_;  // velocities after the kick
-  Buffer end_, flown_;    // positions and velocities after a swept step
+  V kick_{};            // [m/s] of a substep
+  Buffer after_;        // velocities after the response
+  Buffer end_, flown_;  // positions and velocities after a swept step
 };
 
 }  // namespace ballpit

@@ -49,8 +49,15 @@ class World {
  public:
   virtual ~World() = default;
 
-  /// Advances by dt. Throws RunError with sphere and step if the guard stops the run.
+  /// Advances by dt. Throws RunError with sphere and step if the guard stops the run. On a GPU that may come to light in
+  /// a later step, or in whatever asks for the state.
   virtual void step() = 0;
+
+  /// Waits for all steps so far; throws as step() does.
+  virtual void wait() {}
+
+  /// Whether Report::stages is filled from now on, where that costs time.
+  virtual void time_stages(bool) {}
 
   /// A copy of the present state and of the data of its detection. What a method does not have stays empty. Throws RunError
   /// if there are too many candidates to list.

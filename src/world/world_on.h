@@ -3,12 +3,10 @@
 // snapshots. Instantiated for each vector type by worlds_cpu.cpp and cuda/worlds_cuda_*.cu.
 #pragma once
 
-#include <chrono>
-
+#include "world/deferred_steps.h"
 #include "world/inspect_more.h"
 #include "world/make_world.h"
 #include "world/occluders.h"
-#include "world/step.h"
 
 namespace ballpit {
 
@@ -48,15 +46,30 @@ class WorldOn final : public World {
   }
 
   void step() override {
-    const auto start = std::chrono::steady_clock::now();
-    const double begin = time();
-    ++steps_;
-    const int substeps = settings_.substeps;
-    make_step(world_, {steps_, begin, time()}, substeps, static_cast<Real>(settings_.dt / substeps));
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Stopwatch stopwatch(seconds_);
+    if constexpr (Exec::kDefers) {
+      if (bodies_.exec().seems_halted()) repeat_steps();
+      if (deferred_.may_defer(world_, steps_ + 1)) {
+        ++steps_;
+        bodies_.exec().defer([&] { make_present_step(); });
+        return;
+      }
+      finish_steps();
+    }
+    make_exact_step();
+  }
+
+  void wait() override {
+    const Stopwatch stopwatch(seconds_);
+    finish_steps();
+  }
+
+  void time_stages(bool is_timed) override {
+    if constexpr (Exec::kDefers) bodies_.exec().time_stages(is_timed);
   }
 
   Inspection inspect(const Wanted& wanted) override {
+    wait();
     Exec& exec = bodies_.exec();
     Inspection result;
     result.bodies.count = bodies_.count();
@@ -82,6 +95,7 @@ class WorldOn final : public World {
   }
 
   Report report() override {
+    wait();
     Exec& exec = bodies_.exec();
     const BodiesView<V> bodies = bodies_.view();
     Report report;
@@ -112,6 +126,7 @@ class WorldOn final : public World {
   }
 
   bool detect_by(const Settings& settings) override {
+    wait();
     auto collider = make_collider(settings);
     collider.pairs(bodies_.exec(),
                    bodies_.view());  // what is impossible, or lacks memory, throws before anything has changed
@@ -124,16 +139,21 @@ class WorldOn final : public World {
 
   BodyShape shape() const override { return bodies_.shape(); }
   void write_bodies(const BodyTarget& target) override {
+    wait();
     ballpit::write_bodies(bodies_, pairs(), target);
     if (!target.occluders.empty()) find_occluders(target.occluders);
   }
 
-  Bodies bodies() override { return bodies_.download(); }
+  Bodies bodies() override {
+    wait();
+    return bodies_.download();
+  }
   Bodies last_good() override { return world_.guard.is_started() ? world_.guard.last_good(bodies_) : bodies(); }
   double last_good_time() override { return world_.guard.last_good_time(); }
 
   /// Collisions go on being counted: a contact of before is not a new one.
   void replace(const Bodies& bodies) override {
+    wait();
     Exec& exec = bodies_.exec();
     std::array<std::vector<V>, 2> before;
     for (size_t k = 0; k < before.size(); ++k) before[k] = bodies_.downloaded(*world_.tally.kept()[k]);
@@ -148,6 +168,7 @@ class WorldOn final : public World {
   }
 
   std::unique_ptr<Snapshot> snapshot() override {
+    wait();
     auto result = std::make_unique<SnapshotOn<V, Exec>>();
     result->steps = steps_;
     result->edition = edition_;
@@ -161,6 +182,10 @@ class WorldOn final : public World {
   /// Contacts and candidate lists are not in a snapshot: they are found again, and the same.
   void restore(const Snapshot& snapshot) override {
     const auto& saved = dynamic_cast<const SnapshotOn<V, Exec>&>(snapshot);
+    if constexpr (Exec::kDefers) {
+      if (bodies_.exec().has_halted()) bodies_.exec().go_on();
+    }
+    deferred_.forget();
     steps_ = saved.steps;
     bodies_.restore(saved.bodies);
     if (saved.edition != edition_) begin_edition(saved.edition, bodies_.download());
@@ -179,18 +204,48 @@ class WorldOn final : public World {
   }
 
  private:
+  /// Number steps_, which begins dt before time().
+  void make_present_step() {
+    const double begin = start_time_ + static_cast<double>(steps_ - 1) * settings_.dt;
+    const int substeps = settings_.substeps;
+    make_step(world_, {steps_, begin, time()}, substeps, static_cast<Real>(settings_.dt / substeps));
+  }
+
+  /// The next step, whole: what it counts and checks is known at its end.
+  void make_exact_step() {
+    if (!world_.guard.is_started()) deferred_.note_good(world_, steps_);
+    ++steps_;
+    make_present_step();
+    if (world_.guard.is_due(steps_)) deferred_.note_good(world_, steps_);
+  }
+
+  void finish_steps() {
+    if constexpr (Exec::kDefers) {
+      if (bodies_.exec().has_halted()) repeat_steps();
+    }
+  }
+
+  /// The device has halted: makes the steps since the last good state again.
+  void repeat_steps() {
+    const int64_t goal = steps_;
+    steps_ = deferred_.go_back(world_);
+    while (steps_ < goal) make_exact_step();
+  }
+
   /// Makes the parts that depend on the bodies which now are in bodies_.
   void begin_edition(int64_t edition, const Bodies& bodies) {
     scene_.bodies = bodies;
     world_.motion = make_motion<V, Exec>(scene_, settings_);
     world_.guard = make_guard(scene_);
+    deferred_.forget();
     scene_.bodies = {};
     world_.collider = make_collider(settings_);
     edition_ = edition;
   }
 
   Guard<V, Exec> make_guard(const Scene& scene) const {
-    return {settings_.max_overlap, settings_.max_energy, settings_.dt / settings_.substeps, hint_of(scene, settings_)};
+    return {settings_.max_overlap, settings_.max_energy, settings_.dt / settings_.substeps,
+            overlap_hint(scene, settings_)};
   }
 
   Collider<V, Exec> make_collider(const Settings& settings) const {
@@ -208,22 +263,6 @@ class WorldOn final : public World {
   /// The pairs in contact at the present positions.
   Span<const Pair> pairs() { return world_.collider.pairs(bodies_.exec(), bodies_.view()); }
 
-  /// What helps against overlap: where springs are resolved by the steps, only stiffer ones do.
-  static std::string hint_of(const Scene& scene, const Settings& settings) {
-    if (settings.response != Response::penalty || scene.bodies.size() == 0) return kSmallerSteps;
-    const double radius = *std::min_element(scene.bodies.radius.begin(), scene.bodies.radius.end());
-    const double mass = *std::min_element(scene.bodies.mass.begin(), scene.bodies.mass.end());
-    // Hertz's springs grow stiffer with overlap: at the largest that is allowed.
-    const double stiffness =
-        scene.physics.stiffness *
-        (scene.physics.law == "hertz" ? 1.5 * std::sqrt(std::fmin(settings.max_overlap, 1.0) * radius) : 1.0);
-    const bool is_resolved = settings.dt / settings.substeps < kResolved * std::sqrt(mass / stiffness);
-    if (is_resolved && integrator_of(settings) != Integrator::explicit_euler) {
-      return "a larger [physics] stiffness may help (and the smaller --dt that it needs)";
-    }
-    return kSmallerSteps;
-  }
-
   static std::vector<float> flat(const std::vector<V>& values) {
     std::vector<float> result;
     result.reserve(values.size() * kDimensions<V>);
@@ -233,14 +272,12 @@ class WorldOn final : public World {
     return result;
   }
 
-  static constexpr const char* kSmallerSteps = "a smaller --dt or more --substeps may help";
-  static constexpr double kResolved = 0.5;  // of √(m/k): well below the 0.71 at which packings become unstable
-
   Settings settings_;
   Scene scene_;  // its bodies are in world_
   WorldParts<V, Exec> world_;
   BodyStore<V, Exec>& bodies_ = world_.bodies;
   OccluderSearch<V, Exec> occluders_;
+  DeferredSteps<V, Exec> deferred_;
   int64_t steps_ = 0;
   int64_t edition_ = 0, editions_ = 0;   // of the bodies: another one with each replace()
   double start_time_ = 0, seconds_ = 0;  // [s]

@@ -20,7 +20,8 @@ std::map<std::string, int64_t> counts;
 std::set<void*> allocations;
 std::set<cudaStream_t> streams;
 std::set<cudaEvent_t> events;
-int64_t strangers = 0;  // handles given back that were not held
+std::set<void*> graphs;  // and executable ones
+int64_t strangers = 0;   // handles given back that were not held
 
 /// Counts a call; whether it is the one to fail.
 bool fails(const char* name) {
@@ -31,14 +32,14 @@ bool fails(const char* name) {
   return true;
 }
 
-template <class Handle>
-void note_made(std::set<Handle>& handles, Handle handle) {
+template <class Set, class Handle>
+void note_made(Set& handles, Handle handle) {
   if (handle != nullptr) handles.insert(handle);
 }
 
 /// Whether a handle may be given back: it was made, and not given back before.
-template <class Handle>
-bool note_released(std::set<Handle>& handles, Handle handle) {
+template <class Set, class Handle>
+bool note_released(Set& handles, Handle handle) {
   const bool is_known = handle == nullptr || handles.erase(handle) == 1;
   strangers += !is_known;
   return is_known;
@@ -60,7 +61,7 @@ void fail_always(const std::string& name) {
 std::string failed_call() { return failed; }
 Held held() {
   return {static_cast<int64_t>(allocations.size()), static_cast<int64_t>(streams.size()),
-          static_cast<int64_t>(events.size()), strangers};
+          static_cast<int64_t>(events.size()), static_cast<int64_t>(graphs.size()), strangers};
 }
 const std::map<std::string, int64_t>& calls() { return counts; }
 
@@ -91,6 +92,13 @@ using namespace ballpit::faults;
 BALLPIT_WRAP_MAKER(cudaMalloc, (void** at, size_t bytes), (at, bytes), allocations, *at)
 BALLPIT_WRAP_MAKER(cudaStreamCreate, (cudaStream_t * stream), (stream), streams, *stream)
 BALLPIT_WRAP_MAKER(cudaEventCreate, (cudaEvent_t * event), (event), events, *event)
+BALLPIT_WRAP_MAKER(cudaHostAlloc, (void** at, size_t bytes, unsigned flags), (at, bytes, flags), allocations, *at)
+BALLPIT_WRAP_MAKER(cudaStreamEndCapture, (cudaStream_t stream, cudaGraph_t* graph), (stream, graph), graphs, *graph)
+BALLPIT_WRAP_MAKER(cudaGraphInstantiate, (cudaGraphExec_t * made, cudaGraph_t graph, unsigned long long flags),
+                   (made, graph, flags), graphs, *made)
+BALLPIT_WRAP_RELEASER(cudaFreeHost, void*, allocations)
+BALLPIT_WRAP_RELEASER(cudaGraphDestroy, cudaGraph_t, graphs)
+BALLPIT_WRAP_RELEASER(cudaGraphExecDestroy, cudaGraphExec_t, graphs)
 BALLPIT_WRAP_RELEASER(cudaFree, void*, allocations)
 BALLPIT_WRAP_RELEASER(cudaStreamDestroy, cudaStream_t, streams)
 BALLPIT_WRAP_RELEASER(cudaEventDestroy, cudaEvent_t, events)
@@ -102,6 +110,9 @@ BALLPIT_WRAP(cudaStreamSynchronize, (cudaStream_t stream), (stream))
 BALLPIT_WRAP(cudaEventRecord, (cudaEvent_t event, cudaStream_t stream), (event, stream))
 BALLPIT_WRAP(cudaEventElapsedTime, (float* milliseconds, cudaEvent_t begin, cudaEvent_t end),
              (milliseconds, begin, end))
+BALLPIT_WRAP(cudaStreamBeginCapture, (cudaStream_t stream, cudaStreamCaptureMode mode), (stream, mode))
+BALLPIT_WRAP(cudaGraphLaunch, (cudaGraphExec_t graph, cudaStream_t stream), (graph, stream))
+BALLPIT_WRAP(cudaHostGetDevicePointer, (void** device, void* host, unsigned flags), (device, host, flags))
 BALLPIT_WRAP(cudaGetDeviceCount, (int* count), (count))
 BALLPIT_WRAP(cudaGetDeviceProperties, (cudaDeviceProp * properties, int device), (properties, device))
 BALLPIT_WRAP(cudaGetDevice, (int* device), (device))

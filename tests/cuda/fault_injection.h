@@ -20,7 +20,7 @@ std::string failed_call();
 
 /// What has been made and not been given back; and how often something was given back that was not held.
 struct Held {
-  int64_t allocations = 0, streams = 0, events = 0, strangers = 0;
+  int64_t allocations = 0, streams = 0, events = 0, graphs = 0, strangers = 0;
   friend bool operator==(const Held&, const Held&) = default;
 };
 Held held();

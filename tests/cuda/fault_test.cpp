@@ -25,17 +25,19 @@ Settings settings_of(const std::string& broadphase, double skin = 0) {
   return settings;
 }
 
+constexpr int kStepsToGraphs = 12;  // until each sequence of launches has come twice
+
 /// Asked for once: what it asks the device is no part of a run.
 const Backend& backend() {
   static const Backend cuda = cuda_backend();
   return cuda;
 }
 
-/// A world from its making to its report; returns the hash of its state.
-uint64_t run_world(const Scene& scene, const Settings& settings, std::vector<Stage>* stages = nullptr) {
+/// A world from its making to its report; returns the hash of its state. Stages are timed where they are asked for.
+uint64_t run_world(const Scene& scene, const Settings& settings, int steps, std::vector<Stage>* stages = nullptr) {
   const auto world = backend().make_world(scene, settings);
-  world->step();
-  world->step();
+  world->time_stages(stages != nullptr);
+  for (int k = 0; k < steps; ++k) world->step();
   const Report report = world->report();
   if (stages != nullptr) *stages = report.stages;
   return report.state_hash;
@@ -109,13 +111,25 @@ TEST_CASE("a failure of any CUDA call in a world is reported, and all resources 
   const Scene scene = small_scene();
   const Settings settings = settings_of(broadphase);
   CAPTURE(broadphase);
-  fail_everywhere([&](std::vector<Stage>* stages) { return run_world(scene, settings, stages); });
+  fail_everywhere([&](std::vector<Stage>* stages) { return run_world(scene, settings, 2, stages); });
+}
+
+TEST_CASE("a failure of any CUDA call is reported also where steps are graphs, and where stages are timed") {
+  const Scene scene = small_scene();
+  const Settings settings = settings_of("sorted-grid");
+  fail_everywhere([&](std::vector<Stage>* stages) { return run_world(scene, settings, kStepsToGraphs, stages); });
+  fail_everywhere([&](std::vector<Stage>* stages) {
+    std::vector<Stage> own;
+    const uint64_t hash = run_world(scene, settings, 2, &own);
+    if (stages != nullptr) *stages = own;
+    return hash;
+  });
 }
 
 TEST_CASE("a failure of any CUDA call in a world with a candidate list is reported, and all resources are released") {
   const Scene scene = small_scene();
   const Settings settings = settings_of("sorted-grid", 0.2);
-  fail_everywhere([&](std::vector<Stage>* stages) { return run_world(scene, settings, stages); });
+  fail_everywhere([&](std::vector<Stage>* stages) { return run_world(scene, settings, 2, stages); });
 }
 
 TEST_CASE("a failure of any CUDA call in a pair search is reported, and all resources are released") {
@@ -127,27 +141,31 @@ TEST_CASE("a failure of any CUDA call in a pair search is reported, and all reso
 }
 
 TEST_CASE("a world on CUDA holds one stream, and gives back what it holds") {
-  faults::Held held;
-  {
-    const auto world = backend().make_world(small_scene(), settings_of("sorted-grid"));
-    world->step();
-    held = faults::held();
+  for (const bool is_timed : {false, true}) {
+    faults::Held held;
+    {
+      const auto world = backend().make_world(small_scene(), settings_of("sorted-grid"));
+      world->time_stages(is_timed);
+      for (int k = 0; k < kStepsToGraphs; ++k) world->step();
+      held = faults::held();
+    }
+    CHECK(held.allocations > 20);
+    CHECK(held.streams == 1);
+    CHECK((held.events > 20) == is_timed);
+    CHECK((held.graphs > 0) == !is_timed);
+    CHECK(faults::held() == faults::Held{});
   }
-  CHECK(held.allocations > 20);
-  CHECK(held.streams == 1);
-  CHECK(held.events > 20);
-  CHECK(faults::held() == faults::Held{});
 }
 
 TEST_CASE("a step that has its buffers allocates nothing, and waits for a few numbers alone") {
   struct Expected {
     std::string broadphase;
     double skin;
-    int64_t waits;  // contacts found, bodies outside; the sweep: its axis; the list: whether it is valid
+    int64_t waits;  // the sweep: its axis; the list: whether it is valid
   };
   const auto expected =
-      GENERATE(Expected{"sorted-grid", 0, 2}, Expected{"linked-cell", 0, 2}, Expected{"brute-force", 0, 2},
-               Expected{"sort-and-sweep", 0, 3}, Expected{"sorted-grid", 1, 3});
+      GENERATE(Expected{"sorted-grid", 0, 0}, Expected{"linked-cell", 0, 0}, Expected{"brute-force", 0, 0},
+               Expected{"sort-and-sweep", 0, 1}, Expected{"sorted-grid", 1, 1});
   CAPTURE(expected.broadphase, expected.skin);
   Scene scene = small_scene();
   // As many contacts in every step; what overlaps is pushed apart by less than the skin.
@@ -160,6 +178,32 @@ TEST_CASE("a step that has its buffers allocates nothing, and waits for a few nu
   CHECK(calls_of("__cudaLaunchKernel") > 10);
   CHECK(calls_of("cudaMalloc") == 0);
   CHECK(calls_of("cudaStreamSynchronize") == expected.waits);
+}
+
+TEST_CASE("a step that nobody looks at is one call, unless it is one that the guard checks") {
+  const std::string response = GENERATE("impulse", "kinematic", "penalty");
+  CAPTURE(response);
+  Settings settings = settings_of("sorted-grid");
+  settings.response = named<Response>(response);
+  const auto world = cuda_backend().make_world(small_scene(), settings);
+  for (int k = 0; k < 64; ++k) world->step();
+  int64_t waits = 0;
+  for (int k = 65; k <= 80; ++k) {
+    faults::fail_at(0);
+    world->step();
+    waits += calls_of("cudaStreamSynchronize");
+    if (k % 16 == 0) continue;
+    int64_t calls = 0;
+    std::string names;
+    for (const auto& [name, count] : faults::calls()) {
+      calls += count;
+      names += name + " ";
+    }
+    CAPTURE(k, names);
+    CHECK(calls == 1);
+    CHECK(calls_of("cudaGraphLaunch") == 1);
+  }
+  CHECK(waits > 0);  // in the 80th step
 }
 
 TEST_CASE("a device that cannot be asked is one that is not there") {
