@@ -10,6 +10,7 @@
 //        └──┘                                   └──┴──┴──┘
 // The edges of thousands of cells would be a haze over the spheres. Cost: proportional to the number of cells and
 // bodies.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -32,6 +33,13 @@ float strength(int count) { return static_cast<float>(count) / static_cast<float
 /// Cells with one body are faint, full cells stand out.
 float spatial_opacity(int count) { return std::min(0.4f + 0.25f * static_cast<float>(count - 1), 1.0f); }
 
+/// The least opacity, also at the back of the box: few cells hide nothing.
+float least_opacity(const std::vector<int>& counts) {
+  constexpr float kFew = 24;
+  const auto occupied = static_cast<float>(counts.size()) - static_cast<float>(std::ranges::count(counts, 0));
+  return std::min(kFew / std::max(occupied, 1.0f), 1.0f);
+}
+
 /// The largest count of the cells around the lattice edge that starts at `point` and runs along `axis`.
 int fullest_around_edge(const GridInspection& grid, const std::vector<int>& counts, IVec3 point, int axis) {
   const int a = (axis + 1) % 3, b = (axis + 2) % 3;
@@ -52,9 +60,11 @@ float fade_at(const Vec3& point, const GridInspection& grid, const Camera& camer
   return ballpit::fade_at(point, grid.origin, grid.origin + grid.edge * Vec3(grid.cells), camera);
 }
 
-/// Adds the lattice's edges along `axis` through `start`; neighbours with equal counts become one line.
+/// Adds the lattice's edges along `axis` through `start`, in colours by count and place; neighbours with equal counts
+/// become one line.
+template <class Color>
 void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const std::vector<int>& counts,
-                     const FrameView& view, const Theme& theme, std::vector<Line>& lines) {
+                     const DomainBox& domain, Color&& color_at, std::vector<Line>& lines) {
   const auto count_at = [&](int step) {
     IVec3 point = start;
     point[axis] = step;
@@ -68,23 +78,24 @@ void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const st
     IVec3 end = start;
     start[axis] = first;
     end[axis] = step;
-    const auto color_at = [&](const Vec3& point) {
-      return to_rgba(theme.grid, spatial_opacity(count) * fade_at(point, grid, view.camera));
-    };
-    const Vec3 a = lattice_point(grid, view.domain, start), b = lattice_point(grid, view.domain, end);
-    lines.push_back({a, color_at(a), b, color_at(b)});
+    const Vec3 a = lattice_point(grid, domain, start), b = lattice_point(grid, domain, end);
+    lines.push_back({a, color_at(count, a), b, color_at(count, b)});
   }
 }
 
 std::vector<Line> occupied_edges(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view,
                                  const Theme& theme) {
+  const float least = least_opacity(counts);
+  const auto color_at = [&](int count, const Vec3& point) {
+    return to_rgba(theme.grid, std::max(least, spatial_opacity(count) * fade_at(point, grid, view.camera)));
+  };
   std::vector<Line> lines;
   for (int axis = 0; axis < 3; ++axis) {
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     IVec3 start(0);
     for (start[a] = 0; start[a] <= grid.cells[a]; ++start[a]) {
       for (start[b] = 0; start[b] <= grid.cells[b]; ++start[b]) {
-        add_edges_along(axis, start, grid, counts, view, theme, lines);
+        add_edges_along(axis, start, grid, counts, view.domain, color_at, lines);
       }
     }
   }
