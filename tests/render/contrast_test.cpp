@@ -213,6 +213,33 @@ TEST_CASE("numbers are legible on the darkest and on the lightest colour of a sc
   }
 }
 
+TEST_CASE("the edges of few cells in space can be told from the ground, at the front and at the back") {
+  constexpr int kSize = 900;
+  const DomainBox box;
+  const Inspection inspection = inspect({{{0.2f, 0.6f, 0.9f}, 0.05f}, {{0.9f, 0.6f, 0.1f}, 0.05f}}, box, 0.2f);
+  const GridInspection& grid = inspection.grids.front();
+  for (const Theme& theme : themes()) {
+    const FrameView view = view_of(inspection, box, 1, {"grid"});
+    const Image image = draw(view, kSize, kSize, {theme});
+    for (size_t cell = 0; cell < grid.head.size(); ++cell) {
+      if (grid.head[cell] < 0) continue;
+      const auto x = static_cast<int>(cell) % grid.cells.x, rest = static_cast<int>(cell) / grid.cells.x;
+      const IVec3 low(x, rest % grid.cells.y, rest / grid.cells.y);
+      for (const IVec3& along : {IVec3(1, 0, 0), IVec3(0, 1, 0), IVec3(0, 0, 1)}) {
+        const Vec3 middle = (lattice_point(grid, box, low) + lattice_point(grid, box, low + along)) / 2.0f;
+        const Vec2 at = place(view, middle, kSize);
+        const int column = static_cast<int>(at.x), row = static_cast<int>(at.y);
+        float most = 1;
+        for (int y = row - 2; y <= row + 2; ++y) {
+          most = std::max(most, most_contrast(image, y, column - 2, column + 2, theme.background));
+        }
+        INFO(theme.name << ", cell " << cell << ", " << along.x << along.y << along.z);
+        CHECK(most >= kMinContrast);
+      }
+    }
+  }
+}
+
 TEST_CASE("the domain can be told from the ground") {
   constexpr int kSize = 900;
   const Inspection inspection = inspect({{{2.5f, 2.5f, 0}, 0.3f}}, kPlane);

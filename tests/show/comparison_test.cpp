@@ -223,7 +223,7 @@ TEST_CASE("a compared view is titled by its method and counts its tests; times a
 }
 
 TEST_CASE("a view that stops says so and keeps its place in the picture, while the other one goes on") {
-  Demo demo("stack", {{"cell-size", "0.5"}, {"max-overlap", "0.5"}});  // small cells miss what carries the spheres
+  Demo demo("stack", {{"cell-size", "0.5"}, {"max-overlap", "0.05"}});  // small cells miss what carries the spheres
   demo.compare(kTwo);
   Demo& other = demo.view_at(1);
   const Camera before = other.frame_view(0.8f).camera;

@@ -24,6 +24,7 @@ namespace ballpit {
 namespace {
 
 constexpr float kEdgeWidth = 2.0f, kDenseWidth = 4, kDenseRim = 2;  // [1/1080 of the picture's height]
+constexpr float kThinnest = 0.5f;                                   // of kEdgeWidth, between small discs
 constexpr int64_t kCrowd = 500;                                     // spheres in space
 constexpr size_t kDensest = 12;                                     // cells drawn in a crowd
 
@@ -33,8 +34,8 @@ float strength(int count) { return static_cast<float>(count) / static_cast<float
 /// Cells with one body are faint, full cells stand out.
 float spatial_opacity(int count) { return std::min(0.4f + 0.25f * static_cast<float>(count - 1), 1.0f); }
 
-/// The least opacity, also at the back of the box: few cells hide nothing.
-float least_opacity(const std::vector<int>& counts) {
+/// 1 for few cells, whose edges hide nothing: they are drawn boldly, also at the back of the box. Towards 0 for many.
+float boldness(const std::vector<int>& counts) {
   constexpr float kFew = 24;
   const auto occupied = static_cast<float>(counts.size()) - static_cast<float>(std::ranges::count(counts, 0));
   return std::min(kFew / std::max(occupied, 1.0f), 1.0f);
@@ -85,7 +86,7 @@ void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const st
 
 std::vector<Line> occupied_edges(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view,
                                  const Theme& theme) {
-  const float least = least_opacity(counts);
+  const float least = boldness(counts);
   const auto color_at = [&](int count, const Vec3& point) {
     return to_rgba(theme.grid, std::max(least, spatial_opacity(count) * fade_at(point, grid, view.camera)));
   };
@@ -219,17 +220,19 @@ bool draws_densest(const FrameView& view) { return !view.domain.is_planar() && v
 
 void draw_grid(const FrameView& view, Painter& painter) {
   const float width = kEdgeWidth * painter.line_unit;
+  const Projection projection(view.camera, painter.sheet);
+  const float thin = std::max(kThinnest, line_scale(view, projection, painter.sheet.unit())) * width;
   for (const GridInspection& grid : view.inspection.grids) {
     if (grid.head.empty()) continue;
     const std::vector<int> counts = count_per_cell(grid);
     if (view.domain.is_planar()) {
       painter.faces.draw(occupied_faces(grid, counts, view, painter.theme));
-      painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
+      painter.lines.draw(plane_lines(grid, view.domain, painter.theme), thin);
       if (!view.shows("labels")) draw_counts(grid, counts, view, painter);
     } else if (draws_densest(view)) {
       draw_densest(grid, counts, view, painter);
     } else {
-      painter.lines.draw(occupied_edges(grid, counts, view, painter.theme), width);
+      painter.lines.draw(occupied_edges(grid, counts, view, painter.theme), (1 + 0.5f * boldness(counts)) * width);
     }
   }
   draw_selection(view, painter);
