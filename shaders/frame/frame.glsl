@@ -7,7 +7,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 sky;             // upwards, view space; w: light from all around
   vec4 units;           // of shaders: xyz: the origin, at the domain's lowest corner [m]; w: 1 / the domain's longest
                         // edge [1/m]
-  vec4 shadow;          // x: darkness of shadows on the floor
+  vec4 shadow;          // x: darkness of shadows on the floor; y: of the edge of a sphere
   vec4 box;             // xyz: edges of the domain
   vec4 sides[5];        // of the domain, for shaders/occlusion: floor, −x, +x, −z, +z. xyz: inward normal, view space; w:
                         // half of the sky's share that it hides from a point on it

@@ -17,5 +17,5 @@ void main() {
   float z = frame.projection[3].z / (1 - 2 * seen - frame.projection[2].z);
   if (!is_covered() || (z - hit.z) * curvature > kSame) discard;
   vec3 normal = (hit - center) * curvature;
-  fragment = vec4(with_rim(shade(color, normal, light_at(hit - center, normal))), 1);
+  fragment = vec4(with_rim(shade(color, normal, light_at(hit - center, normal), edge())), 1);
 }

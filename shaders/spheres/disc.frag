@@ -12,7 +12,7 @@ void main() {
   float inside = outline - length(disc);  // [pixel] from the edge inwards
   float coverage = clamp(inside + 0.5, 0.0, 1.0);
   if (coverage == 0) discard;
-  float line = min(max(3.0 * frame.line_unit, color.w), 0.3 * outline);
+  float line = min(max(3.0 * frame.line_unit, color.w), 0.2 * outline);
   float body = clamp(inside - line + 0.5, 0.0, 1.0);
   fragment = vec4(mix(color.w > 0 ? frame.rim.rgb : color.rgb * 0.45, color.rgb, body), coverage);
 }

@@ -6,4 +6,4 @@
 
 layout(location = 0) out vec4 fragment;
 
-void main() { fragment = blended(shade(color.rgb, normal_at_edge(), vec2(1))); }
+void main() { fragment = blended(shade(color.rgb, normal_at_edge(), vec2(1), 1.0)); }

@@ -10,6 +10,12 @@ in vec2 disc;
 
 bool is_covered() { return dot(disc, disc) <= covered; }
 
+// How near the outline is: from 0 in the middle of the disc to 1.
+float edge() {
+  float d2 = dot(disc, disc);
+  return d2 * d2 * d2;
+}
+
 // |t ray − center|² = r², the nearer root
 vec3 nearer_hit() {
   float a = dot(ray, ray);

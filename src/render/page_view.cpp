@@ -130,7 +130,7 @@ void draw_page(const PageView& page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit(), width = static_cast<float>(sheet.width());
   const float title = page.title.empty() ? 0 : sheet.size_of("0", TextSize::title).y + kPad * u;
-  sheet.box({0, 0}, {width, title}, painter.ground());  // spheres may fly this high
+  sheet.box({0, 0}, {width, title}, to_rgba(painter.theme.background));  // spheres and edges may rise this high
   const float left = (page.sign == MethodSign::none ? kMargin : kMargin + kSign) * u;
   const float room = width - left - kMargin * u, wanted = sheet.size_of(page.title, TextSize::title).x;
   const bool fits = wanted <= room;

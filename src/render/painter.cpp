@@ -127,7 +127,7 @@ void Painter::draw_shining(const std::vector<Line>& lines_, const Vec3& rim_colo
 float Painter::take_strip(float height) {
   const float bottom = static_cast<float>(sheet.height()) - taken;
   taken += height;
-  sheet.box({0, bottom - height}, {static_cast<float>(sheet.width()), bottom}, ground());
+  sheet.box({0, bottom - height}, {static_cast<float>(sheet.width()), bottom}, to_rgba(theme.background));
   return bottom - height;
 }
 

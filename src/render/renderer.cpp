@@ -58,7 +58,7 @@ void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& th
   uniforms.halfway = Vec4(normalize(light + Vec3(0, 0, 1)), 0);
   uniforms.sky = Vec4(Vec3(uniforms.view * Vec4(0, 1, 0, 0)), theme.ambient);
   uniforms.units = Vec4(domain.min, 1 / domain.longest_edge());
-  uniforms.shadow = Vec4(theme.shadow, 0, 0, 0);
+  uniforms.shadow = Vec4(theme.shadow, theme.edge, 0, 0);
   uniforms.box = Vec4((domain.max - domain.min) / domain.longest_edge(), 0);
   set_sides(uniforms, view.camera.eye - (domain.min + domain.max) / 2.0f);
   uniforms.background = Vec4(theme.background, 1);

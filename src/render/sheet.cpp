@@ -33,7 +33,7 @@ const ImVector<ImWchar>& glyph_ranges() {
   static const ImVector<ImWchar> ranges = [] {
     ImFontGlyphRangesBuilder builder;
     builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
-    builder.AddText(" −–—…·×√≤≥≈→∞∂Δ°⁰¹²³⁴⁵⁶⁷⁸⁹⁻µ‘’“”„ αβγδεζλμπρστω");
+    builder.AddText(" −–—…·×√≤≥≈∞∂Δ°⁰¹²³⁴⁵⁶⁷⁸⁹⁻µ‘’“”„ αβγδεζλμπρστω");
     ImVector<ImWchar> result;
     builder.BuildRanges(&result);
     return result;
@@ -41,7 +41,7 @@ const ImVector<ImWchar>& glyph_ranges() {
   return ranges;
 }
 
-constexpr ImWchar kMissingSigns[] = {0x2070, 0x207B, 0x230A, 0x230B, 0};  // ⁰ to ⁻, ⌊ ⌋
+constexpr ImWchar kMissingSigns[] = {0x2070, 0x207B, 0x2190, 0x2192, 0x230A, 0x230B, 0};  // ⁰ to ⁻, ← to →, ⌊ ⌋
 
 /// Source code, with formulas in its comments.
 const ImVector<ImWchar>& code_ranges() {

@@ -24,6 +24,7 @@ struct Theme {
   float shadow;    ///< darkness of the shadow under a sphere that lies on the floor, 0 to 1
   float ambient;   ///< light from all around, 0 to 1
   float key;       ///< light from one side, 0 to 1
+  float edge;      ///< how much darker the edge of a sphere is, 0 to 1: on light ground, so that it is seen all round
   Vec3 domain;     ///< the box
   Vec3 cell_text;  ///< numbers and counts of cells, on any tint
 
@@ -55,6 +56,7 @@ inline const std::vector<Theme>& themes() {
        .shadow = 0.45f,
        .ambient = 0.55f,
        .key = 0.62f,
+       .edge = 0.45f,
        .domain = rgb(0x9A6200),
        .cell_text = rgb(0x005A41)},
       {.name = "dark",
@@ -65,6 +67,7 @@ inline const std::vector<Theme>& themes() {
        .shadow = 0.6f,
        .ambient = 0.38f,
        .key = 0.65f,
+       .edge = 0.25f,
        .domain = rgb(0xE69F00),
        .cell_text = rgb(0x8CE8CB)},
   };

@@ -135,7 +135,7 @@ PageView Demo::captioned() {
   } else if (last.candidates == 0) {
     page.caption = phrase("{}, {}", spheres, contacts);
   } else {
-    page.caption = phrase("{}: {} tests in place of {}, {}", spheres, grouped(last.candidates),
+    page.caption = phrase("{}: {} in place of {}, {}", spheres, counted(last.candidates, "test"),
                           grouped(n * (n - 1) / 2), contacts);
   }
   return page;

@@ -47,6 +47,11 @@ float fastest_of(const Settings& settings, double radius) {
   return static_cast<float>(kRadii * radius * settings.substeps / settings.dt);
 }
 
+/// [m] By how much a new sphere is too near to sphere i; 0 or less if it is not.
+double overlap_of(const Domain& domain, const Bodies& bodies, size_t i, const Vec3d& place, double radius) {
+  return radius + bodies.radius[i] - distance_in(domain, place, bodies.position[i]);
+}
+
 std::string speed_text(double speed) { return local_number(three_digits(speed)); }
 
 }  // namespace
@@ -105,9 +110,16 @@ void Hand::cancel() {
 
 void Hand::drop(const FrameView& view, Vec2 place) {
   const Session& session = demo_.session;
-  const SphereSize size = typical_sphere(session.scene(), demo_.session.world().bodies());
+  const Bodies bodies = demo_.session.world().bodies();
+  const SphereSize size = typical_sphere(session.scene(), bodies);
   const std::optional<Vec3d> at = free_place(view, place, size.radius);
   if (!at) return demo_.say(translated("no sphere can be dropped there: it is outside of the domain")), demo_.touch();
+  for (size_t i = 0; i < bodies.position.size(); ++i) {
+    const double overlap = overlap_of(session.scene().domain, bodies, i, *at, size.radius);
+    if (overlap <= 0) continue;
+    demo_.say(phrase("no room for a sphere there: sphere {} is {} m too near", i, local_number(three_digits(overlap))));
+    return demo_.touch();
+  }
   act({.kind = ActKind::drop, .vector = *at, .radius = size.radius, .mass = size.mass},
       translated("a sphere is dropped in"));
 }

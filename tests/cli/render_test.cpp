@@ -29,7 +29,8 @@ std::string frame(int index) {
 /// The bytes of the frames of a small film of colliding balls.
 std::vector<std::string> film(const std::vector<std::string>& options, const std::string& scene = "bouncing-balls") {
   const Scratch scratch;
-  std::vector<std::string> arguments{"render", scene, "--size", "160x90", "--out", scratch / "film"};
+  std::vector<std::string> arguments{"render", scene, "--out", scratch / "film"};
+  if (std::ranges::find(options, "--size") == options.end()) arguments.insert(arguments.end(), {"--size", "160x90"});
   if (scene == "bouncing-balls") arguments.insert(arguments.end(), {"--count", "200"});
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Outcome outcome = run_program(arguments);
@@ -77,6 +78,20 @@ TEST_CASE("rendering twice gives the same bytes, with any number of threads") {
   CHECK(is_same(film({"--frames", "5", "--threads", "1"}), first));
   CHECK(is_same(film({"--frames", "5", "--threads", "8"}), first));
   CHECK_FALSE(is_same(film({"--frames", "5", "--seed", "2"}), first));
+}
+
+TEST_CASE(
+    "pictures with occlusion, grid, pairs and paths are the same bytes at every run, with any number of threads") {
+  const auto drawn = [](const std::string& threads, const std::string& occlusion) {
+    return film({"--frames", "2", "--from", "0.5", "--size", "640x400", "--overlay", "grid,pairs,swept", "--occlusion",
+                 occlusion, "--threads", threads},
+                "open-box");  // spheres large enough for occlusion
+  };
+  const std::vector<std::string> first = drawn("1", "on");
+  REQUIRE(first.size() == 2);
+  CHECK(is_same(drawn("1", "on"), first));
+  CHECK(is_same(drawn("2", "on"), first));
+  CHECK_FALSE(is_same(pixels_of(drawn("1", "off")[0]), pixels_of(first[0])));
 }
 
 TEST_CASE("the option --copy-bodies changes how spheres reach the picture, and no byte of the frames") {

@@ -78,11 +78,14 @@ float most_contrast(const Image& image, int y, int from, int to, const Vec3& gro
   return most;
 }
 
-/// The largest contrast to the ground on the way from the middle of a sphere to its edge, in direction k of eight.
-float contrast_along(const Image& image, Vec2 middle, float radius, int k, const Vec3& ground) {
-  const float angle = static_cast<float>(k) * 3.14159265f / 4;
+constexpr int kDirections = 16;
+
+/// The largest contrast to the ground near the edge of a sphere, in direction k: on the outer fifth of its radius, which perspective
+/// makes up to a twentieth longer.
+float contrast_of_edge(const Image& image, Vec2 middle, float radius, int k, const Vec3& ground) {
+  const float angle = static_cast<float>(k) * 2 * 3.14159265f / kDirections;
   float most = 1;
-  for (float part = 0; part < 1; part += 0.004f) {
+  for (float part = 0.8f; part < 1.05f; part += 0.004f) {
     const Vec2 at = middle + part * radius * Vec2(std::cos(angle), std::sin(angle));
     most = std::max(
         most, most_contrast(image, static_cast<int>(at.y), static_cast<int>(at.x), static_cast<int>(at.x), ground));
@@ -139,7 +142,7 @@ TEST_CASE("a touching sphere differs from a resting one by a dark rim, in the pl
 }
 
 TEST_CASE("a sphere of any colour, or its edge, can be told from the ground in every direction") {
-  constexpr int kSize = 900;
+  constexpr int kSizes[] = {900, 450};  // spheres of 40 and of 20 pixels
   const DomainBox box{Vec3(0), Vec3(4, 4, 4)}, plane{Vec3(0), Vec3(4, 4, 0), 2, false};
   std::vector<Sphere> spheres;
   for (int k = 0; k < 16; ++k) {
@@ -153,22 +156,24 @@ TEST_CASE("a sphere of any colour, or its edge, can be told from the ground in e
     inspection.contacts = {{0, 1}};
     for (const Theme& theme : themes()) {
       for (const char* coloring : {"contact", "size"}) {
-        FrameView view = view_of(inspection, is_planar ? plane : box, 1);
-        view.coloring = coloring;
-        const Image image = draw(view, kSize, kSize, {theme});
-        // In space, a sphere without a rim stands out by its shaded side on light ground, by its lit side on dark.
-        const bool has_edge = is_planar || (theme.background.r > 0.5f && view.coloring == "size");
-        for (const Sphere& sphere : spheres) {
-          const Vec2 middle = place(view, sphere.center, kSize);
-          const float radius = length(place(view, sphere.center + sphere.radius * view.camera.up, kSize) - middle);
-          float most_of_all = 1;
-          for (int k = 0; k < 8; ++k) {
-            const float most = contrast_along(image, middle, radius, k, theme.background);
-            most_of_all = std::max(most_of_all, most);
-            INFO(is_planar << ", " << theme.name << ", " << coloring << ", radius " << sphere.radius << ", " << k);
-            if (has_edge) CHECK(most >= kMinContrast);
+        for (const int size : kSizes) {
+          FrameView view = view_of(inspection, is_planar ? plane : box, 1);
+          view.coloring = coloring;
+          const Image image = draw(view, size, size, {theme});
+          // On dark ground, a sphere in space stands out by its lit side.
+          const bool has_edge = is_planar || theme.background.r > 0.5f;
+          for (const Sphere& sphere : spheres) {
+            const Vec2 middle = place(view, sphere.center, size);
+            const float radius = length(place(view, sphere.center + sphere.radius * view.camera.up, size) - middle);
+            float most_of_all = 1;
+            for (int k = 0; k < kDirections; ++k) {
+              const float most = contrast_of_edge(image, middle, radius, k, theme.background);
+              most_of_all = std::max(most_of_all, most);
+              INFO(is_planar << ", " << theme.name << ", " << coloring << ", radius " << radius << ", " << k);
+              if (has_edge) CHECK(most >= kMinContrast);
+            }
+            CHECK(most_of_all >= kMinContrast);
           }
-          CHECK(most_of_all >= kMinContrast);
         }
       }
     }
@@ -204,6 +209,33 @@ TEST_CASE("numbers are legible on the darkest and on the lightest colour of a sc
       const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
       const Vec3 fill = color_of(theme, marks[body]);
       CHECK(most_contrast(image, y, x - 8, x + 8, fill) >= kMinContrast);
+    }
+  }
+}
+
+TEST_CASE("the edges of few cells in space can be told from the ground, at the front and at the back") {
+  constexpr int kSize = 900;
+  const DomainBox box;
+  const Inspection inspection = inspect({{{0.2f, 0.6f, 0.9f}, 0.05f}, {{0.9f, 0.6f, 0.1f}, 0.05f}}, box, 0.2f);
+  const GridInspection& grid = inspection.grids.front();
+  for (const Theme& theme : themes()) {
+    const FrameView view = view_of(inspection, box, 1, {"grid"});
+    const Image image = draw(view, kSize, kSize, {theme});
+    for (size_t cell = 0; cell < grid.head.size(); ++cell) {
+      if (grid.head[cell] < 0) continue;
+      const auto x = static_cast<int>(cell) % grid.cells.x, rest = static_cast<int>(cell) / grid.cells.x;
+      const IVec3 low(x, rest % grid.cells.y, rest / grid.cells.y);
+      for (const IVec3& along : {IVec3(1, 0, 0), IVec3(0, 1, 0), IVec3(0, 0, 1)}) {
+        const Vec3 middle = (lattice_point(grid, box, low) + lattice_point(grid, box, low + along)) / 2.0f;
+        const Vec2 at = place(view, middle, kSize);
+        const int column = static_cast<int>(at.x), row = static_cast<int>(at.y);
+        float most = 1;
+        for (int y = row - 2; y <= row + 2; ++y) {
+          most = std::max(most, most_contrast(image, y, column - 2, column + 2, theme.background));
+        }
+        INFO(theme.name << ", cell " << cell << ", " << along.x << along.y << along.z);
+        CHECK(most >= kMinContrast);
+      }
     }
   }
 }

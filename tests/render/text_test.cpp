@@ -14,8 +14,8 @@ namespace {
 const DomainBox kPlane{Vec3(0), Vec3(5, 5, 0), 2, false};
 constexpr float kLecture = 1.6f;
 
-/// The height of a text's ink [pixel] in a picture of 1080 lines.
-int height_of(const char* text, TextSize size, float scale) {
+/// A text in black on white, in a picture of 1080 lines.
+Image drawn(const char* text, TextSize size, float scale) {
   const GlContext context;
   const RenderTarget target(400, 1080);
   Sheet sheet;
@@ -25,12 +25,19 @@ int height_of(const char* text, TextSize size, float scale) {
   glClear(GL_COLOR_BUFFER_BIT);
   sheet.text({20, 200}, kUpperLeft, to_rgba(Vec3(0)), text, size);
   sheet.draw();
-  std::vector<uint8_t> pixels(static_cast<size_t>(target.width * target.height) * 4);
-  glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  Image image{target.width, target.height, {}};
+  image.pixels.resize(static_cast<size_t>(target.width * target.height) * 4);
+  glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+  return image;
+}
+
+/// The height of a text's ink [pixel] in a picture of 1080 lines.
+int height_of(const char* text, TextSize size, float scale) {
+  const Image image = drawn(text, size, scale);
   int rows = 0;
-  for (int y = 0; y < target.height; ++y) {
+  for (int y = 0; y < image.height; ++y) {
     bool is_dark = false;
-    for (int x = 0; x < target.width; ++x) is_dark |= pixels[static_cast<size_t>(y * target.width + x) * 4] < 128;
+    for (int x = 0; x < image.width; ++x) is_dark |= image.pixel(x, y)[0] < 128;
     rows += is_dark;
   }
   return rows;
@@ -60,6 +67,19 @@ TEST_CASE("in a lecture of 1080 lines, capitals of captions are 34 pixels high, 
 TEST_CASE("in a picture of 1080 lines, digits are 22 pixels high") {
   CHECK(height_of("8", TextSize::small, 1) >= 22);
   CHECK(height_of("8", TextSize::normal, 1) >= 22);
+}
+
+TEST_CASE("each sign of the texts has a letter, and no question mark stands for it, also the arrows of the keys") {
+  for (const TextSize size : {TextSize::small, TextSize::panel}) {
+    const Image unknown = drawn("?", size, 1);
+    const auto is_unknown = [&](const char* sign) { return drawn(sign, size, 1).pixels == unknown.pixels; };
+    CHECK(is_unknown("☃"));
+    for (const char* sign : {"←", "→", "⌊", "⌋", "⁰", "³", "⁻", "−", "–", "…", "·", "×", "√", "≤",
+                             "≥", "≈", "∞", "∂", "Δ", "°", "µ", "α", "λ", "τ", "„", "“", "ß", "Ü"}) {
+      CAPTURE(sign);
+      CHECK_FALSE(is_unknown(sign));
+    }
+  }
 }
 
 TEST_CASE("a page leaves room for every line of its caption") {

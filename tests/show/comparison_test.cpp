@@ -221,3 +221,28 @@ TEST_CASE("a compared view is titled by its method and counts its tests; times a
   REQUIRE(page->figures.size() == 3);
   CHECK_THAT(page->figures[2], Catch::EndsWith(" ms a step"));
 }
+
+TEST_CASE("a view that stops says so and keeps its place in the picture, while the other one goes on") {
+  Demo demo("stack", {{"cell-size", "0.5"}, {"max-overlap", "0.05"}});  // small cells miss what carries the spheres
+  demo.compare(kTwo);
+  Demo& other = demo.view_at(1);
+  const Camera before = other.frame_view(0.8f).camera;
+  REQUIRE(other.frame_view(0.8f).domain.framed);
+  for (int k = 0; k < 240 && other.player.failure().empty(); ++k) demo.step();
+  REQUIRE_FALSE(other.player.failure().empty());
+  const double stopped = other.session.time();
+  for (int k = 0; k < 3; ++k) demo.step();
+  CHECK(demo.player.failure().empty());
+  CHECK(demo.session.time() > stopped);
+  CHECK(other.session.time() == stopped);
+  const FrameView view = other.frame_view(0.8f);
+  CHECK(view.page->title == "Linked cell: stopped");
+  CHECK(demo.frame_view(0.8f).page->title == "Brute force");
+  for (const Camera& camera : {view.camera, demo.frame_view(0.8f).camera}) {
+    CHECK(camera.eye == before.eye);
+    CHECK(camera.fov == before.fov);
+    CHECK(camera.shift == before.shift);
+  }
+  const GlContext context;
+  CHECK(drawn(demo, 640, 360).pixels == drawn(demo, 640, 360).pixels);
+}

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/sheet.h"
+#include "tests/support/in_german.h"
 #include "tests/support/run_program.h"
 
 using namespace ballpit;
@@ -126,7 +127,13 @@ TEST_CASE("in a planar scene a sphere is dropped where the click is, if there is
   CHECK(length(handled.at(20) - place) < 1e-3);
   CHECK(handled.velocity(20) == Vec3d(0.0));
   handled.hand.drop(handled.view(), handled.place_of(place));
-  CHECK_THAT(handled.demo.message(), Catch::Contains("no room"));
+  CHECK_THAT(handled.demo.message(), Catch::Matches("no room for a sphere there: sphere 20 is 0\\.[0-9]+ m too near"));
+  {
+    const InGerman german;
+    handled.hand.drop(handled.view(), handled.place_of(place));
+  }
+  CHECK_THAT(handled.demo.message(),
+             Catch::Matches("dort ist kein Platz für eine Kugel: Kugel 20 ist 0,[0-9]+ m zu nah"));
   handled.hand.drop(handled.view(), handled.place_of({-1, 2, 0}));
   CHECK_THAT(handled.demo.message(), Catch::Contains("outside of the domain"));
   CHECK(handled.demo.session.world().shape().count == 21);

@@ -98,6 +98,37 @@ TEST_CASE("a scene keeps its place while its numbers change, and takes the whole
   CHECK(demo.frame_view(1.6f).camera.shift == Vec2(0));
 }
 
+TEST_CASE("what rises above the framed part of a scene ends below its title, and what lies below, above its caption") {
+  const GlContext context(-1);
+  constexpr int kWidth = 960, kHeight = 540;
+  for (const char* scene : {"rain", "column", "two-spheres"}) {
+    for (const Theme& theme : themes()) {
+      Demo demo(scene, {});
+      demo.view.overlays.clear();
+      demo.view.theme = theme.name;
+      demo.view.has_caption = true;
+      DemoRenderer drawing(kWidth, kHeight, {.theme = theme});
+      demo.touch();
+      drawing.draw(demo, RenderOptions{.theme = theme});
+      const Image image = drawing.renderer().read_pixels();
+      const Room room = room_of(*demo.frame_view(16.0f / 9).page, 1, 16.0f / 9);
+      const auto is_ground = [&](float from, float to, int left) {  // from `left` on, to the right of the texts
+        for (int y = static_cast<int>(from * kHeight) + 1; y < static_cast<int>(to * kHeight) - 1; ++y) {
+          for (int x = left; x < kWidth; ++x) {
+            const uint8_t* pixel = image.pixel(x, y);
+            if (length(Vec3(pixel[0], pixel[1], pixel[2]) / 255.0f - theme.background) > 0.005f) return false;
+          }
+        }
+        return true;
+      };
+      INFO(scene << ", " << theme.name);
+      CHECK(is_ground(0, room.above, kWidth / 4));
+      CHECK_FALSE(is_ground(room.above, 0.5f, 0));
+      CHECK(is_ground(1 - room.below, 1, 3 * kWidth / 4));
+    }
+  }
+}
+
 TEST_CASE("a rectangle overlaps the picture of a domain where it covers it, and not beside a slanted edge") {
   const DomainBox box{Vec3(-1), Vec3(1)};
   Camera camera = frame_box(box.min, box.max, 3, 1);

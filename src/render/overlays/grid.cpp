@@ -10,6 +10,7 @@
 //        └──┘                                   └──┴──┴──┘
 // The edges of thousands of cells would be a haze over the spheres. Cost: proportional to the number of cells and
 // bodies.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -23,6 +24,7 @@ namespace ballpit {
 namespace {
 
 constexpr float kEdgeWidth = 2.0f, kDenseWidth = 4, kDenseRim = 2;  // [1/1080 of the picture's height]
+constexpr float kThinnest = 0.5f;                                   // of kEdgeWidth, between small discs
 constexpr int64_t kCrowd = 500;                                     // spheres in space
 constexpr size_t kDensest = 12;                                     // cells drawn in a crowd
 
@@ -31,6 +33,13 @@ float strength(int count) { return static_cast<float>(count) / static_cast<float
 
 /// Cells with one body are faint, full cells stand out.
 float spatial_opacity(int count) { return std::min(0.4f + 0.25f * static_cast<float>(count - 1), 1.0f); }
+
+/// 1 for few cells, whose edges hide nothing: they are drawn boldly, also at the back of the box. Towards 0 for many.
+float boldness(const std::vector<int>& counts) {
+  constexpr float kFew = 24;
+  const auto occupied = static_cast<float>(counts.size()) - static_cast<float>(std::ranges::count(counts, 0));
+  return std::min(kFew / std::max(occupied, 1.0f), 1.0f);
+}
 
 /// The largest count of the cells around the lattice edge that starts at `point` and runs along `axis`.
 int fullest_around_edge(const GridInspection& grid, const std::vector<int>& counts, IVec3 point, int axis) {
@@ -52,9 +61,11 @@ float fade_at(const Vec3& point, const GridInspection& grid, const Camera& camer
   return ballpit::fade_at(point, grid.origin, grid.origin + grid.edge * Vec3(grid.cells), camera);
 }
 
-/// Adds the lattice's edges along `axis` through `start`; neighbours with equal counts become one line.
+/// Adds the lattice's edges along `axis` through `start`, in colours by count and place; neighbours with equal counts
+/// become one line.
+template <class Color>
 void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const std::vector<int>& counts,
-                     const FrameView& view, const Theme& theme, std::vector<Line>& lines) {
+                     const DomainBox& domain, Color&& color_at, std::vector<Line>& lines) {
   const auto count_at = [&](int step) {
     IVec3 point = start;
     point[axis] = step;
@@ -68,23 +79,24 @@ void add_edges_along(int axis, IVec3 start, const GridInspection& grid, const st
     IVec3 end = start;
     start[axis] = first;
     end[axis] = step;
-    const auto color_at = [&](const Vec3& point) {
-      return to_rgba(theme.grid, spatial_opacity(count) * fade_at(point, grid, view.camera));
-    };
-    const Vec3 a = lattice_point(grid, view.domain, start), b = lattice_point(grid, view.domain, end);
-    lines.push_back({a, color_at(a), b, color_at(b)});
+    const Vec3 a = lattice_point(grid, domain, start), b = lattice_point(grid, domain, end);
+    lines.push_back({a, color_at(count, a), b, color_at(count, b)});
   }
 }
 
 std::vector<Line> occupied_edges(const GridInspection& grid, const std::vector<int>& counts, const FrameView& view,
                                  const Theme& theme) {
+  const float least = boldness(counts);
+  const auto color_at = [&](int count, const Vec3& point) {
+    return to_rgba(theme.grid, std::max(least, spatial_opacity(count) * fade_at(point, grid, view.camera)));
+  };
   std::vector<Line> lines;
   for (int axis = 0; axis < 3; ++axis) {
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     IVec3 start(0);
     for (start[a] = 0; start[a] <= grid.cells[a]; ++start[a]) {
       for (start[b] = 0; start[b] <= grid.cells[b]; ++start[b]) {
-        add_edges_along(axis, start, grid, counts, view, theme, lines);
+        add_edges_along(axis, start, grid, counts, view.domain, color_at, lines);
       }
     }
   }
@@ -208,17 +220,19 @@ bool draws_densest(const FrameView& view) { return !view.domain.is_planar() && v
 
 void draw_grid(const FrameView& view, Painter& painter) {
   const float width = kEdgeWidth * painter.line_unit;
+  const Projection projection(view.camera, painter.sheet);
+  const float thin = std::max(kThinnest, line_scale(view, projection, painter.sheet.unit())) * width;
   for (const GridInspection& grid : view.inspection.grids) {
     if (grid.head.empty()) continue;
     const std::vector<int> counts = count_per_cell(grid);
     if (view.domain.is_planar()) {
       painter.faces.draw(occupied_faces(grid, counts, view, painter.theme));
-      painter.lines.draw(plane_lines(grid, view.domain, painter.theme), width);
+      painter.lines.draw(plane_lines(grid, view.domain, painter.theme), thin);
       if (!view.shows("labels")) draw_counts(grid, counts, view, painter);
     } else if (draws_densest(view)) {
       draw_densest(grid, counts, view, painter);
     } else {
-      painter.lines.draw(occupied_edges(grid, counts, view, painter.theme), width);
+      painter.lines.draw(occupied_edges(grid, counts, view, painter.theme), (1 + 0.5f * boldness(counts)) * width);
     }
   }
   draw_selection(view, painter);
