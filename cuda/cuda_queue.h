@@ -47,7 +47,7 @@ class CudaGraph {
     BALLPIT_CUDA_CHECK(cudaStreamEndCapture(stream, &graph));
     const cudaError_t status = cudaGraphInstantiate(&executable_, graph, 0);
     (void)cudaGraphDestroy(graph);
-    BALLPIT_CUDA_CHECK(status);
+    check_cuda(status, "cudaGraphInstantiate(&executable_, graph, 0)");
   }
 
   void launch(cudaStream_t stream) const { BALLPIT_CUDA_CHECK(cudaGraphLaunch(executable_, stream)); }

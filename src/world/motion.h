@@ -2,7 +2,7 @@
 // What a response does in a substep, before and after the contacts are found. step.h calls these functions in their order:
 //
 //                    before_contacts()     contacts              respond()               after_contacts()
-//     velocities     kick                  touching              impulses                drift             velocity_motion.h
+//     velocities     –                     touching              kick, impulses          drift             velocity_motion.h
 //     swept          –                     met on the way        impulses, then drift    –                 velocity_motion.h
 //     forces         –, or kick, drift     candidates            forces                  kick, drift       force_motion.h
 //     positions      kick, drift           touching and near     push apart, rebound     –                 position_motion.h

@@ -95,17 +95,15 @@ class OccluderSearch {
   using Real = Scalar<V>;
 
  public:
-  /// Writes them for each body. `radii`: one for all or one each, by id; of a world they never change.
-  /// `id_at`: the body in each slot; empty if they are in order.
-  void find(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const std::vector<Real>& radii,
-            Span<const int> id_at, Span<Occluders> occluders) {
+  /// Writes them for each body. `radii()`: one for all or one each, by id; of a world they never change, so it is called
+  /// once. `id_at`: the body in each slot; empty if they are in order.
+  template <class Radii>
+  void find(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box, const Radii& radii, Span<const int> id_at,
+            Span<Occluders> occluders) {
     if (bodies.size() == 0) return;
     const StageTimes times = exec.stage_times();
-    const Span<const Real> span(radii.data(), static_cast<int64_t>(radii.size()));
-    auto parameters = broad_phase_parameters<V>(Settings{}, box, span, bodies.size());
-    parameters.box.boundary = Boundary::walls;
-    for (SizeClass<V>& spheres : parameters.classes) spheres.largest *= Real(kOcclusionReach);
-    search_.plan({BroadPhase::sorted_grid, ""}, parameters, 0);
+    if (planned_for_ != bodies.size()) plan(box, radii(), bodies.size());
+    search_.plan({BroadPhase::sorted_grid, ""}, parameters_, 0);
     const BodiesView<V> grown = grow_radii(exec, bodies, Real(kOcclusionReach), Real(0), grown_);
     search_.pairs(exec, grown);
     lists_.link(exec, search_.rows());
@@ -114,6 +112,16 @@ class OccluderSearch {
   }
 
  private:
+  void plan(const Box<V>& box, const std::vector<Real>& radii, int64_t count) {
+    planned_for_ = count;
+    const Span<const Real> span(radii.data(), static_cast<int64_t>(radii.size()));
+    parameters_ = broad_phase_parameters<V>(Settings{}, box, span, count);
+    parameters_.box.boundary = Boundary::walls;
+    for (SizeClass<V>& spheres : parameters_.classes) spheres.largest *= Real(kOcclusionReach);
+  }
+
+  int64_t planned_for_ = -1;  // spheres
+  BroadPhaseParameters<V> parameters_;
   Collider<V, Exec> search_;
   ContactList<V, Exec> lists_;
   typename Exec::template Buffer<Real> grown_;

@@ -21,6 +21,7 @@ std::set<void*> allocations;
 std::set<cudaStream_t> streams;
 std::set<cudaEvent_t> events;
 std::set<void*> graphs;  // and executable ones
+int64_t to_host = 0;     // [byte]
 int64_t strangers = 0;   // handles given back that were not held
 
 /// Counts a call; whether it is the one to fail.
@@ -53,6 +54,7 @@ void fail_at(int64_t call) {
   pending = cudaSuccess;
   failed.clear();
   counts.clear();
+  to_host = 0;
 }
 void fail_always(const std::string& name) {
   fail_at(0);
@@ -63,6 +65,7 @@ Held held() {
   return {static_cast<int64_t>(allocations.size()), static_cast<int64_t>(streams.size()),
           static_cast<int64_t>(events.size()), static_cast<int64_t>(graphs.size()), strangers};
 }
+int64_t bytes_to_host() { return to_host; }
 const std::map<std::string, int64_t>& calls() { return counts; }
 
 }  // namespace ballpit::faults
@@ -93,7 +96,6 @@ BALLPIT_WRAP_MAKER(cudaMalloc, (void** at, size_t bytes), (at, bytes), allocatio
 BALLPIT_WRAP_MAKER(cudaStreamCreate, (cudaStream_t * stream), (stream), streams, *stream)
 BALLPIT_WRAP_MAKER(cudaEventCreate, (cudaEvent_t * event), (event), events, *event)
 BALLPIT_WRAP_MAKER(cudaHostAlloc, (void** at, size_t bytes, unsigned flags), (at, bytes, flags), allocations, *at)
-BALLPIT_WRAP_MAKER(cudaStreamEndCapture, (cudaStream_t stream, cudaGraph_t* graph), (stream, graph), graphs, *graph)
 BALLPIT_WRAP_MAKER(cudaGraphInstantiate, (cudaGraphExec_t * made, cudaGraph_t graph, unsigned long long flags),
                    (made, graph, flags), graphs, *made)
 BALLPIT_WRAP_RELEASER(cudaFreeHost, void*, allocations)
@@ -103,8 +105,13 @@ BALLPIT_WRAP_RELEASER(cudaFree, void*, allocations)
 BALLPIT_WRAP_RELEASER(cudaStreamDestroy, cudaStream_t, streams)
 BALLPIT_WRAP_RELEASER(cudaEventDestroy, cudaEvent_t, events)
 
-BALLPIT_WRAP(cudaMemcpyAsync, (void* to, const void* from, size_t bytes, cudaMemcpyKind kind, cudaStream_t stream),
-             (to, from, bytes, kind, stream))
+extern "C" cudaError_t __real_cudaMemcpyAsync(void*, const void*, size_t, cudaMemcpyKind, cudaStream_t);
+extern "C" cudaError_t __wrap_cudaMemcpyAsync(void* to, const void* from, size_t bytes, cudaMemcpyKind kind,
+                                              cudaStream_t stream) {
+  if (fails("cudaMemcpyAsync")) return cudaErrorUnknown;
+  if (kind == cudaMemcpyDeviceToHost) to_host += static_cast<int64_t>(bytes);
+  return __real_cudaMemcpyAsync(to, from, bytes, kind, stream);
+}
 BALLPIT_WRAP(cudaMemsetAsync, (void* at, int value, size_t bytes, cudaStream_t stream), (at, value, bytes, stream))
 BALLPIT_WRAP(cudaStreamSynchronize, (cudaStream_t stream), (stream))
 BALLPIT_WRAP(cudaEventRecord, (cudaEvent_t event, cudaStream_t stream), (event, stream))
@@ -128,6 +135,18 @@ BALLPIT_WRAP(cudaGraphicsGLRegisterBuffer, (cudaGraphicsResource * *resource, GL
              (resource, buffer, flags))
 BALLPIT_WRAP(cudaGraphicsMapResources, (int count, cudaGraphicsResource_t* resources, cudaStream_t stream),
              (count, resources, stream))
+// Ends the capture also where it fails, as the runtime does.
+extern "C" cudaError_t __real_cudaStreamEndCapture(cudaStream_t, cudaGraph_t*);
+extern "C" cudaError_t __wrap_cudaStreamEndCapture(cudaStream_t stream, cudaGraph_t* graph) {
+  const cudaError_t status = __real_cudaStreamEndCapture(stream, graph);
+  if (fails("cudaStreamEndCapture")) {
+    if (status == cudaSuccess) (void)__real_cudaGraphDestroy(*graph);
+    *graph = nullptr;
+    return cudaErrorUnknown;
+  }
+  if (status == cudaSuccess) note_made(graphs, static_cast<void*>(*graph));
+  return status;
+}
 // What <<<…>>> calls.
 BALLPIT_WRAP(__cudaLaunchKernel,
              (cudaKernel_t kernel, dim3 grid, dim3 block, void** arguments, size_t shared, cudaStream_t stream),

@@ -25,6 +25,9 @@ struct Held {
 };
 Held held();
 
+/// [byte] copied from the device to the host since fail_at().
+int64_t bytes_to_host();
+
 /// Calls by name since fail_at().
 const std::map<std::string, int64_t>& calls();
 

@@ -78,7 +78,7 @@ bool survives_failure(const Run& run, int64_t call, const std::vector<Stage>& st
   const std::string failed = faults::failed_call();
   faults::fail_at(0);
   if (failed.empty()) {
-    CHECK(message.empty());
+    CHECK(message == "");
     return false;
   }
   INFO("call " << call << ", " << failed << ": \"" << message << "\"");
@@ -180,7 +180,7 @@ TEST_CASE("a step that has its buffers allocates nothing, and waits for a few nu
   CHECK(calls_of("cudaStreamSynchronize") == expected.waits);
 }
 
-TEST_CASE("a step that nobody looks at is one call, unless it is one that the guard checks") {
+TEST_CASE("a step that nobody looks at is one call, but for those that the guard checks and the ones after these") {
   const std::string response = GENERATE("impulse", "kinematic", "penalty");
   CAPTURE(response);
   Settings settings = settings_of("sorted-grid");
@@ -192,7 +192,7 @@ TEST_CASE("a step that nobody looks at is one call, unless it is one that the gu
     faults::fail_at(0);
     world->step();
     waits += calls_of("cudaStreamSynchronize");
-    if (k % 16 == 0) continue;
+    if (k % 16 <= 1) continue;  // the check; and the step that takes the contacts found for it
     int64_t calls = 0;
     std::string names;
     for (const auto& [name, count] : faults::calls()) {

@@ -93,6 +93,25 @@ TEST_CASE("bodies sorted in the device's memory are drawn in the order of their 
   if (can_share(*writer, *world, buffer)) check_stored(*world, buffer);
 }
 
+TEST_CASE(
+    "no sphere crosses the bus in a frame that CUDA writes, with occluders or without, also in steps that are "
+    "checked") {
+  const GlContext context(0);
+  for (const double largest : {0.02, 0.04}) {
+    const auto world = world_of({.count = 5000, .smallest = 0.02, .largest = largest});
+    BodyBuffer buffer;
+    const auto writer = make_cuda_body_writer();
+    if (!can_share(*writer, *world, buffer)) return;
+    for (int k = 0; k < 17; ++k) {
+      faults::fail_at(0);
+      world->step();
+      REQUIRE(writer->write(*world, buffer, k % 2 == 0));
+      CAPTURE(k, largest);
+      CHECK(faults::bytes_to_host() < 256);  // counts, sums and flags
+    }
+  }
+}
+
 TEST_CASE("a device that may not share OpenGL's buffers says so once, and the world goes on") {
   const GlContext context(0);
   BodyBuffer buffer;

@@ -10,21 +10,24 @@
 set(allowed
   # Position, radius, counts, and the walk through five rows, with the nearest image in periodic domains and the reach into
   # finer size classes. Held to 32, the first spills 520 bytes a thread.
-  "CountContacts.*SortedGrid" 56
-  "FillContacts.*SortedGrid" 56
+  "CountInRows.*SortedGrid" 56
+  "FillRows.*SortedGrid" 48
+  # The same where candidates are listed for a report.
+  "(Count|Fill)Contacts.*SortedGrid" 48
+  "(Count|Fill)Contacts.*LinkedCell" 40
   # The same walk without tests, for reports alone.
   "MeasureRanges.*SortedGrid" 40
   # The same with up to 27 lists, found by three nested loops. Held to 32: 100 bytes.
-  "CountContacts.*LinkedCell" 56
-  "FillContacts.*LinkedCell" 56
+  "CountInRows.*LinkedCell" 56
+  "FillRows.*LinkedCell" 56
   # One range, and in periodic domains a search for another. Held to 32: 56 bytes.
-  "CountContacts.*SortAndSweep" 48
-  "FillContacts.*SortAndSweep" 48
+  "CountInRows.*SortAndSweep" 48
+  "FillRows.*SortAndSweep" 48
   # One range. Held to 32: 28 bytes; without periodic domains it would do with 32.
-  "CountContacts.*BruteForce" 40
-  "FillContacts.*BruteForce" 40
-  "CountContacts.*ListedCandidates" 40
-  "FillContacts.*ListedCandidates" 40
+  "CountInRows.*BruteForce" 48
+  "FillRows.*BruteForce" 40
+  "CountInRows.*ListedCandidates" 40
+  "FillRows.*ListedCandidates" 40
   # The slides' kernels as they are, not tuned: the lists of nine or 27 cells; the walk along the list.
   "Collide.*LinkedCell" 48
   "Collide.*SortAndSweep" 40
@@ -32,6 +35,9 @@ set(allowed
   # sums of contacts and walls.
   "ResolveVelocity" 48
   "CorrectPosition" 40
+  "DriftCorrected" 40
+  # Two short loops, one of which measures.
+  "MeasureRow" 40
   # Six walls, of which each may be met, on the way as well; where contacts are swept, also the time of each.
   "Accelerate" 48
   "SolveWalls" 40

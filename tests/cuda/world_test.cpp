@@ -2,6 +2,8 @@
 // Worlds on CUDA equal worlds on the CPU: the same contacts, the same bits of motion.
 #include <catch2/catch.hpp>
 
+#include "methods/methods.h"
+#include "scene/read_scene.h"
 #include "tests/support/scenes.h"
 
 using namespace ballpit;
@@ -243,6 +245,28 @@ TEST_CASE("a sphere that leaves the domain is named on CUDA as on the CPU") {
   }
   CHECK_THAT(message, Catch::Contains("sphere 23 left the domain"));
   CHECK(message == expected);
+}
+
+TEST_CASE("every built-in scene moves on CUDA as on the CPU, in single and double precision, by each method") {
+  for (const SceneInfo& info : built_in_scenes()) {
+    const Scene scene = load_scene(info.name);
+    Settings defaults;
+    for (const DefaultOption& option : scene.defaults) apply_setting(defaults, option.key, option.value, option.where);
+    if (defaults.response == Response::automatic) defaults.response = Response::impulse;
+    if (!allowed_instead(defaults.response, "backend", "cuda").empty()) continue;
+    for (const char* broadphase : {"sorted-grid", "linked-cell", "sort-and-sweep"}) {
+      for (const Precision precision : {Precision::float32, Precision::float64}) {
+        Settings settings = defaults;
+        settings.broadphase = named<BroadPhase>(broadphase);
+        settings.skin = 0;
+        settings.precision = precision;
+        const Twins worlds(scene, settings);
+        CAPTURE(info.name, broadphase, precision == Precision::float64);
+        worlds.step(static_cast<int>(20000 / (scene.bodies.size() + 1000)));
+        worlds.compare();
+      }
+    }
+  }
 }
 
 TEST_CASE("worlds of zero, one and two spheres run on CUDA") {
