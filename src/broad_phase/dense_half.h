@@ -29,29 +29,4 @@ HOST_DEVICE void visit_dense_half(const ClassGrids<V>& grids, Span<const int> of
   });
 }
 
-inline constexpr int kDenseBatch = 64;  ///< slots
-
-/// Calls visit(slot, range) for slots first … last − 1, at most kDenseBatch and all of class k: first computes the
-/// cells of all, in a loop that the compiler turns into vector instructions, then visits the ranges of each.
-template <class V, class Visit>
-void visit_dense_batch(const ClassGrids<V>& grids, Span<const int> offsets, const SlotsView<V>& slots, int k, int first,
-                       int last, Visit&& visit) {
-  const Grid<V>& grid = grids.grid[k];
-  int bucket[kDenseBatch], row[kDenseBatch], is_up[kDenseBatch], is_down[kDenseBatch], is_front[kDenseBatch];
-  for (int s = 0; s < last - first; ++s) {
-    const V p = slots.position(first + s);
-    const IVec3 cell = grid.cell_of(p);
-    const RowsReached rows = rows_reached(grids, k, p, cell);
-    bucket[s] = grid.index(cell);
-    row[s] = static_cast<int>(grid.row(cell.y, cell.z));
-    is_up[s] = rows.is_up;
-    is_down[s] = rows.is_down;
-    is_front[s] = rows.is_front;
-  }
-  for (int s = 0; s < last - first; ++s) {
-    visit_dense_half(grids, offsets, k, bucket[s], static_cast<unsigned>(row[s]), {is_up[s], is_down[s], is_front[s]},
-                     first + s + 1, [&](const SlotRange& range) { visit(first + s, range); });
-  }
-}
-
 }  // namespace ballpit

@@ -75,10 +75,11 @@ struct Grid {
       const int truncated = int(limited);
       return truncated - int(limited < Real(truncated));
     }
-    const Real first = Real(border), last = Real(cells[axis] - 1 - border);
-    const Real limited = x < last ? x : last;
-    return int(limited > first ? limited : first);
+    return inside(x, axis);
   }
+
+  /// The same in a grid that is not hashed, or is periodic.
+  HOST_DEVICE int coordinate_inside(Real p, int axis) const { return inside(scaled(p, axis), axis); }
 
   /// How far behind the start of cell c a coordinate lies [cells]: 0 to 1 inside the cell.
   HOST_DEVICE Real offset_in(int c, Real p, int axis) const { return scaled(p, axis) - Real(c); }
@@ -129,6 +130,13 @@ struct Grid {
   }
 
  private:
+  /// The cell at x, in units of cells, or the nearest one with bodies.
+  HOST_DEVICE int inside(Real x, int axis) const {
+    const Real first = Real(border), last = Real(cells[axis] - 1 - border);
+    const Real limited = x < last ? x : last;
+    return int(limited > first ? limited : first);
+  }
+
   /// A coordinate in units of cells.
   HOST_DEVICE Real scaled(Real p, int axis) const { return (p - origin[axis]) * inverse_edge[axis]; }
 };

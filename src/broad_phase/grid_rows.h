@@ -37,11 +37,16 @@ struct ClassGrids {
   int first_bucket[kMaxSizeClasses] = {};  ///< of each class
   Grid<V> grid[kMaxSizeClasses] = {};
 
+  /// Without a branch for each class, which would be hard to predict.
   HOST_DEVICE int class_of(Real radius) const {
-    int k = 0;
-    while (k + 1 < count && radius <= largest[k + 1]) ++k;
-    return k;
+    int finer = 0;
+    for (int k = 1; k < count; ++k) finer += int(radius <= largest[k]);
+    return finer;
   }
+
+  /// Whether class k has a bucket for each cell, and an end. The CPU searches such grids by vectors
+  /// (narrow_phase/cell_tests.h).
+  bool is_dense(int k) const { return !grid[k].is_hashed && !grid[k].is_periodic; }
 
   /// The offsets of class k: bucket b of its grid holds slots offsets[b] … offsets[b + 1] − 1.
   HOST_DEVICE Span<const int> offsets_of(int k, Span<const int> offsets) const {

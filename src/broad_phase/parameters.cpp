@@ -77,13 +77,16 @@ std::vector<SizeClass<V>> size_classes(Span<const Scalar<V>> radius, int64_t cou
   for (int k = 0; k < wanted; ++k)
     bounds[k] = k == 0 ? largest : static_cast<Real>(double(largest) / std::pow(step, k));
   std::vector<SizeClass<V>> classes(static_cast<size_t>(wanted));
-  for (const Real r : radius) {
-    int k = 0;
-    while (k + 1 < wanted && r <= bounds[k + 1]) ++k;
-    SizeClass<V>& spheres = classes[static_cast<size_t>(k)];
-    spheres.largest = std::max(spheres.largest, r);
-    ++spheres.count;
+  for (int k = wanted - 1; k >= 0; --k) {  // a pass for each class, without branches
+    Real most = 0;
+    int count_to = 0;
+    for (const Real r : radius) {
+      most = r <= bounds[k] && r > most ? r : most;
+      count_to += int(r <= bounds[k]);
+    }
+    classes[static_cast<size_t>(k)] = {most, count_to};
   }
+  for (size_t k = 0; k + 1 < classes.size(); ++k) classes[k].count -= classes[k + 1].count;
   std::erase_if(classes, [](const SizeClass<V>& spheres) { return spheres.count == 0; });
   return classes;
 }
@@ -94,12 +97,13 @@ double occupied_volume(const Box<V>& box, Span<const Vec3> position) {
   constexpr int64_t kSample = 4096;
   std::vector<int> counts(size_t(std::pow(kSide, kDimensions<V>)), 0);
   const int64_t stride = std::max<int64_t>(1, position.size() / kSample);
-  double together = 0, sample = 0, volume = 1;
+  double together = 0, sample = 0, volume = 1, cells_per_length[3] = {};
+  for (int axis = 0; axis < kDimensions<V>; ++axis) cells_per_length[axis] = kSide / std::max(1e-30, box.extent(axis));
   for (int64_t i = 0; i < position.size(); i += stride) {
     size_t cell = 0;
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      const double x = (double(position[i][axis]) - double(box.min[axis])) / std::max(1e-30, box.extent(axis));
-      cell = cell * kSide + static_cast<size_t>(std::clamp(int(x * kSide), 0, kSide - 1));
+      const double x = (double(position[i][axis]) - double(box.min[axis])) * cells_per_length[axis];
+      cell = cell * kSide + static_cast<size_t>(std::clamp(int(x), 0, kSide - 1));
     }
     together += counts[cell]++;
     ++sample;

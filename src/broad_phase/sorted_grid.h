@@ -38,44 +38,41 @@ struct SortedGridCandidates {
 
   template <class Visit>
   HOST_DEVICE void for_each_range(int slot, Visit&& visit) const {
+    const int own = grids.count == 1 ? 0 : grids.class_of(slots_view.radius[slot]);
+    for (int k = own; k < grids.count; ++k) for_each_range_in(k, slot, own, visit);
+  }
+
+  /// The ranges of class k for a slot of class `own`.
+  template <class Visit>
+  HOST_DEVICE void for_each_range_in(int k, int slot, int own, Visit&& visit) const {
     const V p = slots_view.position(slot);
-    const Scalar<V> radius = slots_view.radius[slot];
-    const int own = grids.count == 1 ? 0 : grids.class_of(radius);
-    const Grid<V>& grid = grids.grid[own];
-    if (grid.is_periodic) {
-      visit_reach(grids, offsets, own, p, radius, slot + 1, visit);
-    } else {
-      const IVec3 cell = grid.cell_of(p);
-      const RowsReached rows = rows_reached(grids, own, p, cell);
-      if (grid.is_hashed) {
-        visit_hashed_half(grids, offsets, own, cell, rows, slot + 1, visit);
-      } else {
-        visit_dense_half(grids, offsets, own, grid.index(cell), grid.row(cell.y, cell.z), rows, slot + 1, visit);
-      }
+    const Grid<V>& grid = grids.grid[k];
+    if (k > own || grid.is_periodic) {
+      visit_reach(grids, offsets, k, p, slots_view.radius[slot], k > own ? 0 : slot + 1, visit);
+      return;
     }
-    for (int k = own + 1; k < grids.count; ++k) visit_reach(grids, offsets, k, p, radius, 0, visit);
+    const IVec3 cell = grid.cell_of(p);
+    const RowsReached rows = rows_reached(grids, k, p, cell);
+    if (grid.is_hashed) {
+      visit_hashed_half(grids, offsets, k, cell, rows, slot + 1, visit);
+    } else {
+      visit_dense_half(grids, offsets, k, grid.index(cell), grid.row(cell.y, cell.z), rows, slot + 1, visit);
+    }
   }
 
   template <class Visit>
   void for_each_range_of(int from, int to, Visit&& visit) const {
-    for (int first = from, last; first < to; first = last) {
-      last = to - first < kDenseBatch ? to : first + kDenseBatch;
-      const int k = grids.count == 1 ? 0 : grids.class_of(slots_view.radius[first]);
-      const int end_of_class = offsets[grids.first_bucket[k] + grids.grid[k].size()];
-      if (end_of_class < last) last = end_of_class;
-      if (!grids.grid[k].is_periodic && !grids.grid[k].is_hashed) {
-        visit_dense_batch(grids, offsets, slots_view, k, first, last, visit);
-        for (int finer = k + 1; finer < grids.count; ++finer) {
-          for (int slot = first; slot < last; ++slot) {
-            visit_reach(grids, offsets, finer, slots_view.position(slot), slots_view.radius[slot], 0,
-                        [&](const SlotRange& range) { visit(slot, range); });
-          }
-        }
-      } else {
-        for (int slot = first; slot < last; ++slot) {
-          for_each_range(slot, [&](const SlotRange& range) { visit(slot, range); });
-        }
-      }
+    for (int slot = from; slot < to; ++slot) {
+      for_each_range(slot, [&](const SlotRange& range) { visit(slot, range); });
+    }
+  }
+
+  /// Calls visit(k, first, last) for slots first … last − 1 of each class k among slots from … to − 1.
+  template <class Visit>
+  void for_each_class(int from, int to, Visit&& visit) const {
+    for (int k = 0; k < grids.count; ++k) {
+      const int first = offsets[grids.first_bucket[k]], last = offsets[grids.first_bucket[k] + grids.grid[k].size()];
+      if (first < to && from < last) visit(k, std::max(first, from), std::min(last, to));
     }
   }
 };
@@ -91,6 +88,20 @@ struct BucketOfBody {
     const int k = grids.count == 1 ? 0 : grids.class_of(radius[i]);
     const Grid<V>& grid = grids.grid[k];
     return grids.first_bucket[k] + grid.index(grid.cell_of(position[i]));
+  }
+};
+
+/// The same for one dense grid that is not periodic, without branches: a loop of it compiles to vector instructions.
+template <class V>
+struct BucketInDenseGrid {
+  Grid<V> grid;
+  Span<const V> position;
+
+  HOST_DEVICE int operator()(int i) const {
+    const V p = position[i];
+    const auto coordinate = [&](int axis) { return grid.coordinate_inside(p[axis], axis); };
+    const int row = (kDimensions<V> == 3 ? coordinate(2) * grid.cells.y : 0) + coordinate(1);
+    return row * grid.cells.x + coordinate(0);
   }
 };
 
@@ -139,7 +150,12 @@ class SortedGrid {
   void prepare(Exec& exec, const BodiesView<V>& bodies) {
     offsets_.resize(buckets_ + 1);
     slots_.resize(bodies.size());
-    exec.bin_few("sort by cell", BucketOfBody<V>{grids_, bodies.position, bodies.radius}, offsets_.span(), slots_.body());
+    const Span<int> offsets = offsets_.span(), body = slots_.body();
+    if (grids_.count == 1 && grids_.is_dense(0)) {
+      exec.bin_few("sort by cell", BucketInDenseGrid<V>{grids_.grid[0], bodies.position}, offsets, body);
+    } else {
+      exec.bin_few("sort by cell", BucketOfBody<V>{grids_, bodies.position, bodies.radius}, offsets, body);
+    }
     slots_.gather(exec, bodies.position, bodies.radius);
     if (is_hashed_) {
       tag_.resize(bodies.size() + kSlotPadding);

@@ -120,10 +120,12 @@ class CpuExecutor {
       const Key mask = (Key(1) << std::min(kDigitBits, bits - shift)) - 1;
       const auto digit = [=](int64_t i) { return static_cast<int>((from[i] >> shift) & mask); };
       const int64_t bins = int64_t(mask) + 1, blocks = sort_blocks(n, bins);
-      counting_sort(n, bins, blocks, counters(blocks * bins), digit, digit, [=](int64_t i, int position) {
-        to[position] = from[i];
-        to_values[position] = from_values[i];
-      });
+      counting_sort(
+          n, bins, blocks, counters(blocks * bins), [](int64_t, int64_t) {}, digit,
+          [=](int64_t i, int position) {
+            to[position] = from[i];
+            to_values[position] = from_values[i];
+          });
       std::swap(from, to);
       std::swap(from_values, to_values);
     }
@@ -145,7 +147,11 @@ class CpuExecutor {
     offsets[0] = 0;
     int* const counts = blocks == 1 ? offsets.data() + 1 : counters(blocks * bins);
     counting_sort(
-        n, bins, blocks, counts, [=](int64_t i) { return keys[i] = key_of(static_cast<int>(i)); },
+        n, bins, blocks, counts,
+        [=](int64_t from, int64_t to) {
+          const KeyOf key = key_of;  // a local copy, which no pointer can alias, as in run_range()
+          for (int64_t i = from; i < to; ++i) keys[i] = key(static_cast<int>(i));
+        },
         [=](int64_t i) { return keys[i]; },
         [=](int64_t i, int position) { values[position] = value_of(static_cast<int>(i)); });
     if (blocks == 1) return;
@@ -195,6 +201,7 @@ class CpuExecutor {
   static constexpr int64_t kGrain = 512;  // indices; distributing smaller loops costs more than it gains
   static constexpr int64_t kScanBlock = 1 << 14;
   static constexpr int64_t kSortBlock = 1 << 15;
+  static constexpr int64_t kKeyBatch = 256;
   static constexpr int kDigitBits = 11;
 
   /// The number of blocks for a counting sort: one per thread, unless there would be far more counters than indices.
@@ -209,16 +216,20 @@ class CpuExecutor {
   }
 
   /// Stable counting sort by keys in 0 … bins−1: calls put(i, position) for each i in 0 … n−1, with its sorted
-  /// position. The first pass reads keys by count_key(i), the second by key_of(i). Each block of indices has a counter
-  /// for every bin; afterwards they hold the end of the block's part of each bin.
-  template <class CountKey, class KeyOf, class Put>
-  void counting_sort(int64_t n, int64_t bins, int64_t blocks, int* counts, const CountKey& count_key,
+  /// position. Each block of indices has a counter for every bin; afterwards they hold the end of the block's part of
+  /// each bin. find_keys(from, to) is called for a few indices before their keys are read by key_of(i): apart from the
+  /// counting, such a loop can be compiled to vector instructions.
+  template <class FindKeys, class KeyOf, class Put>
+  void counting_sort(int64_t n, int64_t bins, int64_t blocks, int* counts, const FindKeys& find_keys,
                      const KeyOf& key_of, const Put& put) {
     run(blocks, 1, [&](int64_t b) {
       int* const mine = counts + b * bins;
       std::fill(mine, mine + bins, 0);
-      const CountKey key = count_key;  // a local copy, which no pointer can alias, as in run_range()
-      for (int64_t i = n * b / blocks; i < n * (b + 1) / blocks; ++i) ++mine[key(i)];
+      for (int64_t from = n * b / blocks, end = n * (b + 1) / blocks, to; from < end; from = to) {
+        to = std::min(end, from + kKeyBatch);
+        find_keys(from, to);
+        for (int64_t i = from; i < to; ++i) ++mine[key_of(i)];
+      }
     });
     scan_counts(counts, blocks, bins);
     run(blocks, 1, [&](int64_t b) {

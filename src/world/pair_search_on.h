@@ -41,15 +41,15 @@ class SearchOn {
     exec.upload(radius_, spheres.radius.data(), spheres.radius.size());
     order_.resize(0);
     if (collider_.choice().method == BroadPhase::linked_cell && spheres.position.size() >= kFewestToOrder) {
-      upload_positions(exec, spheres);
+      take_positions(exec, spheres);
       sort_by_cells(exec, grid_of_one_each(box, parameters.count, 2 * parameters.largest_radius()));
     }
   }
 
   void find(Exec& exec, const SphereArrays& spheres) {
-    upload_positions(exec, spheres);
+    take_positions(exec, spheres);
     collider_.moved();
-    if (order_.size() > 0) take_in_order(exec, position_, ordered_position_);
+    if (order_.size() > 0) view_ = take_in_order(exec, view_, ordered_position_);
     const Span<const Pair> found = collider_.pairs(exec, bodies());
     if (order_.size() == 0) return;
     named_.resize(found.size());
@@ -69,37 +69,48 @@ class SearchOn {
  private:
   static constexpr int64_t kFewestToOrder = 16384;  // fewer fit a cache anyway
 
-  void upload_positions(Exec& exec, const SphereArrays& spheres) {
-    if constexpr (kDimensions<V> == 3) {
-      exec.upload(position_, spheres.position.data(), spheres.position.size());
+  /// Points view_ to the positions. Spheres in space are not copied if they are already where the executor works.
+  void take_positions(Exec& exec, const SphereArrays& spheres) {
+    const int64_t n = spheres.position.size();
+    if constexpr (std::is_same_v<Exec, CpuExecutor> && kDimensions<V> == 3) {
+      view_ = spheres.position;
+      return;
+    } else if constexpr (std::is_same_v<Exec, CpuExecutor>) {
+      position_.resize(n);
+      exec.parallel_for("flatten", n, [from = spheres.position, to = position_.span()](int i) { to[i] = V(from[i]); });
+    } else if constexpr (kDimensions<V> == 3) {
+      exec.upload(position_, spheres.position.data(), n);
     } else {
-      std::vector<V> flat(static_cast<size_t>(spheres.position.size()));
+      std::vector<V> flat(static_cast<size_t>(n));
       std::transform(spheres.position.begin(), spheres.position.end(), flat.begin(),
                      [](const Vec3& p) { return V(p); });
-      exec.upload(position_, flat.data(), spheres.position.size());
+      exec.upload(position_, flat.data(), n);
     }
+    view_ = position_.span();
   }
 
   void sort_by_cells(Exec& exec, const Grid<V>& grid) {
-    order_.resize(position_.size());
+    order_.resize(view_.size());
     offsets_.resize(grid.size() + 1);
-    exec.bin("sort bodies", CellOfId<V>{grid, position_.span(), {}}, offsets_.span(), order_.span());
+    exec.bin("sort bodies", CellOfId<V>{grid, view_, {}}, offsets_.span(), order_.span());
+    if (radius_.size() == 1) return;
     Buffer<Real> ordered;
-    if (radius_.size() > 1) take_in_order(exec, radius_, ordered);
+    take_in_order(exec, Span<const Real>(radius_.span()), ordered);
+    std::swap(radius_, ordered);
   }
 
-  /// `spare` is the second of two buffers; they are swapped.
   template <class T>
-  void take_in_order(Exec& exec, Buffer<T>& values, Buffer<T>& spare) {
-    spare.resize(values.size());
-    exec.parallel_for("rearrange bodies", values.size(), Rearrange<T>{values.span(), order_.span(), {}, spare.span()});
-    std::swap(values, spare);
+  Span<const T> take_in_order(Exec& exec, Span<const T> values, Buffer<T>& result) {
+    result.resize(values.size());
+    exec.parallel_for("rearrange bodies", values.size(), Rearrange<T>{values, order_.span(), {}, result.span()});
+    return result.span();
   }
 
-  BodiesView<V> bodies() const { return {position_.span(), {}, radius_.span(), {}}; }
+  BodiesView<V> bodies() const { return {view_, {}, radius_.span(), {}}; }
 
   Collider<V, Exec> collider_;
   Buffer<V> position_, ordered_position_;
+  Span<const V> view_;  // of the positions, during plan() and find()
   Buffer<Real> radius_;
   Buffer<int> order_, offsets_;  // bodies by slot; empty if they are not sorted
   Buffer<Pair> named_;
@@ -144,14 +155,50 @@ class PairSearchOn final : public PairSearch {
   }
 
  private:
-  static Box<Vec3> bounds(Span<const Vec3> position) {
+  Box<Vec3> bounds(Span<const Vec3> position) {
     Box<Vec3> box;
     box.boundary = Boundary::walls;
     if (position.empty()) return box;
+    const int64_t blocks = (position.size() + kBoundsBlock - 1) / kBoundsBlock;
+    std::vector<Box<Vec3>> parts(static_cast<size_t>(blocks));
+    const auto bound = [&](int64_t b) {
+      const int64_t from = b * kBoundsBlock, to = std::min(position.size(), from + kBoundsBlock);
+      parts[static_cast<size_t>(b)] = bounds_of({position.data() + from, to - from});
+    };
+    if constexpr (std::is_same_v<Exec, CpuExecutor>) {
+      exec_->parallel_for_blocks("find bounds", blocks, bound);
+    } else {
+      for (int64_t b = 0; b < blocks; ++b) bound(b);
+    }
+    box.min = parts[0].min;
+    box.max = parts[0].max;
+    for (const Box<Vec3>& part : parts) {
+      box.min = glm::min(box.min, part.min);
+      box.max = glm::max(box.max, part.max);
+    }
+    return box;
+  }
+
+  /// Takes all coordinates as one array, a few positions at a time: such a loop compiles to vector instructions.
+  static Box<Vec3> bounds_of(Span<const Vec3> position) {
+    constexpr int64_t kLanes = 24;
+    const Span<const float> x = components(position);
+    float low[kLanes], high[kLanes];
+    for (int64_t k = 0; k < kLanes; ++k) low[k] = high[k] = x[k % 3];
+    const auto widen = [&](int64_t k, float value) {
+      low[k] = value < low[k] ? value : low[k];
+      high[k] = value > high[k] ? value : high[k];
+    };
+    int64_t at = 0;
+    for (; at + kLanes <= x.size(); at += kLanes) {
+      for (int64_t k = 0; k < kLanes; ++k) widen(k, x[at + k]);
+    }
+    for (; at < x.size(); ++at) widen(at % 3, x[at]);
+    Box<Vec3> box;
     box.min = box.max = position[0];
-    for (const Vec3& p : position) {
-      box.min = glm::min(box.min, p);
-      box.max = glm::max(box.max, p);
+    for (int k = 0; k < kLanes; ++k) {
+      box.min[k % 3] = std::min(box.min[k % 3], low[k]);
+      box.max[k % 3] = std::max(box.max[k % 3], high[k]);
     }
     return box;
   }
@@ -191,6 +238,7 @@ class PairSearchOn final : public PairSearch {
   }
 
   static constexpr int64_t kSearchesInABox = 8;
+  static constexpr int64_t kBoundsBlock = 1 << 14;  // spheres
 
   std::unique_ptr<Exec> exec_;
   Settings settings_;
