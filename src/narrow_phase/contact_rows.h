@@ -6,11 +6,13 @@
 //     pairs   (0,3) (0,7) (2,5)       body i has pairs[first[i]] … pairs[first[i + 1] − 1]
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
 #include "bodies/contacts.h"
 #include "core/error.h"
+#include "exec/cpu_executor.h"
 #include "exec/reduce.h"
 
 namespace ballpit {
@@ -203,12 +205,55 @@ struct RowOfPair {
   HOST_DEVICE int operator()(int k) const { return pairs[k].i; }
 };
 
+template <class Exec>
+void sort_rows(Exec& exec, int64_t bodies, ContactRows<Exec>& rows) {
+  exec.parallel_for("sort rows", bodies, SortRow{rows.first(), rows.pairs()});
+}
+
+/// Sorts the rows of bodies from … to − 1 by j as one array, since a loop for each row would end unpredictably. Of the
+/// pairs read so far, `held` is the last one in order. So two pairs are exchanged without a branch, and only those that
+/// belong farther ahead are inserted there.
+inline void sort_rows_of(const int* first, Pair* pairs, int64_t from, int64_t to) {
+  int longest = 0;
+  for (int64_t i = from; i < to; ++i) longest = std::max(longest, first[i + 1] - first[i]);
+  if (longest > row_sorting::kMaxInsertion) {
+    for (int64_t i = from; i < to; ++i) sort_row(pairs + first[i], first[i + 1] - first[i]);
+    return;
+  }
+  if (longest < 2) return;
+  const auto key = [](const Pair& pair) { return uint64_t(unsigned(pair.i)) << 32 | unsigned(pair.j); };
+  const auto pair_of = [](uint64_t value) { return Pair{int(value >> 32), int(value & 0xFFFFFFFFu)}; };
+  Pair *const begin = pairs + first[from], *const end = pairs + first[to];
+  uint64_t held = key(*begin), largest = 0;
+  for (Pair* next = begin + 1; next != end; ++next) {
+    const uint64_t read = key(*next), lower = read < held ? read : held;
+    held = read < held ? held : read;
+    Pair* at = next - 1;
+    if (lower >= largest) {
+      largest = lower;
+    } else {
+      for (; at != begin && key(at[-1]) > lower; --at) *at = at[-1];
+    }
+    *at = pair_of(lower);
+  }
+  end[-1] = pair_of(held);
+}
+
+inline void sort_rows(CpuExecutor& exec, int64_t bodies, ContactRows<CpuExecutor>& rows) {
+  constexpr int64_t kBlock = 1 << 14;  // bodies
+  const int* const first = rows.first().data();
+  Pair* const pairs = rows.pairs().data();
+  exec.parallel_for_blocks("sort rows", (bodies + kBlock - 1) / kBlock, [=](int64_t b) {
+    sort_rows_of(first, pairs, b * kBlock, std::min(bodies, (b + 1) * kBlock));
+  });
+}
+
 /// Sorts pairs (i < j) into canonical order.
 template <class Exec>
 void put_into_rows(Exec& exec, Span<const Pair> found, int64_t bodies, ContactRows<Exec>& rows) {
   rows.resize(bodies, found.size());
   exec.bin("sort contacts", RowOfPair{found}, ReadValue<Pair>{found}, rows.first(), rows.pairs());
-  exec.parallel_for("sort rows", bodies, SortRow{rows.first(), rows.pairs()});
+  sort_rows(exec, bodies, rows);
 }
 
 }  // namespace ballpit

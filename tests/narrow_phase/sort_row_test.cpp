@@ -45,3 +45,27 @@ TEST_CASE("rows of every length are sorted by their second body") {
     }
   }
 }
+
+TEST_CASE("the rows of all bodies are sorted, short and long ones, on any number of threads") {
+  const int longest = GENERATE(1, 2, 5, 48, 300), threads = GENERATE(1, 4);
+  Random random(7);
+  const auto below = [&](int limit) { return static_cast<int>(random.bits() % static_cast<unsigned>(limit)); };
+  constexpr int kBodies = 40000;
+  std::vector<Pair> pairs;
+  ContactRows<CpuExecutor> rows;
+  rows.resize(kBodies, 0);
+  for (int i = 0; i < kBodies; ++i) {
+    rows.first()[i] = static_cast<int>(pairs.size());
+    for (int k = below(2) * below(below(100) == 0 ? longest + 1 : std::min(longest, 5) + 1); k > 0; --k) {
+      pairs.push_back({i, i + 1 + below(1000000)});
+    }
+  }
+  rows.first()[kBodies] = static_cast<int>(pairs.size());
+  rows.resize_pairs(static_cast<int64_t>(pairs.size()));
+  std::copy(pairs.begin(), pairs.end(), rows.pairs().begin());
+  CpuExecutor exec(threads);
+  sort_rows(exec, kBodies, rows);
+  std::sort(pairs.begin(), pairs.end(),
+            [](const Pair& a, const Pair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+  REQUIRE(exec.download(rows.pairs()) == pairs);
+}
