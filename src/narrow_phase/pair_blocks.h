@@ -17,12 +17,7 @@ class PairBuffer {
  public:
   /// Makes room for `more` additional pairs.
   void reserve(int64_t more) {
-    if (count_ + more <= capacity_) return;
-    const int64_t capacity = std::max(count_ + more, 2 * capacity_);
-    auto data = std::make_unique_for_overwrite<Pair[]>(static_cast<size_t>(capacity));
-    std::copy(data_.get(), data_.get() + count_, data.get());
-    data_ = std::move(data);
-    capacity_ = capacity;
+    if (count_ + more > capacity_) grow(std::max(count_ + more, 2 * capacity_));
   }
   Pair* end() { return data_.get() + count_; }
   void set_end(const Pair* end) { count_ = end - data_.get(); }
@@ -32,6 +27,13 @@ class PairBuffer {
   int64_t bytes() const { return capacity_ * int64_t(sizeof(Pair)); }
 
  private:
+  [[gnu::noinline]] void grow(int64_t capacity) {
+    auto data = std::make_unique_for_overwrite<Pair[]>(static_cast<size_t>(capacity));
+    std::copy(data_.get(), data_.get() + count_, data.get());
+    data_ = std::move(data);
+    capacity_ = capacity;
+  }
+
   std::unique_ptr<Pair[]> data_;
   int64_t count_ = 0;
   int64_t capacity_ = 0;
@@ -40,25 +42,30 @@ class PairBuffer {
 /// The buffers of all blocks. A single thread takes the blocks in order and needs only one buffer.
 class PairBlocks {
  public:
-  void start(const CpuExecutor& exec, int64_t blocks) {
+  /// With room for `each` pairs of a block. Memory that is never written costs no time; copying into more memory does.
+  void start(const CpuExecutor& exec, int64_t blocks, int64_t each) {
     buffers_.resize(static_cast<size_t>(exec.threads() == 1 ? 1 : blocks));
-    for (PairBuffer& buffer : buffers_) buffer.clear();
+    for (PairBuffer& buffer : buffers_) {
+      buffer.clear();
+      buffer.reserve(exec.threads() == 1 ? blocks * each : each);
+    }
   }
 
   PairBuffer& of(int64_t block) { return buffers_[buffers_.size() == 1 ? 0 : static_cast<size_t>(block)]; }
 
   /// All pairs, in the order of the blocks.
   Span<const Pair> join(CpuExecutor& exec) {
-    std::vector<int64_t> first(buffers_.size() + 1, 0);
-    for (size_t b = 0; b < buffers_.size(); ++b) first[b + 1] = first[b] + buffers_[b].size();
-    checked_count(first.back(), "contacts");
+    const int64_t count = find_starts();
     if (buffers_.size() == 1) return buffers_[0].span();
-    joined_.resize(first.back());
-    exec.parallel_for_blocks("join contacts", static_cast<int64_t>(buffers_.size()), [&](int64_t b) {
-      const Span<const Pair> pairs = buffers_[static_cast<size_t>(b)].span();
-      std::copy(pairs.begin(), pairs.end(), joined_.span().data() + first[static_cast<size_t>(b)]);
-    });
+    joined_.resize(count);
+    copy(exec, joined_.span());
     return joined_.span();
+  }
+
+  /// The same, to the pairs of `rows`.
+  void join(CpuExecutor& exec, int64_t bodies, ContactRows<CpuExecutor>& rows) {
+    rows.resize(bodies, find_starts());
+    copy(exec, rows.pairs());
   }
 
   int64_t bytes() const {
@@ -68,7 +75,22 @@ class PairBlocks {
   }
 
  private:
+  /// Returns the number of pairs.
+  int64_t find_starts() {
+    starts_.assign(buffers_.size() + 1, 0);
+    for (size_t b = 0; b < buffers_.size(); ++b) starts_[b + 1] = starts_[b] + buffers_[b].size();
+    return checked_count(starts_.back(), "contacts");
+  }
+
+  void copy(CpuExecutor& exec, Span<Pair> to) const {
+    exec.parallel_for_blocks("join contacts", static_cast<int64_t>(buffers_.size()), [&](int64_t b) {
+      const Span<const Pair> pairs = buffers_[static_cast<size_t>(b)].span();
+      std::copy(pairs.begin(), pairs.end(), to.data() + starts_[static_cast<size_t>(b)]);
+    });
+  }
+
   std::vector<PairBuffer> buffers_;
+  std::vector<int64_t> starts_;  // of each buffer's pairs among all
   HostBuffer<Pair> joined_;
 };
 

@@ -14,7 +14,9 @@
 
 #include <numeric>
 
+#include "broad_phase/sorted_grid.h"
 #include "narrow_phase/candidate_list.h"
+#include "narrow_phase/cell_tests.h"
 #include "narrow_phase/kernel_search.h"
 #include "narrow_phase/range_tests.h"
 #include "narrow_phase/row_search.h"
@@ -28,7 +30,7 @@ class VectorSearch {
   void find(CpuExecutor& exec, const Candidates& candidates, const BodiesView<V>& bodies, const Box<V>& box,
             ContactRows<CpuExecutor>& rows) {
     const int64_t slots = candidates.slots().count, blocks = (slots + kSlotBlock - 1) / kSlotBlock;
-    found_.start(exec, blocks);
+    found_.start(exec, blocks, kSlotBlock);
     tested_.assign(static_cast<size_t>(blocks), 0);
     exec.parallel_for_blocks("test ranges", blocks, [&](int64_t b) {
       const int first = static_cast<int>(b * kSlotBlock),
@@ -41,15 +43,14 @@ class VectorSearch {
   void find(CpuExecutor& exec, const ListedCandidates& list, const BodiesView<V>& bodies, const Box<V>& box,
             ContactRows<CpuExecutor>& rows) {
     const int64_t count = list.pairs.size(), blocks = (count + kPairBlock - 1) / kPairBlock;
-    found_.start(exec, blocks);
+    found_.start(exec, blocks, 0);
     exec.parallel_for_blocks("test list", blocks, [&](int64_t b) {
       const int64_t first = b * kPairBlock, last = std::min(count, first + kPairBlock);
       vector_tests<V>().test_pairs(bodies.position, bodies.radius, box, {list.pairs.data() + first, last - first},
                                    found_.of(b));
     });
-    const Span<const Pair> contacts = found_.join(exec);
-    rows.resize(bodies.size(), contacts.size());
-    std::copy(contacts.begin(), contacts.end(), rows.pairs().data());
+    found_.join(exec, bodies.size(), rows);
+    const Span<const Pair> contacts = rows.pairs();
     rows.first()[0] = 0;
     exec.parallel_for_blocks("note rows", (bodies.size() + kPairBlock - 1) / kPairBlock, [&](int64_t b) {
       note_rows(contacts, rows.first(), b * kPairBlock, std::min(bodies.size(), (b + 1) * kPairBlock));
@@ -73,16 +74,44 @@ class VectorSearch {
     return tested;
   }
 
-  /// The same for slots from … to − 1. A local copy of the candidates, which no pointer can alias, stays in registers,
-  /// as in CpuExecutor's kernels.
+  /// The same for slots from … to − 1.
   template <class Candidates>
-  [[gnu::flatten]] static int64_t search(const Candidates& shared, const Box<V>& box, int from, int to,
-                                         PairBuffer& found) {
+  static int64_t search(const Candidates& candidates, const Box<V>& box, int from, int to, PairBuffer& found) {
+    return test_ranges(candidates, box, found,
+                       [=](const Candidates& local, const auto& visit) { local.for_each_range_of(from, to, visit); });
+  }
+
+  /// In a sorted grid class by class, cells of dense grids by vectors.
+  static int64_t search(const SortedGridCandidates<V>& candidates, const Box<V>& box, int from, int to,
+                        PairBuffer& found) {
+    const DenseCells<V> cells{candidates.grids, candidates.offsets, candidates.slots_view};
+    int64_t tested = 0;
+    candidates.for_each_class(from, to, [&](int own, int first, int last) {
+      for (int k = own; k < candidates.grids.count; ++k) {
+        if (candidates.grids.is_dense(k)) {
+          tested += cell_tests<V>()(cells, own, k, first, last, found);
+          continue;
+        }
+        tested += test_ranges(candidates, box, found, [=](const auto& local, const auto& visit) {
+          for (int slot = first; slot < last; ++slot) {
+            local.for_each_range_in(k, slot, own, [&](const SlotRange& range) { visit(slot, range); });
+          }
+        });
+      }
+    });
+    return tested;
+  }
+
+  /// Tests the ranges that for_each(candidates, visit) visits. A local copy of the candidates, which no pointer can
+  /// alias, stays in registers, as in CpuExecutor's kernels.
+  template <class Candidates, class ForEach>
+  [[gnu::flatten]] static int64_t test_ranges(const Candidates& shared, const Box<V>& box, PairBuffer& found,
+                                              const ForEach& for_each) {
     const Candidates candidates = shared;
     RangeTask tasks[kTasks];
     int count = 0;
     int64_t tested = 0;
-    candidates.for_each_range_of(from, to, [&](int slot, const SlotRange& range) {
+    for_each(candidates, [&](int slot, const SlotRange& range) {
       tasks[count] = {slot, range};  // if empty, the next one overwrites it: saves an unpredictable branch
       count += range.first < range.last;
       if (count == kTasks) {
