@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <iostream>
 
-#include <malloc.h>
 #include <nlohmann/json.hpp>
 
 #include "command_line.h"
 #include "compare.h"
 #include "core/file.h"
+#include "core/heap.h"
 #include "methods/settings.h"
 #include "report.h"
 
@@ -163,9 +163,7 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Keeps freed memory for the next search. Otherwise each search would wait for the system to clear new memory.
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  set_up_heap();  // otherwise each search would wait for the system to clear new memory
   CLI::App app("Times our pair search against those of other libraries.", "bench_peers");
   Options options;
   options.families = family_names();

@@ -9,9 +9,8 @@
 #include <iostream>
 #include <new>
 
-#include <malloc.h>
-
 #include "cli/command_line.h"
+#include "core/heap.h"
 
 using namespace ballpit;
 
@@ -59,10 +58,7 @@ void flush_output() {
 
 int main(int argc, char** argv) {
   const std::string command = argc < 2 ? "" : argv[1];  // named by errors that name no other place
-  // Frames take megabytes and are allocated and freed all the time. With these limits the program keeps the memory, and
-  // the system need not map and clear it again. This saves a twentieth of the time of a frame.
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  set_up_heap();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is reported as a full disk is
   try {
     run_command_line(argc, argv, kCommands);

@@ -7,8 +7,8 @@
 //                                                       compressed by the masks, so without a branch for each slot
 //     tests   slot 16 against slots offsets[20] … offsets[23] − 1, …
 //
-// Pairs and tests are those of SortedGridCandidates::for_each_range(). Cost: a tenth of its instructions a slot, and the
-// tests.
+// Pairs and tests are those of SortedGridCandidates::for_each_range(). Cost: a tenth of its instructions a slot, and
+// the tests.
 #pragma once
 
 #include "broad_phase/grid_rows.h"
@@ -24,8 +24,8 @@ struct DenseCells {
   SlotsView<V> slots;
 };
 
-/// Tests slots first … last − 1, all of class `own`, against those of class k: of their own class those after them, of a
-/// finer one all within reach. Appends the pairs in contact, lower body first. Returns the number of tests.
+/// Tests slots first … last − 1, all of class `own`, against those of class k: of their own class those after them, of
+/// a finer one all within reach. Appends the pairs in contact, lower body first. Returns the number of tests.
 template <class V>
 using TestCells = int64_t (*)(const DenseCells<V>& cells, int own, int k, int first, int last, PairBuffer& found);
 
