@@ -67,7 +67,7 @@ TEST_CASE("a film with other acts is another film") {
   CHECK_THAT(other.err, Catch::Contains("allowed frames with acts none"));
 }
 
-TEST_CASE("a run without room for a sphere ends with one line; nothing half-written is left") {
+TEST_CASE("a run without room for a sphere ends with one line, nothing half-written is left") {
   const Scratch scratch;
   const std::string drop = "[[act]]\ntime = 0.2\nact = \"drop\"\nvector = [1.5, 1.5]\n";
   const Outcome outcome = run_program(

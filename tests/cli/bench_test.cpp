@@ -97,7 +97,7 @@ TEST_CASE("the stages of an entry are those of a step, launched once in it and n
   CHECK(std::find(names.begin(), names.end(), "drift") != names.end());
 }
 
-TEST_CASE("what would take longer than the limit is skipped, and says so; the rest is measured") {
+TEST_CASE("what would take longer than the limit is skipped, and says so, the rest is measured") {
   const Arguments arguments{"--counts", "50,50000", "--methods", "brute-force", "--threads",  "1",
                             "--repeat", "3",        "--limit",   "0.5",         "--backends", "cpu"};
   Arguments json = arguments;

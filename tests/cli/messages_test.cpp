@@ -157,7 +157,7 @@ void write_files(const Scratch& scratch) {
 
 }  // namespace
 
-TEST_CASE("every message has its form: where, what was found, what is allowed; or where, and what happened") {
+TEST_CASE("every message has its form: where, what was found, what is allowed, or where, and what happened") {
   const Scratch scratch;
   write_files(scratch);
   const std::vector<Site> sites = all_sites();

@@ -185,7 +185,7 @@ TEST_CASE("two writers of one output write separate files, and the file of the l
   CHECK(folder.count() == 1);
 }
 
-TEST_CASE("the temporary file of an interrupted run is reused; other files of that name stay unchanged") {
+TEST_CASE("the temporary file of an interrupted run is reused, other files of that name stay unchanged") {
   const Folder folder;
   put(folder / "x.part", "left by an interrupted run, and longer");
   check_output(folder / "x");

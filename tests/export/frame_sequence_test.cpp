@@ -132,7 +132,7 @@ TEST_CASE("a full disk stops the sequence with the file's name and the reason, a
   CHECK(fs::is_symlink(folder.path / "frame_00002.png"));
 }
 
-TEST_CASE("only files are removed as frames; a pipe and a link remain and are written to") {
+TEST_CASE("only files are removed as frames, a pipe and a link remain and are written to") {
   const Folder folder("kept");
   std::ofstream(folder.path / "frame_00000.png") << "x";
   REQUIRE(::mkfifo((folder.path / "frame_00001.png").c_str(), 0600) == 0);

@@ -89,7 +89,7 @@ TEST_CASE("exact motion agrees with every closed form of a few spheres") {
   }
 }
 
-TEST_CASE("contacts at the end of coarse steps miss a bullet; fine steps and swept contacts do not") {
+TEST_CASE("contacts at the end of coarse steps miss a bullet, fine steps and swept contacts do not") {
   CHECK(off("bullet", "impulse", 0.02) > 0.3);
   CHECK(off("bullet", "impulse", 0.02 / 64) < 1e-12);
   CHECK(off("bullet", "impulse, swept", 0.02) < 1e-12);
@@ -103,7 +103,7 @@ TEST_CASE("impulses pass the hit of a cradle on with short steps, springs with s
 }
 
 TEST_CASE(
-    "a ball's height converges in the first order by impulses; by springs of twenty steps a contact not by Verlet") {
+    "a ball's height converges in the first order by impulses, by springs of twenty steps a contact not by Verlet") {
   constexpr double kCoarse = 1.0 / 960, kFine = 1.0 / 30720;
   CHECK(std::log2(off("ball", "impulse", kCoarse) / off("ball", "impulse", kFine)) / 5 == Approx(1).margin(0.3));
   CHECK(off("ball", "penalty, velocity-verlet", kFine) > 2e-3);  // its error in restitution stays

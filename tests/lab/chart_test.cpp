@@ -65,7 +65,7 @@ TEST_CASE("labels of lines with nearly equal ends are moved apart, in their orde
   CHECK(height_of(script, "brute force") > height_of(script, "linked cell"));
 }
 
-TEST_CASE("a failed run is a cross at the upper edge; spreads are bars") {
+TEST_CASE("a failed run is a cross at the upper edge, spreads are bars") {
   const std::string script = gnuplot_script(lines(), Ground::light);
   const AxisRange y = range_of(lines().y, {0.5, 1, 2, 200, 0.9, 1.2, 9, 10, 50, 99, 100}, true);
   CHECK_THAT(script, Contains("EOD\n10000 " + std::to_string(y.high).substr(0, 5)));

@@ -103,7 +103,7 @@ TEST_CASE("intervals overlap as often as expected, on the long side of a box and
   CHECK(expected_interval_overlaps(10, 0.5) == 45);
 }
 
-TEST_CASE("in one grid candidates grow with the size ratio; in a grid for each size class they do not") {
+TEST_CASE("in one grid candidates grow with the size ratio, in a grid for each size class they do not") {
   const auto growth = [](const char* method) {
     const double small = candidates(search_by(method), uniform_spheres({20'000, 0.3, 2}, 1));
     return candidates(search_by(method), uniform_spheres({20'000, 0.3, 16}, 1)) / small;

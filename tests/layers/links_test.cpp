@@ -71,7 +71,7 @@ TEST_CASE("every link of the pages in the root and in docs leads to a file and a
   CHECK(links > 50);  // the pages were read
 }
 
-TEST_CASE("links are found with and without a heading; links to other sites are ignored") {
+TEST_CASE("links are found with and without a heading, links to other sites are ignored") {
   CHECK(links_in("see [a](b.md), ![c](d/e.png) and [f](g.md#h), [i](https://j.k) or [l](#m)") ==
         std::vector<Link>{{"b.md", ""}, {"d/e.png", ""}, {"g.md", "h"}, {"", "m"}});
   CHECK(headings_of("# A\ntext # no\n### Newton's cradle: `x`, 2\n") ==

@@ -143,7 +143,7 @@ TEST_CASE("on record, particles 6 and 2 enter cell 4 as on slides 13 to 15") {
   CHECK(desk.next[6] == -1);
 }
 
-TEST_CASE("slide 16: two threads that load the same old value lose a sphere and its contact; atomicExch keeps it") {
+TEST_CASE("slide 16: two threads that load the same old value lose a sphere and its contact, atomicExch keeps it") {
   // Spheres 0 and 1 in one cell. Both threads load −1 before either has stored; thread 0 stores last, so sphere 1 is
   // lost. (Where sphere 0 is lost, its own thread still finds sphere 1 in the list, and the contact.)
   const Scene scene = planar_scene(5, Boundary::walls, {{2.3, 2.5, 0}, {2.7, 2.5, 0}, {0.5, 0.5, 0}}, 0.3);

@@ -134,7 +134,7 @@ TEST_CASE("brackets are on the axis at the ends of intervals") {
   CHECK(nearest_difference(image, {place(view, {0.4f, 0, 0}).x, staff - 5}, kTheme.begin, 3) > 60);
 }
 
-TEST_CASE("cells are counted by the length of their list; the last class contains longer ones") {
+TEST_CASE("cells are counted by the length of their list, the last class contains longer ones") {
   const Inspection inspection = inspect(
       {{{0.5f, 0.5f, 0}, 0.1f}, {{0.6f, 0.6f, 0}, 0.1f}, {{0.7f, 0.3f, 0}, 0.1f}, {{4.5f, 1.5f, 0}, 0.1f}}, kPlane, 1);
   CHECK(count_lengths(inspection.grids[0], 4) == std::vector<int>{23, 1, 0, 1, 0});

@@ -105,7 +105,7 @@ TEST_CASE("each mistake in a file of acts is named with line, key, what was foun
         ":5: [[act]] sphere: found 7, allowed an integer, 2 to 2");
 }
 
-TEST_CASE("a dropped sphere may be thrown later, but not before; an open top has no ceiling") {
+TEST_CASE("a dropped sphere may be thrown later, but not before, an open top has no ceiling") {
   const std::string drop = act("drop", "vector = [1, 0.5, 0.5]"), toss = act("throw", "sphere = 2\nvector = [1, 0, 0]");
   CHECK(acts_in(drop + toss, box_of_two()).size() == 2);
   CHECK(mistake_in(toss + drop) == ":4: [[act]] sphere: found 2, allowed an integer, 0 to 1");

@@ -184,7 +184,7 @@ TEST_CASE("numbers of a trajectory are written as short as possible") {
         "Time=0.3 pbc=\"F F F\"\nX 0.1 0.3333333333333333 -2 0.5 0 0 0 1e-09\n");
 }
 
-TEST_CASE("an unfinished trajectory keeps its complete frames; one without frames leaves no file") {
+TEST_CASE("an unfinished trajectory keeps its complete frames, one without frames leaves no file") {
   const Folder folder;
   { const ExtendedXyz none(folder.path / "none.xyz", Domain{}); }
   CHECK(folder.holds_only(""));

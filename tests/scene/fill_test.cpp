@@ -157,7 +157,7 @@ TEST_CASE("a lattice with a range of radii does not overlap") {
   CHECK(smallest_gap(filled("[[fill]]\ncount = 200\nradius = [0.01, 0.06]\narrangement = 'lattice'")) > 0.0);
 }
 
-TEST_CASE("radii fill their range; speeds are as given, in all directions") {
+TEST_CASE("radii fill their range, speeds are as given, in all directions") {
   const Scene scene = filled("[[fill]]\ncount = 4000\nradius = [0.005, 0.015]\nspeed = 2");
   double sum = 0.0;
   Vec3d drift(0.0);

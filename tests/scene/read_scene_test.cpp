@@ -180,7 +180,7 @@ TEST_CASE("a count from the command line replaces that of the fill, and scales s
   }
 }
 
-TEST_CASE("seed and count may be defaults; the command line overrides them") {
+TEST_CASE("seed and count may be defaults, the command line overrides them") {
   const std::string text = "[[fill]]\ncount = 5\nradius = 0.01\n[defaults]\nseed = 9\ncount = 3";
   CHECK(parse_scene(text, "a.toml").seed == 9);
   CHECK(parse_scene(text, "a.toml").bodies.size() == 3);

@@ -159,7 +159,7 @@ TEST_CASE("a picked sphere that is not yet there is picked no more") {
   CHECK(demo.view.selected == -1);
 }
 
-TEST_CASE("a restart repeats the acts of the file and drops those of the hand; another count drops all") {
+TEST_CASE("a restart repeats the acts of the file and drops those of the hand, another count drops all") {
   Demo demo("rain", {{"threads", "1"}, {"count", "50"}});
   demo.play({{.time = 0, .sphere = 1, .vector = {0, 1, 0}}});
   demo.step();
@@ -185,7 +185,7 @@ TEST_CASE("a run that failed goes on after another act") {
   CHECK(demo.player.failure().empty());
 }
 
-TEST_CASE("settings may change between acts; acts to come stay where they are in time") {
+TEST_CASE("settings may change between acts, acts to come stay where they are in time") {
   Demo demo("lecture-grid", {{"threads", "1"}, {"dt", "0.01"}});
   demo.play({{.time = 0.055, .sphere = 0, .vector = {3, 0, 0}}, {.time = 0.1, .sphere = 1, .vector = {4, 0, 0}}});
   CHECK_FALSE(demo.session.changed_at());

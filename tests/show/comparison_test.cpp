@@ -203,7 +203,7 @@ TEST_CASE("each view of a comparison is drawn in its own part of the picture, th
   CHECK(count(322, 640, resting) > count(0, 318, resting));
 }
 
-TEST_CASE("a compared view is titled by its method and counts its tests; times are shown only where they are wanted") {
+TEST_CASE("a compared view is titled by its method and counts its tests, times are shown only where they are wanted") {
   Demo demo("bouncing-balls", {{"count", "100"}});
   demo.compare(kTwo);
   demo.step();

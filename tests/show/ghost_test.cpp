@@ -108,7 +108,7 @@ TEST_CASE("the search for the first wrong collision goes on after a look at the 
   CHECK(ghost_of(demo).ahead == ghost_of(straight).ahead);
 }
 
-TEST_CASE("other settings keep the ghost; another scene, a restart or other collisions drop it anew") {
+TEST_CASE("other settings keep the ghost, another scene, a restart or other collisions drop it anew") {
   Demo demo("gas-dense", kImpulse);
   demo.perform(key_named("E"));
   play(demo, 10);

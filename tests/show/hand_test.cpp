@@ -75,7 +75,7 @@ TEST_CASE("with gravity, an arrow as long as the domain is high throws a sphere 
   CHECK(handled.demo.aim->speed == Approx(0.25 * std::sqrt(2 * g * height)).epsilon(0.2));  // the view is from above
 }
 
-TEST_CASE("a throw is no faster than a step of the response allows; event-driven motion has no limit") {
+TEST_CASE("a throw is no faster than a step of the response allows, event-driven motion has no limit") {
   for (const auto& [response, is_limited] : {std::pair{"impulse", true}, {"event-driven", false}}) {
     Handled handled("lecture-grid", {{"response", response}, {"dt", "0.05"}});
     REQUIRE(handled.grab(0));

@@ -181,7 +181,7 @@ TEST_CASE("a kernel that is broken on purpose changes the figures of its pages")
   CHECK_FALSE(has_expected_figures(with_page("exchange", race)));
 }
 
-TEST_CASE("too long a step adds energy to springs that should lose it; half the step does not") {
+TEST_CASE("too long a step adds energy to springs that should lose it, half the step does not") {
   CHECK(percent_in(captions_at_stops("unstable").back()) > 150);
   CHECK(percent_in(captions_at_stops("stable").back()) < 60);
 }
@@ -231,7 +231,7 @@ TEST_CASE("a page on real threads shows a stored run, or one that it measures in
   CHECK_THAT(measured, Catch::Contains("of 1\u2009000\u2009000 particles are lost"));
 }
 
-TEST_CASE("on slide 13 all cells become −1; on 14 and 15 particles 6 and 2 enter cell 4") {
+TEST_CASE("on slide 13 all cells become −1, on 14 and 15 particles 6 and 2 enter cell 4") {
   Presenter clear = at_page("clear");
   CHECK(clear.frame_view(16.0f / 9).inspection.grids.at(0).head == std::vector<int32_t>(9, -1));
   Presenter first = at_page("first-insert");
@@ -255,7 +255,7 @@ TEST_CASE("on slide 13 all cells become −1; on 14 and 15 particles 6 and 2 ent
   CHECK(before.page->old_text == "6");
 }
 
-TEST_CASE("the race on slide 16 loses sphere 5 and its contact with 3, every time; with the exchange neither") {
+TEST_CASE("the race on slide 16 loses sphere 5 and its contact with 3, every time, with the exchange neither") {
   for (int repeat = 0; repeat < 3; ++repeat) {
     Presenter race = at_page("race");
     race.go_to_stop(race.stops().size() - 1);

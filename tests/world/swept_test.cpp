@@ -190,7 +190,7 @@ TEST_CASE("a floor carries the weight of swept balls that bounce, rest and are s
   CHECK(world->report().tally.floor_impulse == Approx(11 * 9.81 * 5).epsilon(0.01));
 }
 
-TEST_CASE("discrete contacts see a hit with probability 1 − s²/12, and 4/(3s) from s = 2 on; swept ones see all") {
+TEST_CASE("discrete contacts see a hit with probability 1 − s²/12, and 4/(3s) from s = 2 on, swept ones see all") {
   // s = v·dt/D. The chord of a random hit is 2·√(D² − b²) long: ⟨min(1, chord/s)⟩ over the disc.
   CHECK(seen(1.0, false) == Approx(1 - 1.0 / 12).margin(0.01));
   CHECK(seen(2.0, false) == Approx(1 - 4.0 / 12).margin(0.01));
