@@ -18,6 +18,7 @@ layout(std140, binding = 0) uniform Frame {
   vec2 viewport;        // [pixel]
   float pixel;          // length of one pixel at distance 1; at any distance if orthographic
   float line_unit;      // [pixel] 1/1080 of the picture's height
+  vec4 rays;            // from gl_FragCoord to the eye's ray at distance 1: xy: factors, zw: summands
 } frame;
 
 // Scales metres to lengths of about 1, so that products of very large or small lengths stay in the range of float.

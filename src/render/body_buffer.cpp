@@ -28,14 +28,7 @@ void fill(const GlBuffer& buffer, const std::vector<T>& values) {
   glNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data());
 }
 
-/// Whether every sphere in the domain is smaller than a pixel and a half, so that a point shows it as well.
-bool all_are_points(const BodyBuffer& bodies, const FrameView& view, int height) {
-  constexpr float kSmallRadius = 1.5f;  // [pixel]
-  const Camera& camera = view.camera;
-  const Vec3 nearest = glm::clamp(camera.eye, view.domain.min, view.domain.max);
-  const float distance = std::max(length(nearest - camera.eye), camera.near);
-  return bodies.max_radius() < kSmallRadius * camera.pixel_size(distance, height);
-}
+constexpr float kPoint = 1.5f;  // [pixel] below this radius, a point shows a sphere as well
 
 }  // namespace
 
@@ -135,6 +128,18 @@ void BodyBuffer::map(const std::function<void(const BodyTarget&)>& write) {
          {static_cast<Occluders*>(memory_of(occluder_, occluders * int64_t(sizeof(Occluders)))), occluders}});
 }
 
+SmallSpheres BodyBuffer::read() const {
+  const auto read = [](const GlBuffer& buffer, std::vector<float>& values, int64_t count) {
+    values.resize(static_cast<size_t>(count));
+    glGetNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(count * 4), values.data());
+  };
+  SmallSpheres spheres;
+  read(position_, spheres.position, shape_.count * shape_.dimensions);
+  if (shape_.has_equal_radii) return {std::move(spheres.position), {shape_.radius}};
+  read(radius_, spheres.radius, shape_.count);
+  return spheres;
+}
+
 void BodyBuffer::set_marks(const std::vector<Mark>& marks) {
   assert(static_cast<int64_t>(marks.size()) == shape_.count);
   fill(mark_, marks);
@@ -149,6 +154,13 @@ void BodyBuffer::bind(GLuint divisor) const {
   if (shape_.has_equal_radii) glVertexAttrib1f(kRadius, shape_.radius);
 }
 
+float nearest_radius(const BodyBuffer& bodies, const FrameView& view, int height) {
+  const Camera& camera = view.camera;
+  const Vec3 nearest = glm::clamp(camera.eye, view.domain.min, view.domain.max);
+  const float distance = std::max(length(nearest - camera.eye), camera.near);
+  return bodies.max_radius() / camera.pixel_size(distance, height);
+}
+
 void draw_quads(const Shader& shader, const BodyBuffer& bodies, bool writes_depth) {
   shader.use();
   bodies.bind(1);
@@ -160,7 +172,7 @@ void draw_quads(const Shader& shader, const BodyBuffer& bodies, bool writes_dept
 void BodyRenderer::draw(const BodyBuffer& bodies, const FrameView& view, int height) {
   if (view.domain.is_planar()) {
     draw_quads(disc_, bodies, false);
-  } else if (all_are_points(bodies, view, height)) {
+  } else if (nearest_radius(bodies, view, height) < kPoint) {
     point_.use();
     bodies.bind(0);
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(bodies.count()));

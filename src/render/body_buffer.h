@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/frame_view.h"
+#include "render/seen_spheres.h"
 #include "render/shader.h"
 
 namespace ballpit {
@@ -41,6 +42,9 @@ class BodyBuffer {
 
   void set_marks(const std::vector<Mark>& marks);
 
+  /// A copy on the host, of spatial bodies.
+  SmallSpheres read() const;
+
   /// Makes this the source of vertex attributes 0 (position), 1 (radius), 2 (mark) and 3 to 7 (occluders, if it has them).
   /// `divisor` 1: of a body for each instance; 0: for each vertex.
   void bind(GLuint divisor) const;
@@ -65,6 +69,9 @@ class BodyBuffer {
   bool has_occluders_ = false, has_room_for_occluders_ = false;
   int generation_ = 0;
 };
+
+/// [pixel] Radius of the largest sphere if it were where the domain is nearest to the eye, in a picture of this height.
+float nearest_radius(const BodyBuffer& bodies, const FrameView& view, int height);
 
 /// Draws a quad for each body.
 void draw_quads(const Shader& shader, const BodyBuffer& bodies, bool writes_depth);

@@ -142,10 +142,7 @@ GlInfo current_gl_info(const std::string& platform) {
     const auto* text = reinterpret_cast<const char*>(glGetString(name));
     return std::string(text ? text : "unknown");
   };
-  const std::string renderer = text_of(GL_RENDERER);
-  const bool is_software = renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos ||
-                           renderer.find("SWR") != renderer.npos;
-  return {renderer, text_of(GL_VERSION), platform, is_software};
+  return {text_of(GL_RENDERER), text_of(GL_VERSION), platform, draws_in_software()};
 }
 
 const char* error_name(GLenum error) {
@@ -208,6 +205,13 @@ GlContext::GlContext(int cuda_device) {
 GlContext::~GlContext() {
   if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
+}
+
+bool draws_in_software() {
+  const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = text ? text : "";
+  return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos ||
+         renderer.find("SWR") != renderer.npos;
 }
 
 void enable_gl_debug() {

@@ -56,6 +56,9 @@ class GlContext {
   GlInfo info_;
 };
 
+/// Whether the current context draws on the processor.
+bool draws_in_software();
+
 /// Makes the current context keep messages about errors for check_gl().
 void enable_gl_debug();
 

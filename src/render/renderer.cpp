@@ -33,6 +33,7 @@ struct FrameBlock {
   Vec4 key_light, halfway, sky, units, shadow, box, sides[5], background, floor, rim, mark_color[2 + kScaleColors];
   Vec2 viewport;
   float pixel, line_unit;
+  Vec4 rays;
 };
 
 /// A side of the box that shows its back to the viewer is left out, as in a room cut open.
@@ -45,9 +46,10 @@ void set_sides(FrameBlock& uniforms, const Vec3& towards_eye) {
   }
 }
 
-/// For all shaders used from now on: for a view of this size in a picture of this height [pixel].
-void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& theme, int width, int height, int whole) {
+/// For all shaders used from now on: for a view in this part of a picture of this height [pixel], its lower left first.
+void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& theme, const Vec4& part, int whole) {
   FrameBlock uniforms;
+  const Vec2 first(part.x, part.y), size(part.z, part.w);
   const DomainBox& domain = view.domain;
   const Camera camera = in_units(view.camera, domain.min, domain.longest_edge());
   uniforms.view = camera.view();
@@ -67,8 +69,11 @@ void set_uniforms(const GlBuffer& buffer, const FrameView& view, const Theme& th
   for (int mark = 0; mark < 2 + kScaleColors; ++mark) {
     uniforms.mark_color[mark] = Vec4(color_of(theme, mark), rim_width(theme, mark));
   }
-  uniforms.viewport = Vec2(width, height);
-  uniforms.pixel = camera.pixel_size(1.0f, height);
+  uniforms.viewport = size;
+  uniforms.pixel = camera.pixel_size(1.0f, static_cast<int>(size.y));
+  const Mat4& p = uniforms.projection;
+  const Vec2 stretched(p[0][0], p[1][1]), shifted(p[2][0], p[2][1]);
+  uniforms.rays = Vec4(2.0f / (size * stretched), (shifted - 1.0f - 2.0f * first / size) / stretched);
   uniforms.line_unit = static_cast<float>(whole) / 1080.0f;
   glNamedBufferData(buffer.name(), sizeof(uniforms), &uniforms, GL_DYNAMIC_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer.name());
@@ -176,8 +181,8 @@ void Renderer::draw(const FrameView& view) {
   }
   const PictureRect part = options_.part_of(width(), height());
   sheet_.begin(width(), height(), part, options_.text_scale);
-  set_uniforms(uniforms_, view, options_.theme, part.width * options_.supersample, part.height * options_.supersample,
-               canvas().height);
+  const Vec4 pixels(part.left, height() - part.top - part.height, part.width, part.height);
+  set_uniforms(uniforms_, view, options_.theme, static_cast<float>(options_.supersample) * pixels, canvas().height);
   if (bodies_.has_occluders() && !(view.page && view.page->has_no_scene)) {
     if (!occlusion_) occlusion_.emplace();
     occlusion_->make_floor_map(bodies_, view.domain);
@@ -231,7 +236,9 @@ void Renderer::draw_scene(const FrameView& view, const ColoringEntry& coloring, 
   } else {
     draw_floor(view.domain, painter);
     draw_overlays(view, painter, true);
-    body_renderer_.draw(bodies_, view, height);
+    const bool are_small = SmallSphereRenderer::suits(bodies_, view, height);
+    if (are_small && !small_) small_.emplace(draws_in_software());
+    are_small ? small_->draw(bodies_, view) : body_renderer_.draw(bodies_, view, height);
   }
   draw_overlays(view, painter, false);
   draw_edges(view.domain, painter);

@@ -9,6 +9,7 @@
 #include "render/image.h"
 #include "render/occlusion.h"
 #include "render/painter.h"
+#include "render/small_spheres.h"
 
 namespace ballpit {
 
@@ -78,6 +79,7 @@ class Renderer {
   BodyBuffer bodies_;
   GlBuffer uniforms_;  // what all shaders share: light, camera, colours (shaders/frame/frame.glsl)
   BodyRenderer body_renderer_;
+  std::optional<SmallSphereRenderer> small_;    // once it is needed
   std::optional<OcclusionRenderer> occlusion_;  // once it is needed
   LineRenderer lines_;
   FaceRenderer faces_;
