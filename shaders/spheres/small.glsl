@@ -1,4 +1,5 @@
-// Places on the disc that a sphere of small.vert shows. The rays to it are taken as parallel: they differ by its angular size.
+// Places on the disc that a sphere of small.vert shows. The rays to it are taken as parallel: they differ
+// by its angular size.
 flat in vec4 axis;
 flat in vec4 color;
 flat in vec4 edge;

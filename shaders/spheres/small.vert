@@ -12,8 +12,8 @@ uniform float margin;  // [pixel] of the viewport around the view: a point is cu
 
 flat out vec4 axis;   // towards the centre, view space; w: cotangent of the angle from there to the outline
 flat out vec4 color;  // w: whether it has a rim
-flat out vec4 edge;   // for d² on the disc: x: of pixels that are covered completely; y − z d²: of a pixel, the part inside the rim;
-                      // w: radius of the outline [pixel]
+flat out vec4 edge;   // for d² on the disc: x: of pixels that are covered completely; y − z d²: of a pixel, the part
+                      // inside the rim; w: radius of the outline [pixel]
 invariant gl_Position;
 
 const float kSmallest = 1.0;  // [pixel] as in billboard.glsl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of many small spheres are seen. A software renderer takes about 4 µs for a sphere of eight pixels' radius, hidden
-// or not, but 0.1 µs are enough to find out: nearer spheres first, a bit for each pixel that they cover completely.
+// Which of many small spheres are seen. A software renderer takes some microseconds for a sphere of eight pixels'
+// radius, hidden or not, but 0.1 µs are enough to find out: nearer spheres first, a bit for each pixel that they cover completely.
 #pragma once
 
 #include <cstdint>
