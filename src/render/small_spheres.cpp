@@ -7,11 +7,9 @@ namespace ballpit {
 
 namespace {
 
-constexpr int64_t kMany = 2000;  // spheres
-constexpr float
-    kSmallest = 1.5f,
-    kLargest =
-        16;  // [pixel] radius of the largest; smaller: BodyRenderer. OpenGL's points are limited, llvmpipe's to 255 pixels
+constexpr int64_t kMany = 2000;    // spheres
+constexpr float kSmallest = 1.5f;  // [pixel] radius of the largest; below, BodyRenderer has simpler points
+constexpr float kLargest = 16;     // [pixel] OpenGL's points are limited, llvmpipe's to 255 pixels across
 constexpr float kMargin = 24;  // [pixel] around the view: more than the half of a point, outline and ellipse included
 
 /// Of the uniforms of small.vert.
