@@ -3,9 +3,9 @@
 #pragma once
 
 #include "bodies/pair.h"
+#include "core/bounded.h"
 #include "core/math.h"
 #include "core/span.h"
-#include "exec/deferred.h"
 
 namespace ballpit {
 

@@ -38,25 +38,22 @@ struct SortedGridCandidates {
 
   template <class Visit>
   HOST_DEVICE void for_each_range(int slot, Visit&& visit) const {
-    const int own = grids.count == 1 ? 0 : grids.class_of(slots_view.radius[slot]);
-    for (int k = own; k < grids.count; ++k) for_each_range_in(k, slot, own, visit);
+    const V p = slots_view.position(slot);
+    const Scalar<V> radius = slots_view.radius[slot];
+    const int own = grids.count == 1 ? 0 : grids.class_of(radius);
+    visit_own(own, slot, p, radius, visit);
+    for (int k = own + 1; k < grids.count; ++k) visit_reach(grids, offsets, k, p, radius, 0, visit);
   }
 
   /// The ranges of class k for a slot of class `own`.
   template <class Visit>
-  HOST_DEVICE void for_each_range_in(int k, int slot, int own, Visit&& visit) const {
+  void for_each_range_in(int k, int slot, int own, Visit&& visit) const {
     const V p = slots_view.position(slot);
-    const Grid<V>& grid = grids.grid[k];
-    if (k > own || grid.is_periodic) {
-      visit_reach(grids, offsets, k, p, slots_view.radius[slot], k > own ? 0 : slot + 1, visit);
-      return;
-    }
-    const IVec3 cell = grid.cell_of(p);
-    const RowsReached rows = rows_reached(grids, k, p, cell);
-    if (grid.is_hashed) {
-      visit_hashed_half(grids, offsets, k, cell, rows, slot + 1, visit);
+    const Scalar<V> radius = slots_view.radius[slot];
+    if (k > own) {
+      visit_reach(grids, offsets, k, p, radius, 0, visit);
     } else {
-      visit_dense_half(grids, offsets, k, grid.index(cell), grid.row(cell.y, cell.z), rows, slot + 1, visit);
+      visit_own(k, slot, p, radius, visit);
     }
   }
 
@@ -73,6 +70,24 @@ struct SortedGridCandidates {
     for (int k = 0; k < grids.count; ++k) {
       const int first = offsets[grids.first_bucket[k]], last = offsets[grids.first_bucket[k] + grids.grid[k].size()];
       if (first < to && from < last) visit(k, std::max(first, from), std::min(last, to));
+    }
+  }
+
+ private:
+  /// The ranges of a slot's own class.
+  template <class Visit>
+  HOST_DEVICE void visit_own(int own, int slot, const V& p, Scalar<V> radius, Visit&& visit) const {
+    const Grid<V>& grid = grids.grid[own];
+    if (grid.is_periodic) {
+      visit_reach(grids, offsets, own, p, radius, slot + 1, visit);
+      return;
+    }
+    const IVec3 cell = grid.cell_of(p);
+    const RowsReached rows = rows_reached(grids, own, p, cell);
+    if (grid.is_hashed) {
+      visit_hashed_half(grids, offsets, own, cell, rows, slot + 1, visit);
+    } else {
+      visit_dense_half(grids, offsets, own, grid.index(cell), grid.row(cell.y, cell.z), rows, slot + 1, visit);
     }
   }
 };

@@ -9,17 +9,12 @@
 // On the CPU nothing is deferred: counts are exact, and conditions are known at once.
 #pragma once
 
+#include "core/bounded.h"
 #include "core/host_device.h"
 #include "core/span.h"
 #include "exec/atomics.h"
 
 namespace ballpit {
-
-/// At most so many elements.
-struct Bounded {
-  int64_t most = 0;
-  const int* count = nullptr;  ///< how many there are, in the executor's memory
-};
 
 /// Where kernels halt the device; nowhere on the CPU.
 struct Halt {

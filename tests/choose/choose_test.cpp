@@ -159,12 +159,13 @@ TEST_CASE("dearer settings cost more in their order, and end with finer steps") 
 
 TEST_CASE("a run may go on with methods whose pilots were given up only for their cost") {
   // Impulses serve spheres at rest on a floor, and springs need many more steps.
+  constexpr int kSide = 60;
   std::string text =
-      "[domain]\nmax = [6, 2, 6]\n[physics]\ngravity = [0, -9.81, 0]\nrestitution = 0\n"
-      "[needs]\nduration = 1\nmax_overlap = 0.05\n";
-  for (int k = 0; k < 600; ++k) {
-    text += fmt::format("[[spheres]]\nposition = [{}, 0.1, {}]\nradius = 0.1\n", 0.12 + 0.24 * (k % 24),
-                        0.12 + 0.24 * (k / 24));
+      "[domain]\nmax = [15, 2, 15]\n[physics]\ngravity = [0, -9.81, 0]\nrestitution = 0\n"
+      "[needs]\nduration = 2\nmax_overlap = 0.02\n";
+  for (int k = 0; k < kSide * kSide; ++k) {
+    text += fmt::format("[[spheres]]\nposition = [{}, 0.1, {}]\nradius = 0.1\n", 0.12 + 0.24 * (k % kSide),
+                        0.12 + 0.24 * (k / kSide));
   }
   const Choice choice = choice_for(text);
   REQUIRE(choice.chosen);

@@ -107,7 +107,7 @@ TEST_CASE_METHOD(Acted, "a film of a run that was acted on has the frames that r
 }
 
 TEST_CASE_METHOD(Acted,
-                 "a change of physics in between is named in the file; a film without acts has no file of them") {
+                 "a change of physics in between is named in the file, a film without acts has no file of them") {
   saver.start_film({64, 36}, 1);
   saver.advance();
   CHECK(fs::exists("frames_00000/frame_00000.png"));

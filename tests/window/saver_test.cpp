@@ -82,7 +82,7 @@ TEST_CASE_METHOD(Operated, "a film ends where the world is stepped beyond its ne
   CHECK(demo.message() == "1 frame in frames_00000");
 }
 
-TEST_CASE_METHOD(Operated, "a film that is stopped keeps its frames; one that cannot be drawn says why") {
+TEST_CASE_METHOD(Operated, "a film that is stopped keeps its frames, one that cannot be drawn says why") {
   saver.start_film({160, 90}, 100);
   saver.advance();
   saver.advance();
