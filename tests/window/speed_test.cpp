@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How long a lecture takes to answer to a key: in time of processors, which other programs do not lengthen.
+#include <algorithm>
 #include <ctime>
 #include <functional>
 #include <vector>
