@@ -188,6 +188,7 @@ TEST_CASE("Lyapunov's exponent is left out where it was not measured") {
   for (const Scene& scene : {falling, lossy, mixed}) CHECK(growth_of(scene) == 0);
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_CASE("a ghost costs what event-driven motion costs") {
   const Scene scene = melted_gas(8, 0.5, 1);  // 2 048 spheres
   for (const bool is_swept : {false, true}) {
@@ -214,3 +215,4 @@ TEST_CASE("a ghost costs what event-driven motion costs") {
     CHECK(least < 1.15);
   }
 }
+#endif
