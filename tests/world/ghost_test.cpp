@@ -14,7 +14,7 @@ using namespace ballpit;
 namespace {
 
 /// [s] of the processor for this thread, whatever runs beside it.
-double spent() {
+[[maybe_unused]] double spent() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
