@@ -20,6 +20,8 @@
 //     offsets  0  1  3  3  3  5       scan
 //     unsorted 3  2  0  4  1          place indices   one thread an index; within a bin in any order
 //     order    3  0  2  1  4          rank indices    one thread an index: as many places on as lower indices share its bin
+//
+// A bin of k indices costs k² reads, as the tests among the spheres of a cell do.
 #pragma once
 
 #include <cstdint>

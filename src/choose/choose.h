@@ -38,9 +38,9 @@ struct Attempt {
   std::vector<double> errors{};   ///< of each tolerance
   std::vector<bool> is_unseen{};  ///< of each tolerance: the pilot was too short to show it
   bool holds = false;
-  bool may_hold = false;       ///< as far as its pilot, which was too short, has shown
-  bool is_close = false;       ///< within the tolerances as far as its pilot ran, with or without the margin that is wanted
-  double worst = 0;            ///< largest error by its tolerance
+  bool may_hold = false;  ///< as far as its pilot, which was too short, has shown
+  bool is_close = false;  ///< within the tolerances as far as its pilot ran, with or without the margin that is wanted
+  double worst = 0;       ///< largest error by its tolerance
   double largest_overlap = 0;  ///< that its pilot saw, as a fraction of the smaller radius
   std::string remark{};        ///< why it has no errors: given up for its cost, stopped
   Seen seen{};                 ///< by its pilot

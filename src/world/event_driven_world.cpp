@@ -240,7 +240,8 @@ class EventDrivenWorld final : public World {
     const Box<V>& box = motion_.rules().box;
     const BodiesView<Vec3> bodies{{place.data(), motion_.size()}, {}, {radius.data(), 1}, {}};
     occluders_.find(
-        exec_, bodies, {Vec3(widen(box.min)), Vec3(widen(box.max)), box.boundary}, [&] { return radius; }, {}, occluders);
+        exec_, bodies, {Vec3(widen(box.min)), Vec3(widen(box.max)), box.boundary}, [&] { return radius; }, {},
+        occluders);
   }
 
   GridInspection grid() const {

@@ -41,8 +41,7 @@ template <class V, class Exec>
 void start(WorldParts<V, Exec>& world, double time, Scalar<V> h) {
   auto& [bodies, collider, motion, tally, guard] = world;
   const double elastic = motion->elastic_energy(bodies, collider.near_pairs(bodies.exec(), bodies.view()));
-  guard.start(bodies, collider.near_pairs(bodies.exec(), bodies.view()), elastic, time,
-              motion->kept());
+  guard.start(bodies, collider.near_pairs(bodies.exec(), bodies.view()), elastic, time, motion->kept());
   motion->start(bodies, guard.overlap_at_start(), h);
 }
 

@@ -258,7 +258,8 @@ class WorldOn final : public World {
 
   void find_occluders(Span<Occluders> occluders) {
     occluders_.find(
-        bodies_.exec(), bodies_.view(), bodies_.box(), [&] { return bodies_.radii(); }, bodies_.order().id_at(), occluders);
+        bodies_.exec(), bodies_.view(), bodies_.box(), [&] { return bodies_.radii(); }, bodies_.order().id_at(),
+        occluders);
   }
 
   /// The pairs in contact at the present positions.

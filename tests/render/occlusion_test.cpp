@@ -28,7 +28,8 @@ std::vector<Vec3> directions_around(const Vec3& normal, int per_side) {
   std::vector<Vec3> result;
   for (int i = 0; i < per_side; ++i) {
     for (int j = 0; j < per_side; ++j) {
-      const float u = (float(i) + part(random)) / float(per_side), angle = 6.2831853f * (float(j) + part(random)) / float(per_side);
+      const float u = (float(i) + part(random)) / float(per_side),
+                  angle = 6.2831853f * (float(j) + part(random)) / float(per_side);
       const float r = std::sqrt(u);
       result.push_back(r * std::cos(angle) * aside + r * std::sin(angle) * across + std::sqrt(1 - u) * normal);
     }
@@ -61,7 +62,7 @@ TEST_CASE("a sphere hides as much of the sky as a Monte Carlo reference says, cu
   const Vec3 normal = normalize(Vec3(0.3f, 0.8f, -0.5f));
   const Vec3 aside = normalize(glm::cross(normal, Vec3(1, 0, 0)));
   int cut = 0, whole = 0;
-  for (const float distance : {1.0001f, 1.1f, 1.5f, 2.0f, 4.0f}) {      // of the centre from the point [radii]
+  for (const float distance : {1.0001f, 1.1f, 1.5f, 2.0f, 4.0f}) {    // of the centre from the point [radii]
     for (const float angle : {0.0f, 0.6f, 1.2f, 1.5f, 1.8f, 2.3f}) {  // of the centre from the normal
       const float radius = 0.7f;
       const Vec3 way = radius * distance * (std::cos(angle) * normal + std::sin(angle) * aside);

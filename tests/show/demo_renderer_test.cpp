@@ -14,8 +14,8 @@ Image by_inspection(Demo& demo, int width, int height) {
   RenderOptions options;
   options.theme = theme_named(demo.view.theme);
   Renderer renderer(width, height, options);
-  renderer.draw(demo.frame_view(static_cast<float>(width) / static_cast<float>(height), false,
-                                demo.shows_occlusion(height)));
+  renderer.draw(
+      demo.frame_view(static_cast<float>(width) / static_cast<float>(height), false, demo.shows_occlusion(height)));
   return renderer.read_pixels();
 }
 

@@ -2,7 +2,6 @@
 // How long a lecture takes to answer to a key: in time of processors, which other programs do not lengthen.
 #include <algorithm>
 #include <ctime>
-#include <functional>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -32,10 +31,19 @@ TEST_CASE("a page of up to 500 spheres is drawn within 200 ms, and a step of its
     if (presenter.demo().report().count > 500) continue;
     CAPTURE(presenter.page().id);
     CHECK(opening < 0.2);
-    std::vector<double> steps{0, 0};
-    for (int k = 0; k < 10 && presenter.run(); ++k) steps.push_back(spent([&] { presenter.step(1); }));
-    std::ranges::sort(steps, std::greater<>());
-    CHECK(steps[1] < 0.05);  // but for one that another program may have slowed down
+    // Twice, and the lesser time of each step: other tests run beside this one, and take turns at the caches.
+    std::vector<double> steps(10, 1e9);
+    size_t count = 0;
+    for (int turn = 0; turn < 2; ++turn) {
+      if (turn > 0) presenter.go_to(number);
+      count = 0;
+      while (count < steps.size() && presenter.run()) {
+        steps[count] = std::min(steps[count], spent([&] { presenter.step(1); }));
+        ++count;
+      }
+    }
+    const double longest = count > 0 ? *std::max_element(steps.begin(), steps.begin() + std::ptrdiff_t(count)) : 0;
+    CHECK(longest < 0.05);
   }
 }
 #endif
