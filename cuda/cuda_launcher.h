@@ -14,10 +14,9 @@
 #include "device_buffer.h"
 #include "exec/deferred.h"
 #include "exec/stage_times.h"
+#include "phase_kernel.h"
 
 namespace ballpit {
-
-inline constexpr int kCudaBlock = 256;  // threads
 
 /// Calls kernel(i) for i in 0 … most − 1, or as many as `count` says; for none if halted.
 template <class Kernel>
@@ -117,6 +116,22 @@ class CudaLauncher {
     timer_.stop();
   }
 
+  /// All phases, each of at most so many indices (phases.h).
+  template <Phases P>
+  void run_phases(const char* name, int64_t most, const P& phases) {
+    if (most == 0) return;
+    timer_.start(name);
+    const auto blocks = static_cast<unsigned>(std::min<int64_t>(blocks_for(most), resident_(&run_phases_kernel<P>)));
+    submit_later(key_of(&run_phases_kernel<P>, blocks, phases), [this, name, blocks, phases] {
+      const int* halted = is_deferring_ ? halt_.device : nullptr;
+      P own = phases;
+      void* arguments[] = {&halted, &own};
+      const auto kernel = reinterpret_cast<const void*>(&run_phases_kernel<P>);
+      check_cuda(cudaLaunchCooperativeKernel(kernel, blocks, kCudaBlock, arguments, 0, stream_.get()), name);
+    });
+    timer_.stop();
+  }
+
   /// Sets all to 0.
   void clear(Span<int> span) {
     if (span.empty()) return;
@@ -185,11 +200,12 @@ class CudaLauncher {
 
   template <class Kernel>
   void launch_now(const char* name, const Bounded& n, const Kernel& kernel) {
-    const auto blocks = static_cast<unsigned>((n.most + kCudaBlock - 1) / kCudaBlock);
-    run_kernel<<<blocks, kCudaBlock, 0, stream_.get()>>>(static_cast<int>(n.most), n.count,
-                                                         is_deferring_ ? halt_.device : nullptr, kernel);
+    run_kernel<<<static_cast<unsigned>(blocks_for(n.most)), kCudaBlock, 0, stream_.get()>>>(
+        static_cast<int>(n.most), n.count, is_deferring_ ? halt_.device : nullptr, kernel);
     check_cuda(cudaGetLastError(), name);
   }
+
+  static int64_t blocks_for(int64_t threads) { return (threads + kCudaBlock - 1) / kCudaBlock; }
 
   /// What is needed to halt; the first time only.
   void prepare_halt() {
@@ -212,6 +228,7 @@ class CudaLauncher {
   CudaQueue queue_{stream_.get()};
 
  private:
+  ResidentBlocks resident_;
   bool is_deferring_ = false;
   std::unique_ptr<SharedFlag> flag_;
   DeviceBuffer<int> halted_;

@@ -3,6 +3,7 @@
 //
 // A method is a template over its executor and calls
 //     exec.parallel_for("link bodies", n, LinkBody{…})      kernel(i) for each i in 0 … n−1, in any order, in parallel
+//     exec.run_phases("solve", most, phases)                several phases in one launch: phases.h
 //     exec.fill("clear cells", span, −1)                    sets all elements
 //     exec.clear(span)                                      sets integers to 0
 //     exec.exclusive_scan("offsets", counts, offsets)       offsets[i] = counts[0] + … + counts[i−1]; returns the total
@@ -24,6 +25,7 @@
 
 #include "exec/deferred.h"
 #include "exec/host_buffer.h"
+#include "exec/phases.h"
 #include "exec/stage_times.h"
 #include "exec/thread_pool.h"
 
@@ -65,6 +67,12 @@ class CpuExecutor {
   void parallel_for_blocks(const char* name, int64_t blocks, const Body& body) {
     const StageTimer timer(times_, name);
     run(blocks, 1, [&](int64_t b) { body(b); });
+  }
+
+  template <Phases P>
+  void run_phases(const char* name, int64_t /*most*/, P phases) {
+    const StageTimer timer(times_, name);
+    while (phases.next()) run(phases.size(), kGrain, phases);
   }
 
   template <class T>

@@ -44,7 +44,7 @@ constexpr std::array kMethods{
     Method{Solver::jacobi, "Jacobi", "cpu, cuda", "all contacts at once; one launch an iteration",
            "mass splitting: Tonge et al. 2012, doi 10.1145/2185520.2185601"},
     Method{Solver::gauss_seidel, "Gauss-Seidel", "cpu, cuda",
-           "colour by colour; a launch for each colour, fewer iterations",
+           "colour by colour, one after the other; fewer iterations",
            "Fratarcangeli et al. 2016, doi 10.1145/2980179.2982437"},
     Method{Integrator::automatic, "The response's own", "cpu, cuda", "", ""},
     Method{Integrator::explicit_euler, "Explicit Euler", "cpu, cuda", "first order, energy grows",

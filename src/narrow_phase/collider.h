@@ -13,6 +13,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "broad_phase/brute_force.h"
@@ -41,6 +42,11 @@ class Collider {
                                      SortedGrid<V, Exec>, lecture::BruteForceMethod<V, Exec>,
                                      lecture::SortAndSweepMethod<V, Exec>, lecture::LinkedCellMethod<V, Exec>>;
 
+  struct Searches {
+    int64_t count = 0;         ///< so far
+    bool has_present = false;  ///< the last one was at the present positions
+  };
+
   Collider() = default;  ///< call plan() before use
 
   /// Detects as the settings say; `parameters` describe the bodies with their margin and without skins.
@@ -54,6 +60,7 @@ class Collider {
   /// Call after changing positions.
   void moved() {
     source_ = Source::none;
+    is_counted_ = false;
     list_.moved();
   }
 
@@ -64,10 +71,11 @@ class Collider {
     linked_search_ = -1;
   }
 
-  /// The same, and counts searches from this number on.
-  void discard(int64_t searches) {
+  /// The same, after going back to where so many searches had been made.
+  void discard(const Searches& searches) {
     discard();
-    searches_ = searches;
+    searches_ = searches.count;
+    is_counted_ = searches.has_present;
   }
 
   /// Stage 1, broad phase: finds candidates, unless the candidate list is fresh. Spheres within `margin` [m] of each
@@ -127,7 +135,7 @@ class Collider {
   int64_t tests(Exec& exec) const;
 
   int64_t searches() const { return searches_; }  ///< by the broad phase since plan()
-  int64_t earlier_searches() const { return searches_ - (source_ == Source::broad_phase); }  ///< for earlier positions
+  Searches searches_so_far() const { return {searches_, source_ == Source::broad_phase}; }
   const BroadPhaseChoice& choice() const { return choice_; }
   const BroadPhaseParameters<V>& parameters() const { return parameters_; }
   const Box<V>& box() const { return parameters_.box; }
@@ -196,6 +204,7 @@ class Collider {
   bool is_tested_ = false;      // rows_ hold their contacts
   int64_t linked_search_ = -1;  // the search whose pairs near_ lists
   int64_t searches_ = 0;
+  bool is_counted_ = false;  // the next search is one that was counted
 };
 
 // What visits the broad phase is defined outside of the class. Within it, each file that uses a Collider would compile
@@ -271,7 +280,7 @@ int64_t Collider<V, Exec>::bytes() const {
 
 template <class V, class Exec>
 void Collider<V, Exec>::prepare(Exec& exec, const BodiesView<V>& bodies) {
-  ++searches_;
+  searches_ += !std::exchange(is_counted_, false);
   std::visit([&](auto& method) { method.prepare(exec, bodies); }, broad_phase_);
 }
 

@@ -12,7 +12,7 @@
 // contacts are solved at once from the same velocities (Jacobi), and the mass of a body is split among its c contacts:
 // an average of the parts never adds energy. Walls are at right angles, so they are one part. With --solver
 // gauss-seidel contacts are solved one after another, with c = 1 and the velocities that the ones before have left:
-// walls first, then contacts colour by colour (contact_colours.h). That needs fewer iterations, but more launches.
+// walls first, then contacts colour by colour (contact_colours.h). That needs fewer iterations, but more phases.
 //
 // The overlap that a contact entered during the last step is removed by moving the bodies, unless their new velocities
 // remove it anyway. Older overlap carries a heap. Under gravity it gets a speed of parting, u* = push · overlap / dt,
@@ -84,7 +84,8 @@ struct StoreKicked {
   HOST_DEVICE void operator()(int i) const { out[i] = kicked[i]; }
 };
 
-/// Kernel: solves the walls of body i.
+/// Phase of a solution by colours: the walls of body i. In the first iteration sums count as 0: their memory is not
+/// initialized. The same holds for contacts.
 template <class V>
 struct SolveWalls {
   using Real = Scalar<V>;
@@ -92,11 +93,12 @@ struct SolveWalls {
   Span<V> velocity;
   WallSums<V> walls;
 
-  HOST_DEVICE void operator()(int i) const {
+  HOST_DEVICE void operator()(int i, bool is_first) const {
     const Real inverse_mass = view.bodies.inverse_mass[i];
     V own = velocity[i];
     view.for_each_wall(i, [&](int axis, int side, Real overlap) {
       Real& sum = walls.at(i, axis, side);
+      if (is_first) sum = 0;
       const Real change = add_unless_pulling(sum, view.missing_at_wall(i, own, axis, side, overlap) / inverse_mass);
       own[axis] -= Real(side) * change * inverse_mass;
     });
@@ -104,23 +106,23 @@ struct SolveWalls {
   }
 };
 
-/// Kernel: solves the k-th contact of a colour. `exchanged` is each contact's total impulse [kg·m/s].
+/// Phase of a solution by colours: contact c. `exchanged` is each contact's total impulse [kg·m/s].
 template <class V>
 struct SolveContact {
   using Real = Scalar<V>;
   ImpulseView<V> view;
   Span<const ContactConstraint<V>> constraints;
-  Span<const int> colour;
   Span<V> velocity;
   Span<Real> exchanged;
 
-  HOST_DEVICE void operator()(int k) const {
-    const int c = colour[k];
+  HOST_DEVICE void operator()(int c, bool is_first) const {
     const Pair pair = view.contacts.pairs[c];
     const V normal = constraints[c].normal;
     const Real wi = view.bodies.inverse_mass[pair.i], wj = view.bodies.inverse_mass[pair.j];
     const Real missing = constraints[c].wanted - dot(velocity[pair.j] - velocity[pair.i], normal);
-    const V impulse = normal * add_unless_pulling(exchanged[c], missing / (wi + wj));
+    Real sum = is_first ? Real(0) : exchanged[c];
+    const V impulse = normal * add_unless_pulling(sum, missing / (wi + wj));
+    exchanged[c] = sum;
     velocity[pair.i] -= impulse * wi;
     velocity[pair.j] += impulse * wj;
   }
@@ -172,9 +174,6 @@ class ImpulseResponse {
     exec.parallel_for("correct positions and drift", position.size(), DriftCorrected<V>{correction_, dt, position});
   }
 
-  /// Whether it needs no count of contacts on the host, as sorting them by colour does.
-  bool goes_by_count() const { return !parameters_.is_by_colour; }
-
   int64_t bytes() const {
     return share_.bytes() + constraints_.bytes() + other_.bytes() + low_.bytes() + high_.bytes() + exchanged_.bytes() +
            next_exchanged_.bytes() + colours_.bytes();
@@ -203,16 +202,9 @@ class ImpulseResponse {
     const int64_t n = view.bodies.size();
     exec.parallel_for("kick", n, StoreKicked<V>{kicked, velocity.span()});
     colours_.build(exec, view.contacts, n);
-    exec.fill("clear impulses", walls.low, V{});
-    exec.fill("clear impulses", walls.high, V{});
-    exec.fill("clear impulses", exchanged_.span(), Real(0));
-    for (int k = 0; k < parameters_.iterations; ++k) {
-      exec.parallel_for("solve walls", walls.low.size(), SolveWalls<V>{view, velocity.span(), walls});
-      colours_.for_each([&](Span<const int> colour) {
-        exec.parallel_for("solve contacts", colour.size(),
-                          SolveContact<V>{view, constraints_.span(), colour, velocity.span(), exchanged_.span()});
-      });
-    }
+    colours_.solve(exec, "solve contacts", walls.low.size(), parameters_.iterations,
+                   SolveWalls<V>{view, velocity.span(), walls},
+                   SolveContact<V>{view, constraints_.span(), velocity.span(), exchanged_.span()});
   }
 
   ImpulseParameters<Real> parameters_;

@@ -256,8 +256,6 @@ class KinematicResponse {
   /// After respond(): how far each body moves in addition to its velocity [m].
   Span<const V> correction(Exec&) const { return back_.span(); }
 
-  static constexpr bool goes_by_count() { return true; }  ///< of contacts that the host does not know
-
   int64_t bytes() const { return back_.bytes(); }
 
  private:

@@ -14,7 +14,7 @@
 // not jitter. If a run starts with more overlap than its motion explains, Δx changes the velocity only until the
 // contact parts at `push` (0 without gravity); the rest of the overlap is removed without changing velocities.
 //
-// Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a launch for each colour. Sources:
+// Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), a phase for each colour. Sources:
 // Macklin, Müller, Chentanez, "XPBD" (2016), doi 10.1145/2994258.2994272; Macklin et al., "Small Steps in Physics
 // Simulation" (2019), doi 10.1145/3309486.3340247; restitution: Müller et al. (2020), doi 10.1111/cgf.14105. Its
 // siblings: kinematic.h, impulse.h, penalty.h.
@@ -54,6 +54,16 @@ struct PositionBasedView {
 
   HOST_DEVICE bool is_limited() const { return push >= 0; }
 
+  /// Calls visit(axis, side) for each wall of the domain.
+  template <class Visit>
+  HOST_DEVICE void for_each_wall(Visit&& visit) const {
+    if (box.is_periodic()) return;
+    for (int axis = 0; axis < kDimensions<V>; ++axis) {
+      visit(axis, -1);
+      if (axis != 1 || box.boundary != Boundary::open_top) visit(axis, 1);
+    }
+  }
+
   /// The part of a multiplier, now `sum`, that changes velocities now [kg·m], for bodies that part at `parting`.
   HOST_DEVICE Real give(Real sum, Real& given_so_far, Real parting, Real w) const {
     const Real before = given_so_far, asked = before + (push - parting) * h / w;
@@ -71,7 +81,8 @@ struct PositionBasedView {
   HOST_DEVICE Real rebound(Real e, Real before) const { return before < -threshold ? -e * before : Real(0); }
 };
 
-/// Kernel: moves body i out of the walls. `walls` sums the multipliers [kg·m], `shift` the body's displacement [m].
+/// Phase of a solution by colours: moves body i out of the walls. `walls` sums the multipliers [kg·m], `shift` the body's
+/// displacement [m]. In the first iteration sums count as 0: their memory is not initialized. The same holds for contacts.
 template <class V>
 struct MoveOutOfWalls {
   using Real = Scalar<V>;
@@ -79,40 +90,46 @@ struct MoveOutOfWalls {
   Span<V> position, shift;
   WallSums<V> walls;
 
-  HOST_DEVICE void operator()(int i) const {
+  HOST_DEVICE void operator()(int i, bool is_first) const {
     const Real w = view.inverse_mass[i], radius = view.radius[i];
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      for (int side = -1; side <= 1; side += 2) {
-        if (side > 0 && axis == 1 && view.box.boundary == Boundary::open_top) continue;
-        const Real p = position[i][axis];
-        const Real overlap = radius - (side < 0 ? p - view.box.min[axis] : view.box.max[axis] - p);
-        Real& sum = walls.at(i, axis, side);
-        const Real change = view.change(sum, overlap, w);
-        if (change == 0) continue;
-        sum += change;
-        position[i][axis] -= Real(side) * w * change;
-        Real entering = change;
-        if (view.is_limited()) {
-          const Real parting = -Real(side) * (view.velocity[i][axis] + shift[i][axis] / view.h);
-          entering = view.give(sum, view.wall_given.at(i, axis, side), parting, w);
-        }
-        shift[i][axis] -= Real(side) * w * entering;
+    V at = position[i], moved = is_first ? V{} : shift[i];
+    view.for_each_wall([&](int axis, int side) {
+      Real& sum = walls.at(i, axis, side);
+      if (is_first) {
+        sum = 0;
+        if (view.is_limited()) view.wall_given.at(i, axis, side) = 0;
       }
-    }
+      const Real p = at[axis];
+      const Real overlap = radius - (side < 0 ? p - view.box.min[axis] : view.box.max[axis] - p);
+      const Real change = view.change(sum, overlap, w);
+      if (change == 0) return;
+      sum += change;
+      at[axis] -= Real(side) * w * change;
+      Real entering = change;
+      if (view.is_limited()) {
+        const Real parting = -Real(side) * (view.velocity[i][axis] + moved[axis] / view.h);
+        entering = view.give(sum, view.wall_given.at(i, axis, side), parting, w);
+      }
+      moved[axis] -= Real(side) * w * entering;
+    });
+    position[i] = at;
+    shift[i] = moved;
   }
 };
 
-/// Kernel: moves the bodies of a colour's k-th contact apart.
+/// Phase of a solution by colours: moves the bodies of contact c apart.
 template <class V>
 struct MoveApart {
   using Real = Scalar<V>;
   PositionBasedView<V> view;
-  Span<const int> colour;
   Span<V> position, shift;
   Span<Real> multiplier;
 
-  HOST_DEVICE void operator()(int k) const {
-    const int c = colour[k];
+  HOST_DEVICE void operator()(int c, bool is_first) const {
+    if (is_first) {
+      multiplier[c] = 0;
+      if (view.is_limited()) view.given[c] = 0;
+    }
     const Pair pair = view.contacts.pairs[c];
     const V d = view.box.displacement(position[pair.i], position[pair.j]);
     const Real distance = std::sqrt(dot(d, d));
@@ -133,54 +150,43 @@ struct MoveApart {
   }
 };
 
-/// Kernel: v ← v + shift / h.
-template <class V>
-struct TakeVelocity {
-  Scalar<V> h;
-  Span<const V> shift;
-  Span<V> velocity;
-
-  HOST_DEVICE void operator()(int i) const { velocity[i] += shift[i] / h; }
-};
-
-/// Kernel: restitution of body i at walls that pushed it; `before` has the velocities before the kick.
+/// Phase of a solution by colours: v ← v + shift / h, and restitution of body i at walls that pushed it; `before` has the
+/// velocities before the kick.
 template <class V>
 struct ReboundFromWalls {
   using Real = Scalar<V>;
   PositionBasedView<V> view;
-  Span<const V> before;
+  Span<const V> shift, before;
   WallSums<V> walls;
   Span<V> velocity;
   ImpulseNotes<V> notes;
 
-  HOST_DEVICE void operator()(int i) const {
-    for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      for (int side = -1; side <= 1; side += 2) {
-        const Real multiplier = walls.at(i, axis, side);
-        if (!(multiplier > 0)) continue;
-        const Real rebound = view.rebound(view.wall_restitution, -Real(side) * before[i][axis]);
-        const Real change = rebound + Real(side) * velocity[i][axis];
-        velocity[i][axis] = -Real(side) * rebound;
-        if (notes.are_kept() && axis == 1 && side < 0) {
-          notes.floor[i] += multiplier / view.h + change / view.inverse_mass[i];
-        }
+  HOST_DEVICE void operator()(int i, bool) const {
+    V own = velocity[i] + shift[i] / view.h;
+    view.for_each_wall([&](int axis, int side) {
+      const Real multiplier = walls.at(i, axis, side);
+      if (!(multiplier > 0)) return;
+      const Real rebound = view.rebound(view.wall_restitution, -Real(side) * before[i][axis]);
+      const Real change = rebound + Real(side) * own[axis];
+      own[axis] = -Real(side) * rebound;
+      if (notes.are_kept() && axis == 1 && side < 0) {
+        notes.floor[i] += multiplier / view.h + change / view.inverse_mass[i];
       }
-    }
+    });
+    velocity[i] = own;
   }
 };
 
-/// Kernel: restitution of a colour's k-th contact, if it pushed.
+/// Phase of a solution by colours: restitution of contact c, if it pushed.
 template <class V>
 struct ReboundApart {
   using Real = Scalar<V>;
   PositionBasedView<V> view;
-  Span<const int> colour;
   Span<const Real> multiplier;
   Span<V> velocity;
   ImpulseNotes<V> notes;
 
-  HOST_DEVICE void operator()(int k) const {
-    const int c = colour[k];
+  HOST_DEVICE void operator()(int c, bool) const {
     if (!(multiplier[c] > 0)) return;
     const Pair pair = view.contacts.pairs[c];
     const ContactGeometry<V>& contact = view.contacts.geometry[c];
@@ -210,12 +216,11 @@ class PositionBasedResponse {
                const ImpulseNotes<V>& notes) {
     Exec& exec = state.exec();
     const BodiesView<V> bodies = state.view();
-    const bool has_walls = !state.box().is_periodic(), is_limited = push_steps >= 0;
-    const int64_t n = bodies.size(), at_walls = has_walls ? n : 0;
+    const bool is_limited = push_steps >= 0;
+    const int64_t n = bodies.size(), at_walls = state.box().is_periodic() ? 0 : n;
     shift_.resize(n);
-    exec.fill("clear shifts", shift_.span(), V{});
-    multipliers_.clear(exec, at_walls, contacts.pairs.size());
-    if (is_limited) given_.clear(exec, at_walls, contacts.pairs.size());
+    multipliers_.resize(at_walls, contacts.pairs.size());
+    if (is_limited) given_.resize(at_walls, contacts.pairs.size());
     const auto& p = parameters_;
     const PositionBasedView<V> view{.radius = bodies.radius,
                                     .inverse_mass = bodies.inverse_mass,
@@ -231,17 +236,13 @@ class PositionBasedResponse {
                                     .wall_given = given_.walls(),
                                     .given = given_.contact.span()};
     colours_.build(exec, contacts, n);
-    for (int k = 0; k < p.iterations; ++k) move_apart(exec, view, state.position.span());
-    exec.parallel_for("take velocities", n, TakeVelocity<V>{h, shift_.span(), state.velocity.span()});
+    colours_.solve(exec, "move apart", n, p.iterations,
+                   MoveOutOfWalls<V>{view, state.position.span(), shift_.span(), multipliers_.walls()},
+                   MoveApart<V>{view, state.position.span(), shift_.span(), multipliers_.contact.span()});
     Multipliers& pushed = is_limited ? given_ : multipliers_;
-    if (has_walls) {
-      exec.parallel_for("rebound from walls", n,
-                        ReboundFromWalls<V>{view, before, pushed.walls(), state.velocity.span(), notes});
-    }
-    colours_.for_each([&](Span<const int> colour) {
-      exec.parallel_for("rebound", colour.size(),
-                        ReboundApart<V>{view, colour, pushed.contact.span(), state.velocity.span(), notes});
-    });
+    colours_.solve(exec, "rebound", n, 1,
+                   ReboundFromWalls<V>{view, shift_.span(), before, pushed.walls(), state.velocity.span(), notes},
+                   ReboundApart<V>{view, pushed.contact.span(), state.velocity.span(), notes});
   }
 
   int64_t bytes() const { return shift_.bytes() + multipliers_.bytes() + given_.bytes() + colours_.bytes(); }
@@ -251,28 +252,13 @@ class PositionBasedResponse {
     Buffer<V> low, high;
     Buffer<Real> contact;
 
-    void clear(Exec& exec, int64_t bodies_at_walls, int64_t contacts) {
-      for (Buffer<V>* walls : {&low, &high}) {
-        walls->resize(bodies_at_walls);
-        exec.fill("clear shifts", walls->span(), V{});
-      }
+    void resize(int64_t bodies_at_walls, int64_t contacts) {
+      for (Buffer<V>* walls : {&low, &high}) walls->resize(bodies_at_walls);
       contact.resize(contacts);
-      exec.fill("clear multipliers", contact.span(), Real(0));
     }
     WallSums<V> walls() { return {low.span(), high.span()}; }
     int64_t bytes() const { return low.bytes() + high.bytes() + contact.bytes(); }
   };
-
-  void move_apart(Exec& exec, const PositionBasedView<V>& view, Span<V> position) {
-    if (!view.box.is_periodic()) {
-      exec.parallel_for("move out of walls", position.size(),
-                        MoveOutOfWalls<V>{view, position, shift_.span(), multipliers_.walls()});
-    }
-    colours_.for_each([&](Span<const int> colour) {
-      exec.parallel_for("move apart", colour.size(),
-                        MoveApart<V>{view, colour, position, shift_.span(), multipliers_.contact.span()});
-    });
-  }
 
   PositionBasedParameters parameters_;
   Buffer<V> shift_;

@@ -6,7 +6,7 @@
 //
 // A deferred step may halt the device: there are more contacts than room for them, or a body has left the domain. Then all
 // later kernels do nothing. The host goes back to the last good state and makes the steps from there one by one, with
-// more room, or up to the error. A step follows from positions and velocities alone, so the bits are the same.
+// more room, or up to the error. A step follows from the state alone, so the bits are the same.
 #pragma once
 
 #include <optional>
@@ -24,10 +24,11 @@ class DeferredSteps {
            !world.bodies.order().is_due(step - 1);
   }
 
-  /// The present state, after this step, is the guard's last good one, or will be as soon as the guard starts.
+  /// The present state, after this step, is the guard's last good one.
   void note_good(const WorldParts<V, Exec>& world, int64_t step) {
     good_step_ = step;
-    searches_ = world.collider.earlier_searches();
+    searches_ = world.collider.searches_so_far();
+    substeps_ = world.motion->substeps();
   }
 
   /// The state is another one.
@@ -37,13 +38,16 @@ class DeferredSteps {
   int64_t go_back(WorldParts<V, Exec>& world) const {
     world.bodies.exec().go_on();
     world.guard.go_back(world.bodies, world.motion->kept());
+    world.motion->go_back(substeps_);
     world.collider.discard(searches_);
     return *good_step_;
   }
 
  private:
+  // And what had been made until then
   std::optional<int64_t> good_step_;
-  int64_t searches_ = 0;  // until then
+  typename Collider<V, Exec>::Searches searches_;
+  int64_t substeps_ = 0;
 };
 
 }  // namespace ballpit

@@ -58,8 +58,13 @@ class Motion {
                        const ImpulseNotes<V>& notes) = 0;
   virtual bool after_contacts(BodyStore<V, Exec>&, Real /*h*/, int /*pass*/) { return false; }
 
-  /// Whether a step follows from positions, velocities and kept() alone, and its kernels go by ContactsView::count().
+  /// Whether a step follows from positions, velocities, kept() and substeps() alone, and its kernels go by
+  /// ContactsView::count().
   virtual bool can_repeat() const { return false; }
+
+  /// Substeps since the start, where the next one depends on them.
+  virtual int64_t substeps() const { return 0; }
+  virtual void go_back(int64_t /*substeps*/) {}
 
   /// [J] in springs; `pairs` include all contacts.
   virtual double elastic_energy(const BodyStore<V, Exec>&, Span<const Pair> /*pairs*/) const { return 0; }

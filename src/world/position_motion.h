@@ -49,6 +49,9 @@ class PositionMotion final : public Motion<V, Exec> {
   }
 
   Real margin() const override { return margin_; }
+  bool can_repeat() const override { return true; }
+  int64_t substeps() const override { return substeps_; }
+  void go_back(int64_t substeps) override { substeps_ = substeps; }
 
   bool before_contacts(BodyStore<V, Exec>& bodies, Real h, int) override {
     Exec& exec = bodies.exec();

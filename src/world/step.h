@@ -30,12 +30,6 @@ struct WorldParts {
   }
 };
 
-/// A step: its number, and where it begins and ends.
-struct StepTimes {
-  int64_t number;
-  double begin, end;  ///< [s]
-};
-
 /// Before the first step with these bodies, at `time` [s]: the references of the guard, and whether bodies overlap.
 template <class V, class Exec>
 void start(WorldParts<V, Exec>& world, double time, Scalar<V> h) {
@@ -56,13 +50,13 @@ void sort_bodies(WorldParts<V, Exec>& world) {
   world.collider.discard();
 }
 
-/// Makes a step of `substeps` parts of h [s]. Throws RunError if the guard stops it.
+/// Makes the step of this number, `substeps` parts of h [s] that end at `end` [s], after start(). Throws RunError if the guard
+/// stops it.
 template <class V, class Exec>
-void make_step(WorldParts<V, Exec>& world, const StepTimes& step, int substeps, Scalar<V> h) {
+void make_step(WorldParts<V, Exec>& world, int64_t step, double end, int substeps, Scalar<V> h) {
   auto& [bodies, collider, motion, tally, guard] = world;
   Exec& exec = bodies.exec();
-  if (!guard.is_started()) start(world, step.begin, h);
-  if (bodies.order().is_due(step.number - 1)) sort_bodies(world);
+  if (bodies.order().is_due(step - 1)) sort_bodies(world);
 
   for (int substep = 0; substep < substeps; ++substep) {
     for (int pass = motion->first_pass(bodies); pass < motion->passes(); ++pass) {
@@ -90,9 +84,9 @@ void make_step(WorldParts<V, Exec>& world, const StepTimes& step, int substeps, 
   }
 
   // Guard. Velocities are checked only where check() is due; a list that is fresh shows that positions are inside.
-  const bool is_due = guard.is_due(step.number);
-  if (is_due || !collider.shows_all_inside(exec, bodies.view())) guard.check_inside(bodies, step.number, step.end);
-  if (is_due) guard.check(bodies, collider.near_pairs(exec, bodies.view()), step.number, step.end, motion->kept());
+  const bool is_due = guard.is_due(step);
+  if (is_due || !collider.shows_all_inside(exec, bodies.view())) guard.check_inside(bodies, step, end);
+  if (is_due) guard.check(bodies, collider.near_pairs(exec, bodies.view()), step, end, motion->kept());
 }
 
 }  // namespace ballpit

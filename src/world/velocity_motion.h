@@ -22,7 +22,7 @@ class VelocityMotion final : public Motion<V, Exec> {
   VelocityMotion(Response response, bool is_swept, double wall_restitution)
       : response_(std::move(response)), is_swept_(is_swept), wall_restitution_(static_cast<Real>(wall_restitution)) {}
 
-  bool can_repeat() const override { return !is_swept_ && response_.goes_by_count(); }
+  bool can_repeat() const override { return !is_swept_; }
   SweptContacts<V, Exec>* swept() override { return is_swept_ ? &swept_ : nullptr; }
 
   bool before_contacts(BodyStore<V, Exec>& bodies, Real h, int) override {

@@ -204,16 +204,17 @@ class WorldOn final : public World {
   }
 
  private:
-  /// Number steps_, which begins dt before time().
-  void make_present_step() {
-    const double begin = start_time_ + static_cast<double>(steps_ - 1) * settings_.dt;
-    const int substeps = settings_.substeps;
-    make_step(world_, {steps_, begin, time()}, substeps, static_cast<Real>(settings_.dt / substeps));
-  }
+  Real substep() const { return static_cast<Real>(settings_.dt / settings_.substeps); }
+
+  /// Number steps_.
+  void make_present_step() { make_step(world_, steps_, time(), settings_.substeps, substep()); }
 
   /// The next step, whole: what it counts and checks is known at its end.
   void make_exact_step() {
-    if (!world_.guard.is_started()) deferred_.note_good(world_, steps_);
+    if (!world_.guard.is_started()) {
+      start(world_, time(), substep());
+      deferred_.note_good(world_, steps_);
+    }
     ++steps_;
     make_present_step();
     if (world_.guard.is_due(steps_)) deferred_.note_good(world_, steps_);

@@ -126,6 +126,8 @@ BALLPIT_WRAP(cudaGetDevice, (int* device), (device))
 BALLPIT_WRAP(cudaSetDevice, (int device), (device))
 BALLPIT_WRAP(cudaDeviceGetAttribute, (int* value, cudaDeviceAttr attribute, int device), (value, attribute, device))
 BALLPIT_WRAP(cudaFuncGetAttributes, (cudaFuncAttributes * attributes, const void* function), (attributes, function))
+BALLPIT_WRAP(cudaOccupancyMaxActiveBlocksPerMultiprocessor,
+             (int* blocks, const void* function, int threads, size_t shared), (blocks, function, threads, shared))
 BALLPIT_WRAP(cudaOccupancyMaxActiveBlocksPerMultiprocessorWithFlags,
              (int* blocks, const void* function, int threads, size_t shared, unsigned flags),
              (blocks, function, threads, shared, flags))
@@ -150,6 +152,9 @@ extern "C" cudaError_t __wrap_cudaStreamEndCapture(cudaStream_t stream, cudaGrap
 // What <<<…>>> calls.
 BALLPIT_WRAP(__cudaLaunchKernel,
              (cudaKernel_t kernel, dim3 grid, dim3 block, void** arguments, size_t shared, cudaStream_t stream),
+             (kernel, grid, block, arguments, shared, stream))
+BALLPIT_WRAP(cudaLaunchCooperativeKernel,
+             (const void* kernel, dim3 grid, dim3 block, void** arguments, size_t shared, cudaStream_t stream),
              (kernel, grid, block, arguments, shared, stream))
 
 extern "C" cudaError_t __real_cudaGetLastError();

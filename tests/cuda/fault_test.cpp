@@ -116,7 +116,8 @@ TEST_CASE("a failure of any CUDA call in a world is reported, and all resources 
 
 TEST_CASE("a failure of any CUDA call is reported also where steps are graphs, and where stages are timed") {
   const Scene scene = small_scene();
-  const Settings settings = settings_of("sorted-grid");
+  Settings settings = settings_of("sorted-grid");
+  settings.response = GENERATE(Response::impulse, Response::position_based);
   fail_everywhere([&](std::vector<Stage>* stages) { return run_world(scene, settings, kStepsToGraphs, stages); });
   fail_everywhere([&](std::vector<Stage>* stages) {
     std::vector<Stage> own;
@@ -181,10 +182,15 @@ TEST_CASE("a step that has its buffers allocates nothing, and waits for a few nu
 }
 
 TEST_CASE("a step that nobody looks at is one call, but for those that the guard checks and the ones after these") {
-  const std::string response = GENERATE("impulse", "kinematic", "penalty");
-  CAPTURE(response);
+  const auto [response, solver] = GENERATE(table<std::string, std::string>({{"impulse", "jacobi"},
+                                                                            {"impulse", "gauss-seidel"},
+                                                                            {"kinematic", "jacobi"},
+                                                                            {"penalty", "jacobi"},
+                                                                            {"position-based", "jacobi"}}));
+  CAPTURE(response, solver);
   Settings settings = settings_of("sorted-grid");
   settings.response = named<Response>(response);
+  settings.solver = named<Solver>(solver);
   const auto world = cuda_backend().make_world(small_scene(), settings);
   for (int k = 0; k < 64; ++k) world->step();
   int64_t waits = 0;

@@ -2,12 +2,14 @@
 // Colours of contacts: no two contacts of one colour share a body, and few colours suffice.
 #include "response/contact_colours.h"
 
+#include <algorithm>
 #include <set>
 
 #include <catch2/catch.hpp>
 
 #include "narrow_phase/contact_list.h"
 #include "tests/support/body_arrays.h"
+#include "tests/support/ledger_executor.h"
 #include "tests/support/oracle.h"
 #include "tests/support/scenes.h"
 
@@ -38,13 +40,19 @@ struct Contacts {
   }
 };
 
-std::vector<std::vector<int>> colours_of(Contacts& contacts) {
-  ContactColours<Vec3, CpuExecutor> colours;
-  colours.build(contacts.exec, contacts.list.view(), contacts.arrays.count());
+template <class Exec>
+std::vector<std::vector<int>> colours_by(Exec& exec, const Contacts& contacts) {
+  ContactColours<Vec3, Exec> colours;
+  colours.build(exec, contacts.list.view(), contacts.arrays.count());
+  const ColoursView view = colours.view();
   std::vector<std::vector<int>> result;
-  colours.for_each([&](Span<const int> colour) { result.emplace_back(colour.begin(), colour.end()); });
+  for (int k = 0; k < *view.colours; ++k) {
+    result.emplace_back(view.order.data() + view.begin(k), view.order.data() + view.end(k));
+  }
   return result;
 }
+
+std::vector<std::vector<int>> colours_of(Contacts& contacts) { return colours_by(contacts.exec, contacts); }
 
 }  // namespace
 
@@ -62,6 +70,38 @@ TEST_CASE("contacts of one colour share no body, and each contact has a colour")
   }
   CHECK(seen.size() == contacts.pairs.size());
   if (count == 400) CHECK(contacts.pairs.size() > 500);
+}
+
+TEST_CASE("a device that finds all colours in one launch finds the same") {
+  const int count = GENERATE(0, 1, 2, 400);
+  Contacts contacts(make_cloud({.count = count, .smallest = 0.1, .largest = 0.2}, 2));
+  ledger::Executor device;
+  const auto colours = colours_by(device, contacts);
+  CHECK(colours == colours_of(contacts));
+  if (count == 400) CHECK(colours.size() > 5);
+}
+
+TEST_CASE("a solution by colours takes all bodies and then each contact, colour after colour, in each iteration") {
+  Contacts contacts(make_cloud({.count = 60, .smallest = 0.1, .largest = 0.2}, 2));
+  ContactColours<Vec3, CpuExecutor> colours;
+  colours.build(contacts.exec, contacts.list.view(), contacts.arrays.count());
+  std::vector<int> seen, expected;  // −1: a body
+  std::vector<bool> first;
+  for (int k = 0; k < 2; ++k) {
+    expected.insert(expected.end(), 60, -1);
+    for (const std::vector<int>& colour : colours_of(contacts)) {
+      expected.insert(expected.end(), colour.begin(), colour.end());
+    }
+  }
+  const auto note = [&](int what, bool is_first) {
+    seen.push_back(what);
+    first.push_back(is_first);
+  };
+  colours.solve(
+      contacts.exec, "solve", 60, 2, [&](int, bool is_first) { note(-1, is_first); }, note);
+  CHECK(seen == expected);
+  CHECK(std::count(first.begin(), first.end(), true) == int64_t(seen.size() / 2));
+  CHECK(std::is_sorted(first.rbegin(), first.rend()));
 }
 
 TEST_CASE("a row of a thousand contacts needs a handful of colours") {

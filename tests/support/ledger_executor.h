@@ -12,10 +12,12 @@
 #include <string>
 #include <vector>
 
+#include <catch2/catch.hpp>
 #include <sys/mman.h>
 
 #include "cuda/bin_kernels.h"
 #include "exec/deferred.h"
+#include "exec/phases.h"
 #include "exec/stage_times.h"
 
 namespace ballpit::ledger {
@@ -137,6 +139,7 @@ class Executor {
   }
   bool is_deferring() const { return is_deferring_; }
   Halt halt() { return is_deferring_ ? Halt{&halted_[0], &halted_[1]} : Halt{}; }
+  void raise_halt() { halted_[0] = halted_[1] = 1; }
   bool seems_halted() const { return halted_[1] != 0; }
   bool has_halted() { return seems_halted(); }
   void go_on() {
@@ -155,6 +158,16 @@ class Executor {
     const int64_t count = n.count != nullptr ? std::min<int64_t>(n.most, *n.count) : n.most;
     note(name, 1, [&] {
       for (int64_t i = 0; i < count && !has_stopped(); ++i) kernel(static_cast<int>(i));
+    });
+  }
+  template <Phases P>
+  void run_phases(const char* name, int64_t most, P phases) {
+    if (most == 0 || has_stopped()) return;
+    note(name, 1, [&] {
+      while (phases.next()) {
+        CHECK(phases.size() <= most);
+        for (int i = 0; i < phases.size(); ++i) phases(i);
+      }
     });
   }
   template <class T>
