@@ -150,12 +150,22 @@ const Truth& Search::truth_for(const Variant& variant, int rung) {
   return truth_;
 }
 
-Search::Tried Search::try_rung(const Ladder& ladder) {
+/// What a pilot of the whole time has broken, finer steps that have less time are not excused for.
+void Search::note_broken(Ladder& ladder, PilotResult& result) const {
+  ladder.broken.resize(tolerances_.size());
+  for (size_t k = 0; k < result.errors.size(); ++k) {
+    if (result.is_complete && !(result.errors[k] <= tolerances_[k].allowed)) ladder.broken[k] = true;
+    if (ladder.broken[k]) result.is_unseen[k] = false;
+  }
+}
+
+Search::Tried Search::try_rung(Ladder& ladder) {
   Settings settings = *settings_of(*ladder.variant, ladder.next);
   settings.precision = ladder.precision;
   settings.threads = *ladder.threads;
   const Truth truth = truth_for(*ladder.variant, ladder.next);
-  const PilotResult result = pilot(settings, truth, std::max(0.05, left() / 2));
+  PilotResult result = pilot(settings, truth, std::max(0.05, left() / 2));
+  note_broken(ladder, result);
   const bool is_seen = std::ranges::find(result.is_unseen, true) == result.is_unseen.end();
   const bool is_whole = part_.bodies.size() == request_.scene.bodies.size();
   const double margin = is_whole && result.is_complete ? kMarginOfWhole : kMarginOfPart;

@@ -23,8 +23,9 @@ struct Ladder {
   double predicted = 0;  ///< [s] cost of its pilot for all spheres, roughly
   int works = kRungs, dear = kRungs;  ///< the coarsest rungs that are known to hold, and to be too dear
   bool has_failed = false, is_done = false;
-  int stuck = 0;            ///< pilots that were no better than the one before
-  double worst = INFINITY;  ///< of the last pilot that failed
+  int stuck = 0;               ///< pilots that were no better than the one before
+  double worst = INFINITY;     ///< of the last pilot that failed
+  std::vector<bool> broken{};  ///< needs that a pilot of the whole time has broken
   Precision precision{};
   std::optional<int> threads{};
 };
@@ -68,7 +69,8 @@ class Search {
   void find_exact_truth();
   const Truth& truth_for(const Variant& variant, int rung);
   PilotResult pilot(const Settings& settings, const Truth& truth, double seconds) const;
-  Tried try_rung(const Ladder& ladder);
+  void note_broken(Ladder& ladder, PilotResult& result) const;
+  Tried try_rung(Ladder& ladder);
   void find_nearest(std::vector<Ladder>& ladders);
   void climb(Ladder& ladder);
   void note_failure(Ladder& ladder, double worst) const;

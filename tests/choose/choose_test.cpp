@@ -128,6 +128,16 @@ TEST_CASE("needs that nothing can meet are reported with the nearest result and 
                                        (Catch::Contains("one hit after another") || Catch::Contains("no duration")));
 }
 
+TEST_CASE("finer steps that have too little time to come to rest are not excused where a whole pilot has not rested") {
+  const std::string gas = kGas + "[needs]\nduration = 1\nmax_speed = 0.001\n";  // it keeps its energy
+  for (const double budget : {0.2, 0.4, 0.8}) {
+    const Choice choice = choice_for(gas, {{"response", "impulse"}}, budget);
+    CAPTURE(budget, choice.tried.size());
+    CHECK_FALSE(choice.chosen);
+    CHECK(choice.nearest);
+  }
+}
+
 TEST_CASE("scenes without spheres, of one sphere, of no duration and with overlap have a choice") {
   CHECK(choice_for("[domain]\n[needs]\nduration = 1\nmax_overlap = 0.1\n").chosen);
   const std::string one = "[domain]\n[[spheres]]\nposition = [0.5, 0.5, 0.5]\nradius = 0.1\n";
