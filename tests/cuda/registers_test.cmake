@@ -40,7 +40,6 @@ set(allowed
   "MeasureRow" 40
   # Six walls, of which each may be met, on the way as well; where contacts are swept, also the time of each.
   "Accelerate" 48
-  "SolveWalls" 40
   "FindFirst" 40
   # The same, and the bounces between two walls, without a spill.
   "SweptDrift" 64
@@ -48,8 +47,9 @@ set(allowed
   "CountWallHits" 48
   # Up to four obstacles at once, and the equations for how much a sphere presses on each.
   "MirrorVelocity" 96
-  # A wall on each side of each axis, with what it has given, and a limit to it.
-  "MoveOutOfWalls" 72
+  # All phases of a solution by colours: what walls need and what contacts need, in one kernel.
+  "SolveByColour.*(MoveOutOfWalls|SolveWalls)" 56
+  "SolveByColour.*ReboundFromWalls" 48
   # The four strongest occluders so far with their shares, and the sums of the others: once for a picture, not in a step.
   "FindOccluders" 64
   # Sums in double precision: of three axes for the sweep; for reports and the guard, energy, momentum and the largest
@@ -91,7 +91,7 @@ endfunction()
 # Checks all kernels for an architecture on which every kernel may use `common` registers, or those allowed.
 function(check architecture common)
   run(${NVCC} -cubin -arch=sm_${architecture} -Xptxas=-v ${OUT}.ptx -o ${OUT}.cubin)
-  string(REGEX MATCHALL "Function properties for [^\n]*run_kernel[^\n]*\n[^\n]*\n[^\n]*Used [0-9]+ registers" kernels "${output}")
+  string(REGEX MATCHALL "Function properties for [^\n]*run_[a-z_]*kernel[^\n]*\n[^\n]*\n[^\n]*Used [0-9]+ registers" kernels "${output}")
   list(LENGTH kernels count)
   if(count LESS 60)
     message(FATAL_ERROR "sm_${architecture}: found ${count} kernels in\n${output}")
