@@ -27,15 +27,17 @@ TEST_CASE("a page of up to 500 spheres is drawn within 200 ms, and a step of its
     return double(std::clock() - start) / CLOCKS_PER_SEC;
   };
   for (int number = 1; number <= presenter.count(); ++number) {
-    const double opening = spent([&] { presenter.go_to(number); });
+    double opening = spent([&] { presenter.go_to(number); });
     if (presenter.demo().report().count > 500) continue;
     CAPTURE(presenter.page().id);
-    CHECK(opening < 0.2);
-    // Twice, and the lesser time of each step: other tests run beside this one, and take turns at the caches.
+    // All twice, and the lesser times: other tests run beside this one, and take turns at the caches.
     std::vector<double> steps(10, 1e9);
     size_t count = 0;
     for (int turn = 0; turn < 2; ++turn) {
-      if (turn > 0) presenter.go_to(number);
+      if (turn > 0) {
+        presenter.go_to(number % presenter.count() + 1);
+        opening = std::min(opening, spent([&] { presenter.go_to(number); }));
+      }
       count = 0;
       while (count < steps.size() && presenter.run()) {
         steps[count] = std::min(steps[count], spent([&] { presenter.step(1); }));
@@ -43,6 +45,7 @@ TEST_CASE("a page of up to 500 spheres is drawn within 200 ms, and a step of its
       }
     }
     const double longest = count > 0 ? *std::max_element(steps.begin(), steps.begin() + std::ptrdiff_t(count)) : 0;
+    CHECK(opening < 0.2);
     CHECK(longest < 0.05);
   }
 }
