@@ -97,7 +97,10 @@ TEST_CASE("built-in scenes that come to rest, cool, or move forever give what th
     const std::vector<double> errors = run_to_end(session, scene, *start);
     const std::vector<Tolerance> tolerances = tolerances_of(scene.needs);
     for (size_t k = 0; k < errors.size(); ++k) {
+      const std::optional<Attempt>& chosen = session.choice()->chosen;
       INFO(name << ", " << tolerances[k].name << ": " << session.choice()->reason);
+      REQUIRE(chosen);
+      if (chosen->is_unseen[k]) continue;  // of a machine so slow that no pilot reached the end, as the reason says
       CHECK(errors[k] <= tolerances[k].allowed);
     }
   }
