@@ -105,9 +105,8 @@ std::vector<Occluders> all_occluders(const BodySnapshot& bodies) {
       const float part = other / std::max(distance - own, other);
       found.push_back({part * part, j});
     }
-    std::sort(found.begin(), found.end(), [](const Other& a, const Other& b) {
-      return a.share != b.share ? a.share > b.share : a.body < b.body;
-    });
+    std::sort(found.begin(), found.end(),
+              [](const Other& a, const Other& b) { return a.share != b.share ? a.share > b.share : a.body < b.body; });
     Occluders& own = result.emplace_back();
     for (size_t k = 0; k < found.size(); ++k) {
       const auto [share, j] = found[k];
