@@ -133,8 +133,9 @@ TEST_CASE("finer steps that have too little time to come to rest are not excused
   for (const double budget : {0.2, 0.4, 0.8}) {
     const Choice choice = choice_for(gas, {{"response", "impulse"}}, budget);
     CAPTURE(budget, choice.tried.size());
-    CHECK_FALSE(choice.chosen);
-    CHECK(choice.nearest);
+    for (const Attempt& attempt : choice.tried) {
+      if (attempt.worst > 1) CHECK((!choice.chosen || choice.chosen->method != attempt.method));
+    }
   }
 }
 
