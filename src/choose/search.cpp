@@ -150,7 +150,7 @@ const Truth& Search::truth_for(const Variant& variant, int rung) {
   return truth_;
 }
 
-/// What a pilot of the whole time has broken, finer steps that have less time are not excused for.
+/// Finer steps that have less time are not excused for a need that a pilot of the whole time has broken.
 void Search::note_broken(Ladder& ladder, PilotResult& result) const {
   ladder.broken.resize(tolerances_.size());
   for (size_t k = 0; k < result.errors.size(); ++k) {
