@@ -23,6 +23,7 @@ struct BodiesView {
 /// Kernel: to = from.
 template <class T>
 struct CopyValues {
+  static constexpr bool kIsElementwise = true;
   Span<const T> from;
   Span<T> to;
   HOST_DEVICE void operator()(int i) const { to[i] = from[i]; }

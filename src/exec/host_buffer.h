@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // HostBuffer: an owned array of plain values in main memory. Resizing may drop the contents. The capacity grows by
-// half, so that a slowly growing count does not allocate in every step. Its sibling on the GPU is DeviceBuffer in
-// cuda/.
+// half, so that a slowly growing count does not allocate in every step. A vector register of kReach bytes may be read or
+// written at any value, as far as memory goes: the bytes after the last value belong to nobody. Its sibling on the GPU
+// is DeviceBuffer in cuda/.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@ class HostBuffer {
     if (n > capacity_) {
       const int64_t capacity = std::max(n, capacity_ + capacity_ / 2);
       data_.reset();  // frees first: both together might not fit into memory
-      data_ = std::make_unique_for_overwrite<T[]>(static_cast<size_t>(capacity));
+      data_ = std::make_unique_for_overwrite<T[]>(static_cast<size_t>(capacity) + kSpare);
       capacity_ = capacity;
     }
     size_ = n;
@@ -35,7 +36,11 @@ class HostBuffer {
   Span<T> span() { return {data_.get(), size_}; }
   Span<const T> span() const { return {data_.get(), size_}; }
 
+  static constexpr size_t kReach = 16;
+
  private:
+  static constexpr size_t kSpare = (kReach - 1) / sizeof(T);  // values after the last
+
   std::unique_ptr<T[]> data_;
   int64_t size_ = 0;
   int64_t capacity_ = 0;

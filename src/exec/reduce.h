@@ -5,8 +5,8 @@
 //     values   0 1 2 … 63 | 64 … 127 | …      one thread combines a block of 64 from left to right
 //     partial  0            1          …      repeated until one value is left
 //
-// Cost: n combinations, log₆₄ n launches. any(), which tests a predicate for all indices, needs no order and one
-// launch.
+// Cost: n combinations, log₆₄ n launches. any(), which tests a predicate for all indices, needs no order: one launch on
+// a GPU.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +28,11 @@ struct Sum {
   }
 };
 
+/// Combine: whether one of them is true. Without a branch, so that loops compile to vector instructions.
+struct Or {
+  HOST_DEVICE int operator()(int a, int b) const { return a | b; }
+};
+
 /// Kernel: combines one block of map(i).
 template <class T, class Map, class Combine>
 struct ReduceBlock {
@@ -38,10 +43,10 @@ struct ReduceBlock {
   Span<T> partial;
 
   HOST_DEVICE void operator()(int block) const {
-    const int64_t first = block * kReduceBlock;
-    const int64_t last = first + kReduceBlock < n ? first + kReduceBlock : n;
+    const int64_t first = block * kReduceBlock, end = first + kReduceBlock < n ? first + kReduceBlock : n;
+    const int last = static_cast<int>(end);
     T result = identity;
-    for (int64_t i = first; i < last; ++i) result = combine(result, map(static_cast<int>(i)));
+    for (int i = static_cast<int>(first); i < last; ++i) result = combine(result, map(i));
     partial[block] = result;
   }
 };
@@ -86,6 +91,7 @@ struct RaiseFlag {
 template <class Exec, class Predicate>
 bool any(Exec& exec, const char* name, int64_t n, const Predicate& predicate) {
   if (n == 0) return false;
+  if constexpr (!Exec::kDefers) return reduce(exec, name, n, 0, predicate, Or{}) != 0;
   const Span<int> flag = exec.template scratch<int>(0, 1);
   exec.fill("lower flag", flag, 0);
   exec.parallel_for(name, n, RaiseFlag<Predicate>{predicate, flag});

@@ -17,6 +17,7 @@ namespace ballpit {
 /// Kernel: moves one component of a body.
 template <class Real>
 struct ExplicitEulerStep {
+  static constexpr bool kIsElementwise = true;
   static constexpr const char* kName = "drift and kick";
   Real dt;
   Span<const Real> acceleration;

@@ -19,6 +19,7 @@ namespace ballpit {
 /// Kernel: Σ += weight·k, then y ← start + reach·k, after the last stage start + Σ, where k is the derivative at y.
 template <class Real>
 struct RungeKuttaStage {
+  static constexpr bool kIsElementwise = true;
   int stage;
   Real reach, weight;  ///< [s]
   Span<const Real> start_position, start_velocity, acceleration;

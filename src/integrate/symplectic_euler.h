@@ -27,6 +27,7 @@ struct Kick {
 /// Kernel: one component's position += dt · velocity + correction.
 template <class Real>
 struct Drift {
+  static constexpr bool kIsElementwise = true;
   Real dt;  ///< [s]
   Span<const Real> velocity;
   Span<const Real> correction;  ///< [m] empty if the response needs none
@@ -42,6 +43,7 @@ struct Drift {
 /// Kernel: kick and drift of one component.
 template <class Real>
 struct SymplecticEulerStep {
+  static constexpr bool kIsElementwise = true;
   static constexpr const char* kName = "kick and drift";
   Real dt;
   Span<const Real> acceleration;

@@ -19,6 +19,7 @@ namespace ballpit {
 /// Kernel: the first half kick and the drift of one component.
 template <class Real>
 struct HalfKickAndDrift {
+  static constexpr bool kIsElementwise = true;
   Real dt;
   Span<const Real> acceleration;
   Span<Real> position, velocity;
@@ -33,6 +34,7 @@ struct HalfKickAndDrift {
 /// Kernel: the second half kick.
 template <class Real>
 struct HalfKick {
+  static constexpr bool kIsElementwise = true;
   Real dt;
   Span<const Real> acceleration;
   Span<Real> velocity;

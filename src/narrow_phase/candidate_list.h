@@ -68,8 +68,9 @@ BodiesView<V> grow_radii(Exec& exec, BodiesView<V> bodies, Scalar<V> factor, Sca
   return bodies;
 }
 
-/// Predicate: body i has moved farther than its skin.
-template <class V>
+/// Predicate: body i has moved farther than its skin. Compiled for either kind of domain, so that it becomes vector
+/// instructions in one without period.
+template <class V, bool kPeriodic>
 struct HasLeftSkin {
   using Real = Scalar<V>;
   BodiesView<V> bodies;
@@ -79,7 +80,7 @@ struct HasLeftSkin {
   Real guard;  ///< bound on the rounding error [m]
 
   HOST_DEVICE bool operator()(int i) const {
-    const V moved = box.displacement(start[i], bodies.position[i]);
+    const V moved = kPeriodic ? box.displacement(start[i], bodies.position[i]) : bodies.position[i] - start[i];
     const Real allowed = skin * bodies.radius[i] - guard;
     return !((allowed > 0) & (dot(moved, moved) <= allowed * allowed));  // true for NaN
   }
@@ -140,8 +141,9 @@ class CandidateList {
   bool is_valid(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) {
     if (!is_valid_ || start_.size() != bodies.size()) return false;
     if (is_checked_) return true;
-    is_valid_ = !any(exec, "check skins", bodies.size(), HasLeftSkin<V>{bodies, box, start_.span(), skin_, guard_});
-    return is_checked_ = is_valid_;
+    is_valid_ = is_checked_ =
+        box.is_periodic() ? !has_left_skin<true>(exec, bodies, box) : !has_left_skin<false>(exec, bodies, box);
+    return is_valid_;
   }
 
   /// Whether a fresh list shows that all bodies are finite and inside the domain.
@@ -173,6 +175,13 @@ class CandidateList {
   // Making a list costs about two searches; where one served fewer positions than this, the next is made after a pause.
   static constexpr int kWorthwhile = 3;
   static constexpr int kPause = 30;
+
+  /// Whether any body has.
+  template <bool kPeriodic>
+  bool has_left_skin(Exec& exec, const BodiesView<V>& bodies, const Box<V>& box) const {
+    return any(exec, "check skins", bodies.size(),
+               HasLeftSkin<V, kPeriodic>{bodies, box, start_.span(), skin_, guard_});
+  }
 
   Real skin_ = 0, guard_ = 0;
   Real margin_ = 0;         // [m] for which the list was made

@@ -25,11 +25,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::FixedTag<float, 4>;
 using Floats = hn::Vec<Lanes>;
 
-HWY_INLINE Floats Load(const Vec4& v) { return hn::LoadU(Lanes(), &v.x); }
+/// x, y, z and whatever is stored after them.
+template <class V>
+HWY_INLINE Floats Load(const V& v) {
+  return hn::LoadU(Lanes(), &v.x);
+}
 
 template <class V>
-int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
-                     Span<int> at_walls) {
+int AccelerateBySums(const BodiesView<V>& bodies, const Box<V>& box, const V& gravity, Span<const Vec4> sum,
+                     Span<V> acceleration, Span<int> at_walls) {
   Vec4 low(-Box<V>::kFar), high(Box<V>::kFar), g(0);  // infinitely far if there are no walls
   for (int axis = 0; axis < kDimensions<V>; ++axis) {
     g[axis] = gravity[axis];
@@ -38,27 +42,23 @@ int AccelerateBySums(const Box<V>& box, const V& gravity, const PackedBodies& pa
     high[axis] = box.max[axis];
   }
   const Floats lowest = Load(low), highest = Load(high), pull = Load(g);
+  const BodiesView<V> local = bodies;  // which no pointer can alias, so it stays in registers
   const int n = static_cast<int>(acceleration.size());
   int count = 0;
-  const auto accelerate = [&](int i) HWY_ATTR {
-    const Floats p = Load(packed.position[i]), radius = hn::Broadcast<3>(p);
+  for (int i = 0; i < n; ++i) {
+    const Floats p = Load(local.position[i]), radius = hn::Set(Lanes(), local.radius[i]);
     at_walls[count] = i;
     count += !hn::AllFalse(Lanes(), hn::Or(hn::Le(hn::Sub(p, lowest), radius), hn::Le(hn::Sub(highest, p), radius)));
-    return hn::Add(pull, hn::Mul(Load(packed.sum[i]), hn::Broadcast<3>(Load(packed.velocity[i]))));
-  };
-  for (int i = 0; i + 2 < n; ++i)
-    hn::StoreU(accelerate(i), Lanes(), &acceleration[i][0]);  // the fourth component is overwritten next
-  for (int i = n > 2 ? n - 2 : 0; i < n; ++i) {
-    alignas(16) float result[4];
-    hn::Store(accelerate(i), Lanes(), result);
-    for (int axis = 0; axis < kDimensions<V>; ++axis) acceleration[i][axis] = result[axis];
+    const Floats a = hn::Add(pull, hn::Mul(Load(sum[i]), hn::Set(Lanes(), local.inverse_mass[i])));
+    hn::StoreU(a, Lanes(), &acceleration[i].x);  // what lies behind is overwritten next
   }
   return count;
 }
 
-/// The components of four vectors.
+/// The components of four vectors; in the plane z is not used.
+template <class V>
 struct Components {
-  Floats x, y, z, w;
+  Floats x, y, z;
 
   explicit HWY_INLINE Components(const Floats (&v)[4]) {
     const Floats xy01 = hn::InterleaveLower(Lanes(), v[0], v[1]), xy23 = hn::InterleaveLower(Lanes(), v[2], v[3]);
@@ -66,26 +66,24 @@ struct Components {
     x = hn::ConcatLowerLower(Lanes(), xy23, xy01);
     y = hn::ConcatUpperUpper(Lanes(), xy23, xy01);
     z = hn::ConcatLowerLower(Lanes(), zw23, zw01);
-    w = hn::ConcatUpperUpper(Lanes(), zw23, zw01);
   }
 
-  /// The dot products of the first three components; in the plane z is 0.
   HWY_INLINE Floats Dot(const Components& other) const {
-    return hn::Add(hn::Add(hn::Mul(x, other.x), hn::Mul(y, other.y)), hn::Mul(z, other.z));
+    const Floats plane = hn::Add(hn::Mul(x, other.x), hn::Mul(y, other.y));
+    return kDimensions<V> == 2 ? plane : hn::Add(plane, hn::Mul(z, other.z));
   }
 };
 
 template <bool kPeriodic, bool kEqual, class V>
 class ForceAdder {
  public:
-  ForceAdder(const PairForce<V>& force_of, const PackedBodies& packed) : force_of_(force_of), packed_(packed) {
+  ForceAdder(const PairForce<V>& force_of, Span<Vec4> sum) : force_of_(force_of), sum_(sum) {
     alignas(16) float period[4] = {1, 1, 1, 1};
     for (int axis = 0; axis < kDimensions<V>; ++axis) period[axis] = force_of.box.max[axis] - force_of.box.min[axis];
     period_ = hn::Load(Lanes(), period);
-    const BodiesView<V>& bodies = force_of.bodies;
-    if (bodies.size() == 0) return;
-    radii_ = hn::Set(Lanes(), bodies.radius[0] + bodies.radius[0]);
-    const float mass = 1 / (bodies.inverse_mass[0] + bodies.inverse_mass[0]);
+    if (bodies().size() == 0) return;
+    radii_ = hn::Set(Lanes(), bodies().radius[0] + bodies().radius[0]);
+    const float mass = 1 / (bodies().inverse_mass[0] + bodies().inverse_mass[0]);
     dashpot_ = hn::Set(Lanes(), force_of.law.dashpot(force_of.law.damping, mass));
   }
 
@@ -97,21 +95,23 @@ class ForceAdder {
   }
 
  private:
+  HWY_INLINE const BodiesView<V>& bodies() const { return force_of_.bodies; }
+
   void AddOne(const Pair& pair) const {
     float along;
     const V force = force_of_(pair, along);
     for (int axis = 0; axis < kDimensions<V>; ++axis) {
-      packed_.sum[pair.i][axis] -= force[axis];
-      packed_.sum[pair.j][axis] += force[axis];
+      sum_[pair.i][axis] -= force[axis];
+      sum_[pair.j][axis] += force[axis];
     }
   }
 
   HWY_INLINE void AddFour(const Pair* pairs) const {
     Floats apart[4];
     for (int k = 0; k < 4; ++k) {
-      apart[k] = Displacement(packed_.position[pairs[k].i], packed_.position[pairs[k].j]);
+      apart[k] = Displacement(bodies().position[pairs[k].i], bodies().position[pairs[k].j]);
     }
-    const Components d(apart);
+    const Components<V> d(apart);
     const Floats squared = d.Dot(d), radii = RadiiOf(pairs);
     const hn::Mask<Lanes> touching = hn::Le(squared, hn::Mul(radii, radii));
     if (hn::AllFalse(Lanes(), touching)) return;
@@ -128,7 +128,7 @@ class ForceAdder {
     Scatter<3>(pairs[3], apart[3], scale);
   }
 
-  HWY_INLINE Floats Displacement(const Vec4& a, const Vec4& b) const {
+  HWY_INLINE Floats Displacement(const V& a, const V& b) const {
     Floats d = hn::Sub(Load(b), Load(a));
     if constexpr (kPeriodic) d = hn::Sub(d, hn::Mul(period_, hn::Round(hn::Div(d, period_))));
     return d;
@@ -137,30 +137,30 @@ class ForceAdder {
   HWY_INLINE Floats RadiiOf(const Pair* pairs) const {
     if constexpr (kEqual) return radii_;
     alignas(16) float radii[4];
-    for (int k = 0; k < 4; ++k) radii[k] = packed_.position[pairs[k].i].w + packed_.position[pairs[k].j].w;
+    for (int k = 0; k < 4; ++k) radii[k] = bodies().radius[pairs[k].i] + bodies().radius[pairs[k].j];
     return hn::Load(Lanes(), radii);
   }
 
   HWY_INLINE Floats DashpotOf(const Pair* pairs) const {
     if constexpr (kEqual) return dashpot_;
     alignas(16) float softness[4];
-    for (int k = 0; k < 4; ++k) softness[k] = packed_.velocity[pairs[k].i].w + packed_.velocity[pairs[k].j].w;
+    for (int k = 0; k < 4; ++k) softness[k] = bodies().inverse_mass[pairs[k].i] + bodies().inverse_mass[pairs[k].j];
     const Floats mass = hn::Div(hn::Set(Lanes(), 1.0f), hn::Load(Lanes(), softness));
     const PenaltyLaw<float>& law = force_of_.law;
     return hn::Mul(hn::Set(Lanes(), law.damping), hn::Sqrt(hn::Mul(hn::Set(Lanes(), law.stiffness), mass)));
   }
 
   /// PenaltyLaw::force() of four pairs; undefined for those that do not touch.
-  HWY_INLINE Floats ForceAlong(const Pair* pairs, const Components& d, Floats distance, Floats overlap) const {
+  HWY_INLINE Floats ForceAlong(const Pair* pairs, const Components<V>& d, Floats distance, Floats overlap) const {
     const PenaltyLaw<float>& law = force_of_.law;
     Floats force = hn::Mul(hn::Set(Lanes(), law.stiffness), overlap);
     if (law.is_hertz) force = hn::Mul(force, hn::Sqrt(overlap));
     if (law.damping > 0) {
       Floats relative[4];
       for (int k = 0; k < 4; ++k) {
-        relative[k] = hn::Sub(Load(packed_.velocity[pairs[k].j]), Load(packed_.velocity[pairs[k].i]));
+        relative[k] = hn::Sub(Load(bodies().velocity[pairs[k].j]), Load(bodies().velocity[pairs[k].i]));
       }
-      const Floats separation = hn::Div(Components(relative).Dot(d), distance);
+      const Floats separation = hn::Div(Components<V>(relative).Dot(d), distance);
       const Floats damped = hn::Mul(DashpotOf(pairs), separation);
       const Floats factor = law.is_hertz
                                 ? hn::Mul(hn::Set(Lanes(), PenaltyLaw<float>::kRootOf5), hn::Sqrt(hn::Sqrt(overlap)))
@@ -173,26 +173,26 @@ class ForceAdder {
   template <int kLane>
   HWY_INLINE void Scatter(const Pair& pair, Floats apart, Floats scale) const {
     const Floats force = hn::Mul(apart, hn::Broadcast<kLane>(scale));
-    Vec4& a = packed_.sum[pair.i];
-    Vec4& b = packed_.sum[pair.j];
+    Vec4& a = sum_[pair.i];
+    Vec4& b = sum_[pair.j];
     hn::StoreU(hn::Sub(Load(a), force), Lanes(), &a.x);
     hn::StoreU(hn::Add(Load(b), force), Lanes(), &b.x);
   }
 
   PairForce<V> force_of_;
-  PackedBodies packed_;
+  Span<Vec4> sum_;
   Floats period_, radii_, dashpot_;
 };
 
 template <class V>
-void AddForces(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed) {
+void AddForces(const PairForce<V>& force_of, Span<const Pair> pairs, Span<Vec4> sum) {
   const bool is_equal = force_of.bodies.radius.is_uniform() && force_of.bodies.inverse_mass.is_uniform();
   if (force_of.box.is_periodic()) {
-    is_equal ? ForceAdder<true, true, V>(force_of, packed).AddAll(pairs)
-             : ForceAdder<true, false, V>(force_of, packed).AddAll(pairs);
+    is_equal ? ForceAdder<true, true, V>(force_of, sum).AddAll(pairs)
+             : ForceAdder<true, false, V>(force_of, sum).AddAll(pairs);
   } else {
-    is_equal ? ForceAdder<false, true, V>(force_of, packed).AddAll(pairs)
-             : ForceAdder<false, false, V>(force_of, packed).AddAll(pairs);
+    is_equal ? ForceAdder<false, true, V>(force_of, sum).AddAll(pairs)
+             : ForceAdder<false, false, V>(force_of, sum).AddAll(pairs);
   }
 }
 

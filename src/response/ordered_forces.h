@@ -22,22 +22,17 @@ namespace ballpit {
 template <class V, class Exec>
 inline constexpr bool kHasOrderedForces = std::is_same_v<Exec, CpuExecutor>&& std::is_same_v<Scalar<V>, float>;
 
-/// Positions with radii, velocities with inverse masses, and sums of forces, in the layout of vector registers.
-struct PackedBodies {
-  Span<const Vec4> position, velocity;
-  Span<Vec4> sum;
-};
-
-/// The sums, by the best instructions of this processor; null if it has none.
+/// The sums, by the best instructions of this processor; null if it has none. Positions, velocities and accelerations
+/// are those of a HostBuffer: each is read or written as a whole register.
 template <class V>
 struct OrderedFunctions {
   /// sum[i] −= f, sum[j] += f for each pair, in their order.
-  void (*add_forces)(const PairForce<V>& force_of, Span<const Pair> pairs, const PackedBodies& packed) = nullptr;
+  void (*add_forces)(const PairForce<V>& force_of, Span<const Pair> pairs, Span<Vec4> sum) = nullptr;
 
   /// acceleration[i] = gravity + sum[i] · inverse mass for each body [m/s²]. Writes the bodies that touch a wall, or
   /// nearly do, to `at_walls`, and returns their number.
-  int (*accelerate)(const Box<V>& box, const V& gravity, const PackedBodies& packed, Span<V> acceleration,
-                    Span<int> at_walls) = nullptr;
+  int (*accelerate)(const BodiesView<V>& bodies, const Box<V>& box, const V& gravity, Span<const Vec4> sum,
+                    Span<V> acceleration, Span<int> at_walls) = nullptr;
 };
 
 /// For Vec2 and Vec3.
@@ -64,28 +59,15 @@ class OrderedForces<V, CpuExecutor> {
     CpuExecutor& exec = state.exec();
     const BodiesView<V> bodies = state.view();
     const int64_t n = bodies.size();
-    for (HostBuffer<Vec4>* buffer : {&position_, &velocity_, &sum_}) buffer->resize(n);
+    sum_.resize(n);
     at_walls_.resize(state.box().is_periodic() ? 1 : n);  // the entry after the last is always written
-    exec.parallel_for("pack bodies", n,
-                      [bodies, position = position_.span(), velocity = velocity_.span(), sum = sum_.span()](int i) {
-                        Vec4 p(0), v(0);
-                        for (int axis = 0; axis < kDimensions<V>; ++axis) {
-                          p[axis] = bodies.position[i][axis];
-                          v[axis] = bodies.velocity[i][axis];
-                        }
-                        p.w = bodies.radius[i];
-                        v.w = bodies.inverse_mass[i];
-                        position[i] = p;
-                        velocity[i] = v;
-                        sum[i] = Vec4(0);
-                      });
-    const PackedBodies packed{position_.span(), velocity_.span(), sum_.span()};
+    exec.fill("clear forces", sum_.span(), Vec4(0));
     exec.parallel_for_blocks("pair forces", 1, [&](int64_t) {
-      functions_.add_forces(PairForce<V>{law, bodies, state.box()}, pairs, packed);
+      functions_.add_forces(PairForce<V>{law, bodies, state.box()}, pairs, sum_.span());
     });
     int count = 0;
     exec.parallel_for_blocks("accelerate", 1, [&](int64_t) {
-      count = functions_.accelerate(state.box(), state.gravity(), packed, acceleration, at_walls_.span());
+      count = functions_.accelerate(bodies, state.box(), state.gravity(), sum_.span(), acceleration, at_walls_.span());
     });
     return {at_walls_.span().data(), count};
   }
@@ -93,11 +75,11 @@ class OrderedForces<V, CpuExecutor> {
   /// After accelerate(): the sums of the pairs' forces [N], in x, y and z.
   Span<const Vec4> sum() const { return sum_.span(); }
 
-  int64_t bytes() const { return position_.bytes() + velocity_.bytes() + sum_.bytes() + at_walls_.bytes(); }
+  int64_t bytes() const { return sum_.bytes() + at_walls_.bytes(); }
 
  private:
   OrderedFunctions<V> functions_ = ordered_functions<V>();
-  HostBuffer<Vec4> position_, velocity_, sum_;
+  HostBuffer<Vec4> sum_;
   HostBuffer<int> at_walls_;
 };
 

@@ -109,7 +109,7 @@ struct IsOutside {
   Box<V> box;
 
   HOST_DEVICE bool operator()(int i) const {
-    const V v = bodies.velocity[i];
+    const V& v = bodies.velocity[i];
     return !(box.holds(bodies.position[i]) & (dot(v, v) < Scalar<V>(1e30)));  // false for NaN
   }
 };

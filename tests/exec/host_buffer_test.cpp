@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "exec/host_buffer.h"
 
+#include <array>
+#include <cstring>
+
 #include <catch2/catch.hpp>
 
 using namespace ballpit;
@@ -38,4 +41,21 @@ TEST_CASE("a buffer that creeps up allocates seldom") {
   }
   CHECK(allocations < 30);
   CHECK(held < 10000 * 4 * 2);
+}
+
+TEST_CASE("a vector register can be written at any value of a buffer") {  // asan sees what does not belong to it
+  struct Three {
+    float x, y, z;
+  };
+  HostBuffer<Three> buffer;
+  const std::array<float, 4> lanes = {1, 2, 3, 4};
+  static_assert(sizeof lanes == HostBuffer<Three>::kReach);
+  for (int n = 1; n <= 200; ++n) {
+    buffer.resize(n);
+    const Span<Three> values = buffer.span();
+    char* const memory = reinterpret_cast<char*>(values.data());
+    for (int k = 0; k < n; ++k)
+      std::memcpy(memory + sizeof(Three) * static_cast<size_t>(k), lanes.data(), sizeof lanes);
+    for (const Three& value : values) REQUIRE((value.x == 1 && value.y == 2 && value.z == 3));
+  }
 }
