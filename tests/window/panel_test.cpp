@@ -302,7 +302,7 @@ TEST_CASE("a click on a point of the chart returns to its settings") {
   CHECK(desk.panel.items().at("trial 1").middle().y != before.y);
 }
 
-#ifndef __SANITIZE_ADDRESS__
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_CASE("a frame of the panel takes at most 4 ms of the processor") {
   Desk desk("bouncing-balls");
   const auto spent = [] {  // [ms] by this thread; llvmpipe fills its pixels in others
