@@ -24,21 +24,13 @@
 #include <vector>
 
 #include "exec/deferred.h"
+#include "exec/fill_values.h"
 #include "exec/host_buffer.h"
 #include "exec/phases.h"
 #include "exec/stage_times.h"
 #include "exec/thread_pool.h"
 
 namespace ballpit {
-
-/// Kernel: element i = value.
-template <class T>
-struct FillValues {
-  static constexpr bool kIsElementwise = true;
-  Span<T> span;
-  T value;
-  void operator()(int i) const { span[i] = value; }
-};
 
 class CpuExecutor {
  public:
@@ -60,8 +52,8 @@ class CpuExecutor {
   static constexpr Halt halt() { return {}; }
 
   /// Calls kernel(i) for each i in 0 … n−1. Kernels that change the same element must use exec/atomics.h. A kernel
-  /// without branches that works on the i-th elements of arrays declares kIsElementwise: it is compiled to vector
-  /// instructions.
+  /// that works on the i-th elements of arrays, with no branch that depends on i, declares kIsElementwise: it is
+  /// compiled to vector instructions.
   template <class Kernel>
   void parallel_for(const char* name, int64_t n, const Kernel& kernel) {
     const StageTimer timer(times_, name);
