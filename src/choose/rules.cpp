@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/numbers.h"
 #include "core/phrase.h"
@@ -178,9 +179,9 @@ std::string chaos_loses_the_paths(C c) {
 /// dZ/dt = −3η·Z'(η)·√π/2 in reduced units, with Z by Carnahan and Starling.
 std::string late_contacts_bias_pressure(C c) {
   if (is_exact(c) || is(c, Response::penalty) || c.numbers.dimensions == 2 || c.numbers.count < 2) return "";
-  const double eta = std::min(c.numbers.packing, 0.6), h = 1e-4, pi = 3.14159265358979;
-  const auto z = [pi](double x) { return carnahan_starling_z(6 * x / pi); };
-  const double slope = 3 * eta * (z(eta + h) - z(eta - h)) / (2 * h) * std::sqrt(pi) / 2;
+  const double eta = std::min(c.numbers.packing, 0.6), h = 1e-4;
+  const auto z = [](double x) { return carnahan_starling_z(6 * x / std::numbers::pi); };
+  const double slope = 3 * eta * (z(eta + h) - z(eta - h)) / (2 * h) * std::sqrt(std::numbers::pi) / 2;
   const double diameter = c.numbers.radius_min + c.numbers.radius_max;
   const double step = c.step() * c.numbers.typical_speed / std::sqrt(3.0) / diameter;
   for (const NeededObservable& o : c.needs.observables) {

@@ -24,9 +24,13 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 #if !BALLPIT_HAS_LABORATORY
+struct ExperimentText {
+  std::string title, question;
+};
 struct Experiment {
-  std::string_view name, title, question;
+  std::string_view name;
   double quick_seconds, full_seconds;
+  ExperimentText text() const { return {}; }
 };
 std::span<const Experiment> experiments() { return {}; }
 #endif

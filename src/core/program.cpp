@@ -20,8 +20,6 @@
 
 namespace ballpit {
 
-namespace {
-
 /// A nameless file in memory. Files, unlike pipes, never make a program wait for its reader.
 class MemoryFile {
  public:
@@ -44,6 +42,8 @@ class MemoryFile {
  private:
   int descriptor_;
 };
+
+namespace {
 
 pid_t start(const ProgramCall& call, int input, const MemoryFile& out, const MemoryFile& err) {
   std::vector<std::string> words{call.path};

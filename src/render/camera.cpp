@@ -10,7 +10,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kMargin = 0.06f;  // of the picture, on each side at least
+constexpr float kFrameMargin = 0.06f;  // of the picture, on each side at least
 
 using Points = std::vector<Vec3>;
 
@@ -50,7 +50,7 @@ Camera frame_plane(Vec3 min, Vec3 max, float aspect) {
   const Vec3 size = max - min;
   Camera camera;
   camera.aspect = aspect;
-  camera.orthographic_height = std::max(size.y, size.x / aspect) / (1 - 2 * kMargin);
+  camera.orthographic_height = std::max(size.y, size.x / aspect) / (1 - 2 * kFrameMargin);
   const float distance = camera.orthographic_height;
   camera.target = {(min.x + max.x) / 2, (min.y + max.y) / 2, 0.0f};
   camera.eye = camera.target + Vec3(0, 0, distance);
@@ -69,7 +69,7 @@ Camera frame_points(const Points& points, float azimuth, float elevation, float 
   const Vec3 right = normalize(glm::cross(forward, camera.up));
   const Vec3 upward = glm::cross(right, forward);
 
-  const float k = std::tan(camera.fov / 2) * (1 - 2 * kMargin);
+  const float k = std::tan(camera.fov / 2) * (1 - 2 * kFrameMargin);
   const float depth =
       std::min(closest_eye(points, right, forward, k * aspect), closest_eye(points, upward, forward, k));
   camera.eye = centred_eye(points, right, forward, depth) * right +

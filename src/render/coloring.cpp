@@ -14,7 +14,7 @@ namespace ballpit {
 namespace {
 
 // [1/1080 of the picture's height] kStep: width of a colour of the scale
-constexpr float kMargin = 24, kAbove = 16, kPad = 8, kStep = 18;
+constexpr float kLegendMargin = 24, kAbove = 16, kLegendPad = 8, kStep = 18;
 
 /// No marks, since the method has no such quantity.
 Colored nothing_of(const Inspection& inspection, const char* lacking) {
@@ -130,8 +130,8 @@ float rim_width(const Theme& theme, int mark) {
 void draw_legend(const ColoringEntry& coloring, const Colored& colored, Painter& painter) {
   if (!colored.has_scale() && colored.lacking.empty()) return;
   Sheet& sheet = painter.sheet;
-  const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y, pad = kPad * u;
-  const float right = static_cast<float>(sheet.width()) - kMargin * u, room = right - kMargin * u;
+  const float u = sheet.unit(), line = sheet.size_of("0", TextSize::small).y, pad = kLegendPad * u;
+  const float right = static_cast<float>(sheet.width()) - kLegendMargin * u, room = right - kLegendMargin * u;
   float y = kAbove * u + (painter.note_left > 0 ? 0 : painter.noted);
   const auto text = [&](float x, const std::string& words, float scale = 1) {
     sheet.text({x, y}, kUpperRight, painter.ink(), words, TextSize::small, scale);

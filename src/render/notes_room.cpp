@@ -13,7 +13,7 @@ namespace ballpit {
 namespace {
 
 // [1/1080 of the picture's height], text at scale 1
-constexpr float kMargin = 16, kLineGap = 4;
+constexpr float kNotesMargin = 16, kLineGap = 4;
 constexpr float kLegend = 680;        // width of the widest legend: five ranges, or the longest name
 constexpr float kPlanarNotes = 0.2f;  // [of the picture's width] of notes beside a planar domain
 constexpr float kLeastNotes = 0.4f;   // [of the same] beside a legend; narrower ones go below it
@@ -72,18 +72,18 @@ NotesRoom notes_room(const FrameView& view, float text_scale, float above) {
   const bool has_legend = view.coloring != coloring_table().front().name;
   const int lines = count_lines(view, text_scale) * (view.camera.aspect < 1 ? 2 : 1);
   const float legend = has_legend ? std::min(size.x, kLegend * text_scale) : 0;
-  const float legend_height = has_legend ? kMargin + 2 * line + kLineGap : 0;
-  const float notes_height = lines > 0 ? kMargin + static_cast<float>(lines) * (line + kLineGap) : 0;
+  const float legend_height = has_legend ? kNotesMargin + 2 * line + kLineGap : 0;
+  const float notes_height = lines > 0 ? kNotesMargin + static_cast<float>(lines) * (line + kLineGap) : 0;
   const Vec2 beside(kPlanarNotes * size.x, size.y / 2);  // notes continue in more lines
   const auto is_free = [&](Vec2 low, Vec2 high) { return !overlaps_domain(view.domain, view.camera, low, high, size); };
   const bool is_still = view.domain.is_planar();  // what is free in space depends on the direction of the view
-  const bool fit_notes = lines == 0 || (is_still && is_free({0, top}, {beside.x + kMargin, top + beside.y}));
+  const bool fit_notes = lines == 0 || (is_still && is_free({0, top}, {beside.x + kNotesMargin, top + beside.y}));
   const bool fits_legend = !has_legend || (is_still && is_free({size.x - legend, top}, {size.x, top + legend_height}));
   if (fit_notes && fits_legend) return {0, kPlanarNotes, 0};
   const float width = size.x - legend;
   if (lines == 0 || width >= kLeastNotes * size.x)
-    return {std::max(notes_height, legend_height) / size.y, (width - 2 * kMargin) / size.x, 0};
-  return {(notes_height + legend_height) / size.y, 1 - 2 * kMargin / size.x, legend_height / size.y};
+    return {std::max(notes_height, legend_height) / size.y, (width - 2 * kNotesMargin) / size.x, 0};
+  return {(notes_height + legend_height) / size.y, 1 - 2 * kNotesMargin / size.x, legend_height / size.y};
 }
 
 }  // namespace ballpit

@@ -7,7 +7,7 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kMargin = 16, kPad = 8, kSample = 40;  // [1/1080 of the picture's height]
+constexpr float kNoteMargin = 16, kNotePad = 8, kSample = 40;  // [1/1080 of the picture's height]
 
 /// Draws the sample from `at` to the right.
 void draw_swatch(Sheet& sheet, const NotePart& part, Vec2 at) {
@@ -65,7 +65,7 @@ std::vector<std::vector<NotePart>> in_lines(const std::vector<std::vector<NotePa
 }  // namespace
 
 void Painter::note(const std::string& text) {
-  const float width = static_cast<float>(sheet.width()) - note_left - 2 * kMargin * sheet.unit();
+  const float width = static_cast<float>(sheet.width()) - note_left - 2 * kNoteMargin * sheet.unit();
   for (const std::string& line : wrap_text(sheet, translated(text), width, TextSize::small)) {
     note({{Swatch::none, {}, line}});
   }
@@ -73,21 +73,21 @@ void Painter::note(const std::string& text) {
 
 void Painter::draw_notes() {
   constexpr TextSize kSize = TextSize::small;
-  const float u = sheet.unit(), height = sheet.size_of("0", kSize).y + kPad * u / 2;
-  const float sample = (kSample + kPad) * u, space = 2.5f * kPad * u;
+  const float u = sheet.unit(), height = sheet.size_of("0", kSize).y + kNotePad * u / 2;
+  const float sample = (kSample + kNotePad) * u, space = 2.5f * kNotePad * u;
   const auto width_of = [&](const NotePart& part) {
     return sheet.size_of(part.text, kSize).x + space + (part.swatch == Swatch::none ? 0 : sample);
   };
-  const float left = kMargin * u + note_left;
-  float y = kMargin * u + noted + note_skip;
+  const float left = kNoteMargin * u + note_left;
+  float y = kNoteMargin * u + noted + note_skip;
   for (const std::vector<NotePart>& parts : wraps_sentences ? in_lines(notes, sheet, note_width) : notes) {
     for (size_t first = 0, end = 0; first < parts.size(); first = end) {  // the lines of a note
       float width = 0;
       while (end < parts.size() && (end == first || note_width <= 0 || width + width_of(parts[end]) <= note_width)) {
         width += width_of(parts[end++]);
       }
-      sheet.box({left - kPad * u, y}, {left + width - space + kPad * u, y + height}, ground());
-      cover({left - kPad * u, y}, {left + width - space + kPad * u, y + height});
+      sheet.box({left - kNotePad * u, y}, {left + width - space + kNotePad * u, y + height}, ground());
+      cover({left - kNotePad * u, y}, {left + width - space + kNotePad * u, y + height});
       Vec2 at(left, y + height / 2);
       for (size_t k = first; k < end; ++k) {
         const bool has_sample = parts[k].swatch != Swatch::none;

@@ -20,11 +20,11 @@ namespace {
 
 // In the order of TextSize: [pixel] at 1080 lines, and by which part of the text scale it grows.
 constexpr std::array<float, 5> kSizes{36, 40, 48, 22, 34}, kGrowth{0.42f, 0.75f, 0.42f, 0, 0};
-constexpr float kSmallest = 9;   // [pixel] smaller letters are not legible
-constexpr float kLargest = 128;  // [pixel] larger letters are magnified, to save memory
-constexpr float kFine = 64;      // [pixel] up to this size, letters are sampled twice horizontally
-constexpr float kHead = 4.5f;    // of an arrow [width of its line]
-constexpr float kDots = 2.5f;    // from one dot to the next [width]
+constexpr float kSmallestText = 9;  // [pixel] smaller letters are not legible
+constexpr float kLargest = 128;     // [pixel] larger letters are magnified, to save memory
+constexpr float kFine = 64;         // [pixel] up to this size, letters are sampled twice horizontally
+constexpr float kHead = 4.5f;       // of an arrow [width of its line]
+constexpr float kDots = 2.5f;       // from one dot to the next [width]
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
@@ -100,7 +100,7 @@ void Sheet::load_fonts() {
   for (size_t k = 0; k < fonts_.size(); ++k) {
     const auto kind = static_cast<TextSize>(k);
     const bool is_panel = kind == TextSize::panel, is_code = kind == TextSize::code;
-    const float min = kSmallest * (is_panel ? panel_density_ : 1);
+    const float min = kSmallestText * (is_panel ? panel_density_ : 1);
     const float height = is_panel ? kSizes[k] * panel_scale_ : line_height(kind, text_scale_);
     const float size = std::max(min, std::round(height * unit())), drawn = std::min(size, kLargest);
     config.OversampleH = drawn <= kFine ? 2 : 1;

@@ -7,15 +7,16 @@ namespace ballpit {
 
 namespace {
 
-constexpr int64_t kMany = 2000;    // spheres
-constexpr float kSmallest = 1.5f;  // [pixel] radius of the largest; below, BodyRenderer has simpler points
-constexpr float kLargest = 16;     // [pixel] OpenGL's points are limited, llvmpipe's to 255 pixels across
-constexpr float kMargin = 24;  // [pixel] around the view: more than the half of a point, outline and ellipse included
+constexpr int64_t kMany = 2000;         // spheres
+constexpr float kSmallestPoint = 1.5f;  // [pixel] radius of the largest; below, BodyRenderer has simpler points
+constexpr float kLargestPoint = 16;     // [pixel] OpenGL's points are limited, llvmpipe's to 255 pixels across
+constexpr float kPointMargin =
+    24;  // [pixel] around the view: more than the half of a point, outline and ellipse included
 
 /// Of the uniforms of small.vert.
 void set_uniforms(const Shader& shader, float beyond) {
   shader.set("beyond", beyond);
-  shader.set("margin", kMargin);
+  shader.set("margin", kPointMargin);
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ SmallSphereRenderer::SmallSphereRenderer(bool leaves_out_hidden) : leaves_out_hi
 
 bool SmallSphereRenderer::suits(const BodyBuffer& bodies, const FrameView& view, int height) {
   const float radius = nearest_radius(bodies, view, height);
-  return !view.domain.is_planar() && bodies.count() >= kMany && radius >= kSmallest && radius < kLargest;
+  return !view.domain.is_planar() && bodies.count() >= kMany && radius >= kSmallestPoint && radius < kLargestPoint;
 }
 
 void SmallSphereRenderer::draw(const BodyBuffer& bodies, const FrameView& view) {
@@ -61,7 +62,7 @@ void SmallSphereRenderer::draw(const BodyBuffer& bodies, const FrameView& view) 
                       GL_STREAM_DRAW);
     glDrawElements(GL_POINTS, count, GL_UNSIGNED_INT, nullptr);
   };
-  constexpr int kRoom = static_cast<int>(kMargin);
+  constexpr int kRoom = static_cast<int>(kPointMargin);
   glEnable(GL_SCISSOR_TEST);
   if (!was_cut) glScissor(part[0], part[1], part[2], part[3]);
   glViewport(part[0] - kRoom, part[1] - kRoom, part[2] + 2 * kRoom, part[3] + 2 * kRoom);

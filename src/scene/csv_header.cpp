@@ -70,7 +70,7 @@ void refuse_twice(const CsvHeader& header, const Place& place) {
       if (header.columns[first] != header.columns[k]) continue;
       const std::string &a = header.names[first], &b = header.names[k];
       const bool is_same = lower(a) == lower(b);
-      throw input_error(place, "header", is_same ? quoted(b) + " twice" : quoted(a) + " and " + quoted(b),
+      throw input_error(place, "header", is_same ? in_quotes(b) + " twice" : in_quotes(a) + " and " + in_quotes(b),
                         is_same ? kHeaderRule : "one of radius, r, diameter, d");
     }
   }
@@ -85,7 +85,7 @@ std::string CsvHeader::ignored() const {
   for (size_t k = 0; k < columns.size(); ++k) {
     if (columns[k] != kIgnored || ++count > kMaxNamed) continue;
     if (!text.empty()) text += ", ";
-    text += names[k].empty() ? fmt::format("column {} without a name", k + 1) : quoted(names[k]);
+    text += names[k].empty() ? fmt::format("column {} without a name", k + 1) : in_quotes(names[k]);
   }
   if (count > kMaxNamed) text += fmt::format(" and {} more", count - kMaxNamed);
   return text;
@@ -140,9 +140,9 @@ UserError no_csv_header(std::string_view line, const Place& place) {
     max = known;
     best = std::move(header);
   }
-  std::string found = "no column " + quoted(missing(best)->name);
+  std::string found = "no column " + in_quotes(missing(best)->name);
   const size_t begin = line.find_first_not_of(" \t"), end = line.find_last_not_of(" \t");
-  if (max == 0) found = quoted(line.substr(begin, end + 1 - begin)) + ", " + found;
+  if (max == 0) found = in_quotes(line.substr(begin, end + 1 - begin)) + ", " + found;
   return input_error(place, "header", found, kHeaderRule);
 }
 

@@ -10,7 +10,7 @@
 
 namespace ballpit {
 
-static constexpr size_t kBufferSize = 1 << 20;
+static constexpr size_t kFlushAt = 1 << 20;
 
 ExtendedXyz::ExtendedXyz(const std::filesystem::path& path, const Domain& domain) : domain_(domain), file_(path) {}
 
@@ -29,7 +29,7 @@ void ExtendedXyz::append(double time, const Bodies& bodies, std::string_view not
     buffer_ += "X ";  // ASE's name for something that is no chemical element; OVITO accepts any name
     append_numbers(buffer_, {x.x, x.y, x.z, bodies.radius[i], v.x, v.y, v.z, bodies.mass[i]});
     buffer_ += '\n';
-    if (buffer_.size() >= kBufferSize) flush();
+    if (buffer_.size() >= kFlushAt) flush();
   }
   flush();
   whole_ = written_;

@@ -40,7 +40,7 @@ UserError input_error(const Place& place, std::string_view key, std::string_view
 
 std::string limits_text(const Limits& limits) { return number_text(limits.low) + " to " + number_text(limits.high); }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr size_t kMaxLength = 60;
   size_t end = std::min(text.size(), kMaxLength);
   // Cut between characters of UTF-8, not inside one.

@@ -39,7 +39,7 @@ std::string visible(std::string_view text);
 std::string limits_text(const Limits& limits);
 
 /// `text` in quotes, shortened if long.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// [kg] of a sphere, also in planar scenes: a disc is a sphere that moves in a plane.
 inline double sphere_mass(double radius, double density) {

@@ -288,7 +288,7 @@ Scene load_scene(std::string_view name_or_path, const SceneOverrides& overrides)
   for (const EmbeddedFile& file : scene_files()) {
     if (file.name == std::string(name_or_path) + ".toml") return parse_scene(file.text, file.name, {}, overrides);
   }
-  throw UserError("SCENE", quoted(name_or_path),
+  throw UserError("SCENE", in_quotes(name_or_path),
                   join(names_in(built_in_scenes())) + ", or a path that ends in .toml or contains a '/'");
 }
 

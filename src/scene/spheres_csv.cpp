@@ -203,7 +203,7 @@ class CsvRows {
   }
 
   [[noreturn]] void refuse(size_t k, std::string_view field, std::string_view allowed) const {
-    throw input_error(place(), header_.names[k], quoted(field), allowed);
+    throw input_error(place(), header_.names[k], in_quotes(field), allowed);
   }
 
   [[noreturn]] void refuse_number(std::string_view field, size_t k) const {

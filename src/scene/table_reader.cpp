@@ -11,7 +11,7 @@ namespace ballpit {
 static int line_of(const toml::source_region& source) { return std::max(1, static_cast<int>(source.begin.line)); }
 
 std::string describe(const toml::node& node) {
-  if (const auto* text = node.as_string()) return quoted(text->get());
+  if (const auto* text = node.as_string()) return in_quotes(text->get());
   if (const auto* number = node.as_floating_point()) return number_text(number->get());
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";

@@ -77,7 +77,7 @@ std::vector<std::string> read_overlays(const TableReader& reader) {
   const std::vector<std::string> known = names_in(overlay_table());
   for (const std::string& name : overlays) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw reader.error("overlays", ballpit::quoted(name), join(known));
+      throw reader.error("overlays", in_quotes(name), join(known));
   }
   return overlays;
 }
@@ -118,7 +118,7 @@ PageStop read_stop(const TableReader& reader, const std::string& text, lecture::
   const std::optional<int> operations = words.size() > 2 ? number_in(kNumbers, words[2]) : -1;
   if (!is_phase || !thread || !operations || words.size() > 3) {
     throw reader.error(
-        "stops", ballpit::quoted(text),
+        "stops", in_quotes(text),
         "start, or a phase of the kernel, alone or with the numbers of a thread and of its operations: " +
             join(phases));
   }
@@ -151,7 +151,7 @@ Figures read_stored(const TableReader& reader) {
     const std::vector<std::string> known = names_in(placeholder_table());
     const std::string name(key.str());
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw reader.error("stored", ballpit::quoted(name), join(known));
+      throw reader.error("stored", in_quotes(name), join(known));
     if (const std::optional<int64_t> number = whole_number(value)) {
       figures[name] = grouped(*number);
     } else if (value.is_string()) {
@@ -188,12 +188,11 @@ Page read_page(const TableReader& reader, const std::filesystem::path& folder) {
   if (const std::optional<std::string> color = reader.text("color")) {
     const std::vector<std::string> known = names_in(coloring_table());
     if (std::find(known.begin(), known.end(), *color) == known.end())
-      throw reader.error("color", ballpit::quoted(*color), join(known));
+      throw reader.error("color", in_quotes(*color), join(known));
     page.view.coloring = *color;
   }
   if (const std::optional<std::string> occlusion = reader.text("occlusion")) {
-    if (*occlusion != "on" && *occlusion != "off")
-      throw reader.error("occlusion", ballpit::quoted(*occlusion), "on, off");
+    if (*occlusion != "on" && *occlusion != "off") throw reader.error("occlusion", in_quotes(*occlusion), "on, off");
     page.view.occlusion = *occlusion == "on";
   }
   page.view.selected = reader.integer("select", 0, kLargestCount).value_or(-1);
@@ -229,7 +228,7 @@ Lecture parse_lecture(std::string_view text, std::string_view file_name, const s
     lecture.pages.push_back(read_page(reader, folder));
     const auto is_same = [&](const Page& other) { return other.id == lecture.pages.back().id; };
     if (std::count_if(lecture.pages.begin(), lecture.pages.end(), is_same) > 1) {
-      throw reader.error("id", ballpit::quoted(lecture.pages.back().id) + " a second time", "a name for each page");
+      throw reader.error("id", in_quotes(lecture.pages.back().id) + " a second time", "a name for each page");
     }
   }
   if (lecture.pages.empty()) throw root.missing("page", "tables [[page]]");

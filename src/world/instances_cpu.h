@@ -25,6 +25,8 @@
   EXTERN template void ballpit::inspect_more(const ballpit::BodyStore<V, ballpit::CpuExecutor>&, \
                                              const ballpit::Collider<V, ballpit::CpuExecutor>&,  \
                                              const ballpit::Wanted&, ballpit::Inspection&);      \
+  EXTERN template std::pair<std::vector<int>, std::vector<int>> ballpit::thread_work(            \
+      ballpit::CpuExecutor&, const ballpit::Collider<V, ballpit::CpuExecutor>&);                 \
   EXTERN template class ballpit::OccluderSearch<V, ballpit::CpuExecutor>
 
 BALLPIT_DETECTION(extern, ballpit::Vec2);

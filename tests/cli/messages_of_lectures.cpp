@@ -40,7 +40,7 @@ std::vector<Row> rows_of_lectures() {
       page("show/lecture.cpp: no kernel", "[[page]] stops: found no kernel", "stops = [\"clear\"]"),
       page("show/lecture.cpp: figures by their names", "[[page]] stored: found 1, allowed figures by their names",
            "stored = 1"),
-      page("show/lecture.cpp: (\"stored\", ballpit::quoted(name)", "[[page]] stored: found \"x\", allowed spheres",
+      page("show/lecture.cpp: (\"stored\", in_quotes(name)", "[[page]] stored: found \"x\", allowed spheres",
            "stored = { x = 1 }"),
       page("show/lecture.cpp: whole numbers or texts", "[[page]] stored: found 1.5, allowed whole numbers or texts",
            "stored = { spheres = 1.5 }"),

@@ -13,7 +13,8 @@
 using namespace ballpit;
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST_CASE("a page of up to 500 spheres is drawn within 200 ms, and a step of its cursor within 50 ms") {
+TEST_CASE(
+    "a page of up to 500 spheres is drawn within 200 ms, and a step of its cursor costs no more than its picture") {
   constexpr int kWidth = 1280, kHeight = 720;
   constexpr float kAspect = float(kWidth) / float(kHeight);
   const GlContext context;
@@ -45,8 +46,9 @@ TEST_CASE("a page of up to 500 spheres is drawn within 200 ms, and a step of its
       }
     }
     const double longest = count > 0 ? *std::max_element(steps.begin(), steps.begin() + std::ptrdiff_t(count)) : 0;
+    const double picture = std::min(spent([] {}), spent([] {}));
     CHECK(opening < 0.2);
-    CHECK(longest < 0.05);
+    CHECK(longest < 1.5 * picture + 0.005);  // 5 ms: small pictures vary more
   }
 }
 #endif

@@ -23,9 +23,9 @@ namespace {
 
 constexpr float kClose = 0.05f;  // radii: nearer twins are not drawn
 constexpr size_t kMaxTwins = 3000;
-constexpr float kCrowd = 600;  // of more spheres that are apart, lines are fainter
-constexpr int kSides = 8;      // of half a twin's outline: it is filled as a polygon of twice as many
-constexpr float kTint = 0.3f;
+constexpr float kCrowdOfTwins = 600;  // of more spheres that are apart, lines are fainter
+constexpr int kSides = 8;             // of half a twin's outline: it is filled as a polygon of twice as many
+constexpr float kTwinTint = 0.3f;
 constexpr float kRoom = 0.2f;  // of the picture's height, for the curve
 // [1/1080 of the picture's height]
 constexpr float kWidth = 3, kRim = 1.5f, kDash = 9, kMarked = 26, kPad = 10, kRight = 30;
@@ -73,7 +73,7 @@ void add_dotted(const Circle& circle, int dashes, Rgba color, std::vector<Line>&
 void draw_twins(const GhostInspection& ghost, const FrameView& view, Painter& painter) {
   const BodySnapshot& bodies = view.inspection.bodies;
   const Projection projection(view.camera, painter.sheet);
-  const Rgba color = to_rgba(painter.theme.reference), tint = to_rgba(painter.theme.reference, kTint);
+  const Rgba color = to_rgba(painter.theme.reference), tint = to_rgba(painter.theme.reference, kTwinTint);
   const float scale = line_scale(view, projection, painter.sheet.unit());
   std::vector<Line> lines;
   std::vector<Face> faces;
@@ -83,8 +83,9 @@ void draw_twins(const GhostInspection& ghost, const FrameView& view, Painter& pa
   };
   int64_t apart = 0;
   for (int64_t i = 0; i < bodies.count; ++i) apart += is_apart(i);
-  const Rgba line_color = to_rgba(painter.theme.reference,
-                                  std::clamp(kCrowd / static_cast<float>(std::max<int64_t>(apart, 1)), 0.25f, 1.0f));
+  const Rgba line_color =
+      to_rgba(painter.theme.reference,
+              std::clamp(kCrowdOfTwins / static_cast<float>(std::max<int64_t>(apart, 1)), 0.25f, 1.0f));
   for (int64_t i = 0; i < bodies.count; ++i) {
     const Vec3 from = bodies.position_of(i), ahead = ghost.ahead[static_cast<size_t>(i)], to = from + ahead;
     const float radius = bodies.radius_of(i);

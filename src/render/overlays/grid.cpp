@@ -25,7 +25,7 @@ namespace {
 
 constexpr float kEdgeWidth = 2.0f, kDenseWidth = 4, kDenseRim = 2;  // [1/1080 of the picture's height]
 constexpr float kThinnest = 0.5f;                                   // of kEdgeWidth, between small discs
-constexpr int64_t kCrowd = 500;                                     // spheres in space
+constexpr int64_t kCrowdOfCells = 500;                              // spheres in space
 constexpr size_t kDensest = 12;                                     // cells drawn in a crowd
 
 /// 0 to 1: one body is clearly visible, and counts up to about eight look different.
@@ -216,7 +216,9 @@ std::vector<int> count_per_cell(const GridInspection& grid) {
   return counts;
 }
 
-bool draws_densest(const FrameView& view) { return !view.domain.is_planar() && view.inspection.bodies.count > kCrowd; }
+bool draws_densest(const FrameView& view) {
+  return !view.domain.is_planar() && view.inspection.bodies.count > kCrowdOfCells;
+}
 
 void draw_grid(const FrameView& view, Painter& painter) {
   const float width = kEdgeWidth * painter.line_unit;

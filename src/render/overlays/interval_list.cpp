@@ -8,17 +8,17 @@ namespace ballpit {
 namespace {
 
 // [1/1080 of the picture's height]
-constexpr float kPadding = 6, kWidest = 150;  // of a box
-constexpr float kBelow = 42;                  // for the walk
-constexpr float kDepth = 28, kLevel = 9;      // of a walk below the list; from one to the next above it
-constexpr float kStub = 10, kAside = 22;      // beside the heads of walks
+constexpr float kEntryPadding = 6, kWidestEntry = 150;  // of a box
+constexpr float kBelow = 42;                            // for the walk
+constexpr float kDepth = 28, kLevel = 9;                // of a walk below the list; from one to the next above it
+constexpr float kStub = 10, kAside = 22;                // beside the heads of walks
 
 constexpr size_t kMaxStacked = 2 * 10;  // in a longer list, the letters of names stand above the numbers
 
 /// [1/1080 of the picture's height] of a box.
 float box_height(size_t entries, float text_scale) {
   const float line = line_height(TextSize::small, text_scale);
-  return (entries > kMaxStacked ? 1.8f * line : line) + 2 * kPadding;
+  return (entries > kMaxStacked ? 1.8f * line : line) + 2 * kEntryPadding;
 }
 
 void draw_name(const Endpoint& endpoint, Vec2 middle, bool is_stacked, Rgba color, Sheet& sheet) {
@@ -85,7 +85,7 @@ std::optional<Row> take_row(const std::vector<Endpoint>& endpoints, float middle
     text = std::max(text, sheet.size_of(is_stacked ? name.substr(1) : name, TextSize::small).x);
   }
   const auto count = static_cast<float>(endpoints.size());
-  const float box = std::min(width / count, std::max(kWidest * u, text + 12 * u));
+  const float box = std::min(width / count, std::max(kWidestEntry * u, text + 12 * u));
   if (endpoints.size() > kMaxLabels || box < text + 3 * u) return std::nullopt;
   const float height = box_height(endpoints.size(), sheet.text_scale()) * u;
   const float top = painter.take_strip(height + kBelow * u);

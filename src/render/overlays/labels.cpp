@@ -20,7 +20,7 @@ constexpr size_t kMaxSpheres = 3000;  // of more spheres, the nearest get number
 constexpr size_t kMaxCells = 400;
 constexpr float kMostHidden = 0.15f;  // of a cell's number, by the number of a sphere
 constexpr float kMostHiddenOnPage = 0.4f;
-constexpr float kTop = 0.18f, kFoot = 0.79f;  // of digits, in their line of text
+constexpr float kHeadOfDigits = 0.18f, kFootOfDigits = 0.79f;  // of digits, in their line of text
 
 struct Seen {
   int64_t body;
@@ -90,7 +90,7 @@ std::vector<Number> place_numbers(const FrameView& view, const std::vector<Seen>
     const std::string text = std::to_string(sphere.body);
     const std::optional<TextSize> size = size_within(text, sphere.radius, sheet);
     if (!size) continue;
-    const Vec2 half = Vec2(0.5f, (kFoot - kTop) / 2) * sheet.size_of(text, *size);
+    const Vec2 half = Vec2(0.5f, (kFootOfDigits - kHeadOfDigits) / 2) * sheet.size_of(text, *size);
     const Area area{sphere.at - half, sphere.at + half};
     const auto end = spheres.begin() + static_cast<std::ptrdiff_t>(view.domain.is_planar() ? 0 : k);
     if (std::any_of(spheres.begin(), end, [&](const Seen& nearer) { return meets(area, nearer); })) continue;
@@ -126,12 +126,12 @@ struct CellNumber {
 
 /// The number in each corner of its cell, the lower left one first.
 std::array<CellNumber, 4> cell_number_places(Vec2 low, Vec2 high, Vec2 extent, Vec2 inset) {
-  const float foot = low.y - inset.y - kFoot * extent.y, head = high.y + inset.y - kTop * extent.y;
+  const float foot = low.y - inset.y - kFootOfDigits * extent.y, head = high.y + inset.y - kHeadOfDigits * extent.y;
   const float left = low.x + inset.x, right = high.x - inset.x - extent.x;
   std::array<CellNumber, 4> places;
   size_t k = 0;
   for (const Vec2& at : {Vec2(left, foot), Vec2(left, head), Vec2(right, foot), Vec2(right, head)}) {
-    places[k++] = {at, {at + Vec2(0, kTop * extent.y), at + Vec2(extent.x, kFoot * extent.y)}};
+    places[k++] = {at, {at + Vec2(0, kHeadOfDigits * extent.y), at + Vec2(extent.x, kFootOfDigits * extent.y)}};
   }
   return places;
 }

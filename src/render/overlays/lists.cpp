@@ -43,7 +43,7 @@ namespace {
 constexpr size_t kMaxBoxes = 32;
 constexpr size_t kMaxLength = 10;
 // [1/1080 of the picture's height]
-constexpr float kMargin = 12, kPadding = 3, kGap = 58, kArcs = 44, kWidest = 140;
+constexpr float kListMargin = 12, kPadding = 3, kListGap = 58, kArcs = 44, kWidest = 140;
 
 /// One array: numbered boxes beside its name.
 struct Boxes {
@@ -111,7 +111,7 @@ void draw_array(const char* name, const std::vector<int32_t>& values, const std:
                 const Boxes& boxes, const Vec3& color, const PageView* page, Painter& painter) {
   Sheet& sheet = painter.sheet;
   const float u = sheet.unit();
-  sheet.text({kMargin * u, boxes.top + boxes.height / 2}, kLeft, painter.ink(), name, TextSize::small);
+  sheet.text({kListMargin * u, boxes.top + boxes.height / 2}, kLeft, painter.ink(), name, TextSize::small);
   for (size_t k = 0; k < shown.size(); ++k) {
     const int32_t value = values[shown[k]];
     const Vec2 low(boxes.left + static_cast<float>(k) * boxes.width, boxes.top);
@@ -175,7 +175,7 @@ void draw_range(const Arrays& arrays, size_t box, const Rows& rows, Rgba color, 
 /// [1/1080 of the picture's height]
 float strip_height(const Arrays& arrays, float text_scale) {
   const float line = line_height(TextSize::small, text_scale), box = line + 2 * kPadding;
-  return 2 * line + static_cast<float>(1 + arrays.rows_of_bodies()) * box + kGap + kArcs + kMargin;
+  return 2 * line + static_cast<float>(1 + arrays.rows_of_bodies()) * box + kListGap + kArcs + kListMargin;
 }
 
 bool fits(const Arrays& arrays) { return arrays.shown.size() <= kMaxBoxes + 1 && arrays.bodies.size() <= kMaxBoxes; }
@@ -188,19 +188,19 @@ bool draw_arrays(const Arrays& arrays, const std::vector<int32_t>& keys, int64_t
   const float u = sheet.unit();
   const auto extent_of = [&](const std::string& text) { return sheet.size_of(text, TextSize::small); };
   const float left =
-      (kMargin + 12) * u + std::max(extent_of(arrays.name_of_cells()).x, extent_of(arrays.name_of_bodies()).x);
+      (kListMargin + 12) * u + std::max(extent_of(arrays.name_of_cells()).x, extent_of(arrays.name_of_bodies()).x);
   const auto count = static_cast<float>(std::max(arrays.shown.size(), arrays.bodies.size()));
   const float line = extent_of("0").y;
   float narrowest = extent_of("–1").x + 4 * u;
   if (!arrays.shown.empty()) narrowest = std::max(narrowest, extent_of(std::to_string(arrays.shown.back())).x + 4 * u);
-  const auto width_up_to = [&](float right) { return std::min(kWidest * u, (right - left - kMargin * u) / count); };
+  const auto width_up_to = [&](float right) { return std::min(kWidest * u, (right - left - kListMargin * u) / count); };
   float width = width_up_to(painter.note_left);  // beside code, if there is room
   if (width < narrowest) width = width_up_to(static_cast<float>(sheet.width()));
   if (width < narrowest) return false;
 
   const float top = painter.take_strip(strip_height(arrays, sheet.text_scale()) * u), height = line + 2 * kPadding * u;
-  const Boxes cells{left, width, top + kMargin * u / 2 + line, height, line};
-  const Boxes bodies{left, width, cells.top + height + kGap * u + line, height, line};
+  const Boxes cells{left, width, top + kListMargin * u / 2 + line, height, line};
+  const Boxes bodies{left, width, cells.top + height + kListGap * u + line, height, line};
   std::vector<size_t> all(arrays.bodies.size());
   std::iota(all.begin(), all.end(), size_t{0});
   draw_array(arrays.name_of_cells(), arrays.cells, arrays.shown, cells, painter.theme.grid, page, painter);
@@ -245,11 +245,11 @@ void draw_histogram(const std::vector<GridInspection>& grids, Painter& painter) 
   float bar = kBar * u;
   for (const int count : counts) bar = std::max(bar, sheet.size_of(grouped(count), TextSize::small).x + 10 * u);
   const float width = std::max(bar * static_cast<float>(counts.size()), sheet.size_of(subtitle, TextSize::small).x);
-  const Vec2 high(static_cast<float>(sheet.width()) - kMargin * u,
-                  static_cast<float>(sheet.height()) - painter.taken - kMargin * u);
+  const Vec2 high(static_cast<float>(sheet.width()) - kListMargin * u,
+                  static_cast<float>(sheet.height()) - painter.taken - kListMargin * u);
   const Vec2 low = high - Vec2(width, kHigh * u + 5 * line);
   const float ground = high.y - line;
-  sheet.box(low - Vec2(kMargin * u), high + Vec2(kMargin * u), painter.ground());
+  sheet.box(low - Vec2(kListMargin * u), high + Vec2(kListMargin * u), painter.ground());
   sheet.text({high.x, low.y}, kUpperRight, painter.ink(), title, TextSize::small);
   sheet.text({high.x, low.y + line}, kUpperRight, painter.ink(), subtitle, TextSize::small);
   for (size_t k = 0; k < counts.size(); ++k) {
@@ -280,7 +280,7 @@ std::vector<int> count_lengths(const GridInspection& grid, size_t max) {
 float lists_room(const Inspection& inspection, float text_scale) {
   if (inspection.grids.size() != 1) return 0;
   const Arrays arrays = arrays_of(inspection.grids[0]);
-  return fits(arrays) ? (strip_height(arrays, text_scale) + kMargin) / 1080 : 0.0f;
+  return fits(arrays) ? (strip_height(arrays, text_scale) + kListMargin) / 1080 : 0.0f;
 }
 
 void draw_lists(const FrameView& view, Painter& painter) {

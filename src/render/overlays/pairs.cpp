@@ -24,8 +24,8 @@ namespace {
 constexpr float kThin = 3, kBold = 7, kEdge = 4, kRim = 2, kGap = 5, kDouble = 4, kRing = 5, kCasing = 2.5f;
 constexpr float kShortest = 14;  // of a candidate's line, so that it is visible between spheres that almost touch
 constexpr size_t kMaxRings = 2000;
-constexpr float kCrowd = 300;    // of more candidates in space, each is fainter
-constexpr float kManyFlat = 60;  // of more candidates in the plane, each is thinner
+constexpr float kCrowdOfPairs = 300;  // of more candidates in space, each is fainter
+constexpr float kManyFlat = 60;       // of more candidates in the plane, each is thinner
 
 bool before(const Pair& a, const Pair& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); }
 
@@ -105,7 +105,7 @@ void draw_apart(const FrameView& view, const std::vector<Pair>& apart, Painter& 
                 float scale) {
   const BodySnapshot& bodies = view.inspection.bodies;
   const bool is_planar = view.domain.is_planar();
-  const float crowd = is_planar ? 1 : std::sqrt(std::min(1.0f, kCrowd / static_cast<float>(apart.size() + 1)));
+  const float crowd = is_planar ? 1 : std::sqrt(std::min(1.0f, kCrowdOfPairs / static_cast<float>(apart.size() + 1)));
   std::vector<Line> lines;
   std::vector<std::pair<Vec3, Vec3>> picked;
   for (const Pair& pair : apart) {

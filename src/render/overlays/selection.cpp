@@ -10,7 +10,7 @@ namespace ballpit {
 namespace {
 
 constexpr float kTint = 0.2f;
-constexpr float kWidth = 5, kRim = 1.5f, kInset = 6;  // [1/1080 of the picture's height]
+constexpr float kWidth = 5, kRingRim = 1.5f, kInset = 6;  // [1/1080 of the picture's height]
 
 /// The sides of the block behind the spheres in it, as the viewer sees them.
 std::vector<Face> far_sides(const Vec3& low, const Vec3& size, const Camera& camera, Rgba color) {
@@ -45,7 +45,7 @@ void draw_block(const GridInspection& grid, const Block& block, const FrameView&
   }
   std::vector<Line> lines;
   add_box_edges(low, low + size, to_rgba(painter.theme.selected), lines);
-  painter.draw_shining(lines, rim_of(painter.theme.selected), kWidth, kRim);
+  painter.draw_shining(lines, rim_of(painter.theme.selected), kWidth, kRingRim);
 }
 
 /// The cell that lists the body; none if the grid does not list it.

@@ -19,8 +19,8 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kWidth = 3, kRim = 2;  // [1/1080 of the picture's height]
-constexpr float kTint = 0.14f;
+constexpr float kPathWidth = 3, kPathRim = 2;  // [1/1080 of the picture's height]
+constexpr float kPathTint = 0.14f;
 constexpr float kSmallest = 2;  // [pixel] spheres with a smaller radius are drawn as a line
 
 /// The shapes of all paths.
@@ -54,7 +54,7 @@ void add_path(const Vec3& from, const Vec3& way, float radius, float radius_in_p
   if (length(across) < 1e-3f * length(way)) return;  // it moves straight at the viewer
   const Vec3 side = radius * normalize(across);
   for (const Vec3& s : {side, -side}) paths.lines.push_back({from + s, ink, to + s, ink});
-  paths.faces.push_back({from - side, way, 2.0f * side, painter.ink(kTint)});
+  paths.faces.push_back({from - side, way, 2.0f * side, painter.ink(kPathTint)});
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ void draw_swept(const FrameView& view, Painter& painter) {
   }
   painter.faces.draw(paths.faces);
   glDisable(GL_DEPTH_TEST);
-  painter.draw_rimmed(paths.lines, painter.theme.background, kWidth, kRim);
+  painter.draw_rimmed(paths.lines, painter.theme.background, kPathWidth, kPathRim);
   glEnable(GL_DEPTH_TEST);
   painter.note({{Swatch::line, painter.theme.text,
                  phrase("longest way in a step: {} diameters", local_number(fmt::format("{:.3g}", longest)))}});

@@ -13,8 +13,8 @@ namespace ballpit {
 
 namespace {
 
-constexpr float kLongest = 1.0f / 12;              // of the picture's height, at the middle of the domain
-constexpr float kWidth = 4, kRim = 2, kBarb = 18;  // [1/1080 of the picture's height]
+constexpr float kLongest = 1.0f / 12;                        // of the picture's height, at the middle of the domain
+constexpr float kArrowWidth = 4, kArrowRim = 2, kBarb = 18;  // [1/1080 of the picture's height]
 constexpr float kSlow = 0.05f, kRest = 1e-3f;  // of the scene's typical speed: below them arrows are short, or absent
 
 float fastest(const BodySnapshot& bodies) {
@@ -64,7 +64,7 @@ void draw_velocities(const FrameView& view, Painter& painter) {
     const Vec3 from = projection.lift(centre, 1.02f * bodies.radius_of(i));
     add_arrow(from, way, scale * kBarb * painter.sheet.unit() * pixel, view.camera, painter.ink(), lines);
   }
-  painter.draw_rimmed(lines, painter.theme.background, scale * kWidth, scale * kRim);
+  painter.draw_rimmed(lines, painter.theme.background, scale * kArrowWidth, scale * kArrowRim);
   painter.note({{Swatch::arrow, painter.theme.text,
                  phrase("longest arrow: {} m/s", local_number(fmt::format("{:.3g}", fastest(bodies))))}});
 }

@@ -24,8 +24,8 @@ namespace {
 constexpr size_t kMaxWarps = 4, kLanes = 32;  // of a warp, on NVIDIA GPUs
 constexpr float kRoom = 0.27f;                // of the picture's height, for the lanes
 // [1/1080 of the picture's height]
-constexpr float kMargin = 24, kGap = 30, kPad = 8;
-constexpr float kSmallest = 10;  // steps that are lower than this are drawn as one bar
+constexpr float kMargin = 24, kWarpGap = 30, kPad = 8;
+constexpr float kSmallestBar = 10;  // steps that are lower than this are drawn as one bar
 
 /// The lanes of one warp, from `corner`, its lower left.
 struct WarpBox {
@@ -45,7 +45,7 @@ void draw_lane(const WarpBox& warp, size_t lane, int work, Painter& painter) {
     sheet.box(low, high, to_rgba(is_busy ? painter.theme.begin : painter.theme.idle, is_busy ? 1 : kPale));
     if (!is_busy) sheet.frame(low, high, to_rgba(painter.theme.idle), 1.5f * u);
   };
-  const bool has_squares = warp.step >= kSmallest * u;
+  const bool has_squares = warp.step >= kSmallestBar * u;
   const auto fill_steps = [&](int from, int to, bool is_busy) {
     if (!has_squares) return fill(from, to, is_busy);
     for (int k = from; k < to; ++k) fill(k, k + 1, is_busy);
@@ -83,7 +83,7 @@ void draw_warps(const FrameView& view, Painter& painter) {
   const size_t all = (work.size() + kLanes - 1) / kLanes, shown = std::min(all, kMaxWarps);
   const float height = kRoom * static_cast<float>(sheet.height()) - 2 * kPad * u;
   const float bottom = painter.take_strip(height + 2 * line + 3 * kPad * u) + kPad * u + height;
-  const float lane = ((static_cast<float>(sheet.width()) - 2 * kMargin * u + kGap * u) / kMaxWarps - kGap * u) /
+  const float lane = ((static_cast<float>(sheet.width()) - 2 * kMargin * u + kWarpGap * u) / kMaxWarps - kWarpGap * u) /
                      static_cast<float>(kLanes);
   std::vector<size_t> chosen;
   int most = 1;
@@ -95,7 +95,7 @@ void draw_warps(const FrameView& view, Painter& painter) {
   for (size_t k = 0; k < shown; ++k) {
     const size_t w = chosen[k];
     const std::vector<int> lanes = lanes_of(work, w);
-    const float left = kMargin * u + static_cast<float>(k) * (kLanes * lane + kGap * u);
+    const float left = kMargin * u + static_cast<float>(k) * (kLanes * lane + kWarpGap * u);
     const WarpBox warp{{left, bottom}, lane, step, *std::max_element(lanes.begin(), lanes.end())};
     for (size_t at = 0; at < lanes.size(); ++at) draw_lane(warp, at, lanes[at], painter);
     const std::string text =
