@@ -32,13 +32,14 @@ class ThreadPool {
   int threads() const { return threads_; }
 
   /// Divides 0 … n−1 into blocks of at least `grain` indices (the last may be smaller), calls body(begin, end) for them
-  /// in parallel, and waits for all. A loop of one block, or on one thread, runs in the calling thread.
+  /// in parallel, and waits for all. A loop of one block, on one thread, or with so little work in its last run that
+  /// waking other threads takes longer, runs in the calling thread.
   void run_blocks(int64_t n, int64_t grain, LoopBody body);
 
  private:
   struct Team;
 
-  void run_blocks_at_once(int64_t n, int64_t grain, LoopBody body);
+  void share_blocks(int64_t n, int64_t grain, LoopBody body);
 
   std::unique_ptr<Team> team_;
   int threads_;
