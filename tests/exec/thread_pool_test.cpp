@@ -38,12 +38,13 @@ TEST_CASE("a loop is shared by threads if its last run had work for them, and ru
   };
   const std::set<std::thread::id> alone{std::this_thread::get_id()};
   CHECK(threads_of(2000).size() > 1);  // unknown yet
-  CHECK(threads_of(0).size() > 0);     // by the last run; from now on it is known to take no time
-  // Another program may interrupt a run, which then seems long.
+  // Another program may interrupt the run that shows how little work there is, which then seems long.
   bool was_alone = false;
-  for (int k = 0; k < 20 && !was_alone; ++k) was_alone = threads_of(0) == alone;
+  for (int k = 0; k < 20 && !was_alone; ++k) {
+    threads_of(0);
+    was_alone = threads_of(2000) == alone;
+  }
   CHECK(was_alone);
-  CHECK(threads_of(2000) == alone);
   CHECK(threads_of(2000).size() > 1);
 }
 #endif
