@@ -128,10 +128,11 @@ class PenaltyResponse {
   /// Whether the forces depend on velocities.
   bool depends_on_velocity() const { return law_.damping > 0 || law_.wall_damping > 0 || law_.shear > 0; }
 
-  /// Whether one thread adds up the forces along the pairs. Otherwise pairs are to be listed by body.
+  /// Whether one thread adds up the forces along the pairs: two threads that gather them by body take longer
+  /// (ordered_forces.h). Otherwise pairs are to be listed by body.
   bool adds_in_order(const Exec& exec) const {
     if constexpr (kHasOrderedForces<V, Exec>) {
-      return exec.runs_in_order() && ordered_.is_available() && !notes_impulses_ && law_.shear == 0;
+      return exec.threads() <= 2 && ordered_.is_available() && !notes_impulses_ && law_.shear == 0;
     }
     return false;
   }

@@ -68,6 +68,8 @@ void feed(ImGuiIO& io, const PanelInput& input, const Sheet& sheet) {
   for (const auto& [key, is_down] : input.keys) {
     if (key >= 0 && key < 512) io.KeysDown[key] = is_down;
   }
+  // Tab hides the panel and shows it. From outside of a text field it would make one of a slider, which takes all keys.
+  if (!io.WantTextInput) io.KeysDown[io.KeyMap[ImGuiKey_Tab]] = false;
   const auto either = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
   io.KeyShift = either(340, 344);
   io.KeyCtrl = either(341, 345);

@@ -7,7 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/random.h"
 #include "render/overlays/overlay.h"
 #include "tests/support/in_german.h"
 
@@ -294,41 +293,6 @@ TEST_CASE("the cursor stays within the record, however far it is moved") {
   presenter.skip_phase(-1);
   presenter.skip_phase(-1);
   CHECK(presenter.cursor() == 0);
-}
-
-TEST_CASE("a thousand random keys neither crash nor leave the lecture") {
-  Presenter presenter(built_in_lecture());
-  Random random(5);
-  for (int press = 0; press < 1000; ++press) {
-    switch (static_cast<int>(random.uniform(0, 8))) {
-      case 0:
-        presenter.next();
-        break;
-      case 1:
-        presenter.previous();
-        break;
-      case 2:
-        presenter.step(static_cast<int>(random.uniform(-20, 20)));
-        break;
-      case 3:
-        presenter.skip_phase(random.uniform() < 0.5 ? 1 : -1);
-        break;
-      case 4:
-        presenter.go_to(static_cast<int>(random.uniform(-3, 60)));
-        break;
-      case 5:
-        set_language(random.uniform() < 0.5 ? Language::german : Language::english);
-        break;
-      case 6:
-        presenter.demo().view.toggle(overlay_table()[static_cast<size_t>(random.uniform(0, 6.99))].name);
-        break;
-      default:
-        presenter.frame_view(1.6f);
-    }
-    REQUIRE(presenter.number() >= 1);
-    REQUIRE(presenter.number() <= presenter.count());
-  }
-  set_language(Language::english);
 }
 
 TEST_CASE("a page whose scene is missing says why, and the other pages still work") {

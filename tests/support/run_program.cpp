@@ -108,6 +108,8 @@ Outcome Program::wait() {
           read_text(scratch_ / "err")};
 }
 
+nlohmann::json Outcome::json() const { return nlohmann::json::parse(out); }
+
 Outcome run_program(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
   return Program(arguments, circumstances).wait();
 }

@@ -63,7 +63,7 @@ struct Outcome {
   int status = 0;  ///< exit status, or 128 + the signal that ended it
   std::string out, err;
 
-  nlohmann::json json() const { return nlohmann::json::parse(out); }
+  nlohmann::json json() const;
 };
 
 struct Circumstances {

@@ -60,6 +60,26 @@ TEST_CASE("Ctrl and a click let a number be typed into a slider, and change noth
   CHECK(desk.demo.session.settings().cell_size == 1.25);
 }
 
+TEST_CASE("Tab, which hides the panel, goes to a slider only while a number is typed into another") {
+  constexpr int kCtrl = 341, kTab = 258;
+  Desk desk;
+  const auto press_tab = [&] {
+    for (const bool is_down : {true, true, false}) desk.frame(PanelInput{.keys = {{kTab, is_down}}});
+  };
+  desk.click("tab Method");  // the panel has ImGui's focus
+  press_tab();
+  press_tab();
+  CHECK_FALSE(desk.panel.has_keyboard());
+  REQUIRE(desk.has("cell-size"));
+  const Vec2 at = desk.panel.items().at("cell-size").middle();
+  desk.frame(PanelInput{.mouse = at, .keys = {{kCtrl, true}}});
+  desk.frame(PanelInput{.mouse = at, .is_down = true});
+  desk.frame(PanelInput{.mouse = at, .keys = {{kCtrl, false}}});
+  REQUIRE(desk.panel.has_keyboard());
+  press_tab();
+  CHECK(desk.panel.has_keyboard());
+}
+
 TEST_CASE("a click that is over within a frame counts") {
   Desk desk;
   REQUIRE(desk.has("overlay pairs"));
