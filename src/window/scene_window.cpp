@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <thread>
 
+#include <GLFW/glfw3.h>
+
 #include "core/interrupt.h"
 
 namespace ballpit {
@@ -53,11 +55,16 @@ void SceneWindow::run() {
   }
 }
 
+bool SceneWindow::goes_on(int code) const { return code == GLFW_KEY_RIGHT || code == GLFW_KEY_LEFT; }
+
 void SceneWindow::handle(const WindowEvents& events) {
   is_shift_down_ = events.is_shift_down;
   is_ctrl_down_ = events.is_ctrl_down;
   if (!takes_keyboard()) {
     for (const int code : events.pressed) press(code);
+    for (const int code : events.held) {
+      if (goes_on(code)) press(code);
+    }
   }
   if (events.was_pressed) {
     pressed_at_ = events.mouse;

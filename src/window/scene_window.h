@@ -27,7 +27,8 @@ class SceneWindow {
   using Clock = std::chrono::steady_clock;
 
   virtual Demo& demo() = 0;
-  virtual void press(int code) = 0;                                  ///< a key, by GLFW's code
+  virtual void press(int code) = 0;      ///< a key, by GLFW's code
+  virtual bool goes_on(int code) const;  ///< whether a key acts again while it is held: those that go step by step
   virtual FrameView frame_view(float aspect) = 0;                    ///< of the scene, with its bodies
   virtual void draw(const WindowEvents& events, float elapsed) = 0;  ///< into the window
   virtual std::string title() = 0;                                   ///< asked once a second

@@ -99,6 +99,10 @@ void ShowWindow::move_cursor(int direction) {
   is_shift_down() ? stepping_.skip_phase(direction) : stepping_.move(direction);
 }
 
+bool ShowWindow::goes_on(int code) const {
+  return code == GLFW_KEY_PERIOD || code == GLFW_KEY_COMMA || SceneWindow::goes_on(code);
+}
+
 void ShowWindow::press(int code) {
   panel_.end_hint();
   for (const Key& key : key_table()) {

@@ -51,6 +51,7 @@ class ShowWindow final : public SceneWindow {
   void advance(double elapsed) override;
   int left() const override { return width_beside(panel_, window.size(), demo_.view.ui_scale); }
   void press(int code) override;
+  bool goes_on(int code) const override;
   void draw(const WindowEvents& events, float elapsed) override;
   std::string title() override;
   void handle(PanelRequests& requests);

@@ -94,7 +94,8 @@ void Window::listen() {
     if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) events.is_shift_down = action != GLFW_RELEASE;
     if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) events.is_ctrl_down = action != GLFW_RELEASE;
     if (action != GLFW_REPEAT) events.keys[key] = action == GLFW_PRESS;
-    if (action != GLFW_RELEASE) events.pressed.push_back(key);
+    if (action == GLFW_PRESS) events.pressed.push_back(key);
+    if (action == GLFW_REPEAT) events.held.push_back(key);
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { changed(w).typed += static_cast<char32_t>(code); });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { changed(w); });

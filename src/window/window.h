@@ -22,6 +22,7 @@ struct WindowEvents {
   bool was_released = false;   ///< it went up
   float wheel = 0;
   std::vector<int> pressed{};  ///< keys that went down, by GLFW's code
+  std::vector<int> held{};     ///< keys that the keyboard repeats, since they are down for long
   std::map<int, bool> keys{};  ///< keys that changed, and whether they are down now
   std::u32string typed{};      ///< characters
   bool has_menu = false;       ///< the right button went down

@@ -63,6 +63,9 @@ xdotool key s
 expect_file picture_00000.png
 xdotool key s
 expect_file picture_00001.png
+xdotool keydown s sleep 1.5 keyup s  # a key that is held acts once,
+expect_file picture_00002.png; sleep 0.5
+[[ ! -e picture_00003.png ]] || fail "a key that is held saves picture after picture"
 xdotool windowsize --sync "$window" 20 10
 xdotool windowsize --sync "$window" 800 600
 xdotool key space 1; expect_title "brute-force"
