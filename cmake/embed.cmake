@@ -24,6 +24,7 @@ function(ballpit_embed_by script target name argument)
     DEPENDS ${ARGN} ${script}
     VERBATIM)
   add_library(ballpit_${name} STATIC ${header} ${source})
-  target_include_directories(ballpit_${name} PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/embedded PRIVATE ${PROJECT_BINARY_DIR}/include/core)
+  target_include_directories(ballpit_${name}
+    PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/embedded PRIVATE ${PROJECT_BINARY_DIR}/include/core)
   target_link_libraries(${target} PRIVATE ballpit_${name})
 endfunction()

@@ -7,9 +7,9 @@
 //                              δ overlap [m], u speed of parting [m/s], m* reduced mass [kg]
 //
 // Restitution determines ζ (pair_force.h). Walls follow the same law with m* = m. The pairs of a candidate list are
-// used directly; those that do not touch have force 0. A single thread of the CPU goes along the pairs and adds each
-// force to both bodies (ordered_forces.h); otherwise bodies gather their forces, in the same order. Cost: O(n +
-// contacts) for each evaluation of the forces. Source: Cundall and Strack, "A discrete numerical model for granular
+// used directly; those that do not touch have force 0. Where the CPU has at most two threads, one goes along the pairs
+// and adds each force to both bodies (ordered_forces.h); otherwise bodies gather their forces, in the same order. Cost:
+// O(n + contacts) for each evaluation of the forces. Source: Cundall and Strack, "A discrete numerical model for granular
 // assemblies" (1979), doi 10.1680/geot.1979.29.1.47. Its siblings: kinematic.h, impulse.h, position_based.h.
 #pragma once
 

@@ -174,7 +174,7 @@ TEST_CASE("a thousand keys at random end no lecture, and leave pictures") {
       [&] { presenter.next(); },
       [&] { presenter.previous(); },
       [&] { presenter.go_to(below(2 * presenter.count()) - 3); },
-      [&] { presenter.step(below(7) - 3); },
+      [&] { presenter.step(below(41) - 20); },
       [&] { presenter.step(1); },
       [&] { presenter.skip_phase(below(2) == 0 ? 1 : -1); },
       [&] { presenter.is_blank = !presenter.is_blank; },
