@@ -145,7 +145,7 @@ Measured Lammps::run(const fs::path& folder) {
   const fs::path log = folder / kLog;
   fs::remove(log);
   const ProgramResult result =
-      run_program({path_, {"-in", kInput, "-log", kLog, "-screen", "none", "-nocite"}, "", folder.string()});
+      call_program({path_, {"-in", kInput, "-log", kLog, "-screen", "none", "-nocite"}, "", folder.string()});
   const std::string text = fs::exists(log) ? read_file(log) : "";
   if (result.status != 0) {
     throw RunError(path_, fmt::format("ended with status {}: {}{}", result.status, error_line(text), result.errors));

@@ -36,6 +36,7 @@ struct KickedVelocity {
   V change{};              ///< [m/s]
   bool is_kicked = false;  ///< without a kick the bits of zeros stay
 
+  HOST_DEVICE const V* data() const { return velocity.data(); }  ///< what is read
   HOST_DEVICE V operator[](int64_t i) const { return is_kicked ? velocity[i] + change : velocity[i]; }
 };
 

@@ -84,7 +84,7 @@ std::string find_program(const std::string& name) {
   return "";
 }
 
-ProgramResult run_program(const ProgramCall& call) {
+ProgramResult call_program(const ProgramCall& call) {
   const MemoryFile in(call.input), out, err;
   const pid_t process = start(call, in.descriptor(), out, err);
   int status = 0;

@@ -26,7 +26,7 @@ struct ProgramResult {
 };
 
 /// Runs a program and waits for its end. Throws RunError if it cannot be started.
-ProgramResult run_program(const ProgramCall& call);
+ProgramResult call_program(const ProgramCall& call);
 
 /// A program that reads its input from a pipe while it runs. Killed by the destructor if nobody has waited for its end.
 class PipedProgram {

@@ -284,6 +284,7 @@ class CpuExecutor {
     const Kernel kernel = *static_cast<const Kernel*>(shared);
     if constexpr (requires { Kernel::kIsElementwise; }) {
       const int last = static_cast<int>(end);
+#pragma omp simd
       for (int i = static_cast<int>(begin); i < last; ++i) kernel(i);
     } else {
       for (int64_t i = begin; i != end; ++i) kernel(static_cast<int>(i));

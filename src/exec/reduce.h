@@ -10,6 +10,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "core/span.h"
@@ -28,7 +29,7 @@ struct Sum {
   }
 };
 
-/// Combine: whether one of them is true. Without a branch, so that loops compile to vector instructions.
+/// Combine: whether one of them is true. Without a branch, so that loops become vector instructions.
 struct Or {
   HOST_DEVICE int operator()(int a, int b) const { return a | b; }
 };
@@ -46,7 +47,12 @@ struct ReduceBlock {
     const int64_t first = block * kReduceBlock, end = first + kReduceBlock < n ? first + kReduceBlock : n;
     const int last = static_cast<int>(end);
     T result = identity;
-    for (int i = static_cast<int>(first); i < last; ++i) result = combine(result, map(i));
+    if constexpr (std::is_same_v<Combine, Or>) {
+#pragma omp simd reduction(| : result)
+      for (int i = static_cast<int>(first); i < last; ++i) result |= map(i);
+    } else {
+      for (int i = static_cast<int>(first); i < last; ++i) result = combine(result, map(i));
+    }
     partial[block] = result;
   }
 };

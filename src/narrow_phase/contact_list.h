@@ -31,6 +31,8 @@ struct MeasureContact {
 
   HOST_DEVICE void operator()(int c) const {
     const Pair pair = pairs[c];
+    prefetch_second(pairs, c, bodies.position.data());
+    prefetch_second(pairs, c, bodies.velocity.data());
     const V d = box.displacement(bodies.position[pair.i], bodies.position[pair.j]);
     const Scalar<V> distance = std::sqrt(dot(d, d));
     V normal{};

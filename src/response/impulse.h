@@ -35,11 +35,14 @@ namespace ballpit {
 
 /// Kernel: one Jacobi iteration for body i; reads the velocities and sums of the last iteration, writes new ones.
 /// Bodies gather: both bodies of a contact compute its impulse, so no two threads write to the same memory. The first
-/// iteration reads velocities that are kicked, and sums count as 0: their memory is not initialized.
+/// iteration reads velocities that are kicked, and sums count as 0: their memory is not initialized. Nobody reads the
+/// velocity of a body without contact, so only the last iteration writes it.
 template <class V, bool kIsFirst>
 struct ResolveVelocity {
   using Real = Scalar<V>;
   ImpulseView<V> view;
+  KickedVelocity<V> kicked;
+  bool is_last;
   Span<const ContactConstraint<V>> constraints;
   std::conditional_t<kIsFirst, KickedVelocity<V>, Span<const V>> velocity;
   Span<const Real> exchanged;  ///< total impulse of each contact so far [kg·m/s]
@@ -48,30 +51,35 @@ struct ResolveVelocity {
   WallSums<V> walls;
 
   HOST_DEVICE void operator()(int i) const {
-    const V own = velocity[i];
-    const Real inverse_mass = view.bodies.inverse_mass[i];
     if (view.share[i] == 0) {
-      next_velocity[i] = own;
+      if (is_last) next_velocity[i] = kicked[i];
       return;
     }
+    const V own = velocity[i];
+    const Real inverse_mass = view.bodies.inverse_mass[i];
     V impulse{};
     view.contacts.for_each_of(i, [&](int c, int other, int side) {
       const ContactConstraint<V>& contact = constraints[c];
       const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
       Real sum = kIsFirst ? Real(0) : exchanged[c];
       impulse -= contact.normal * (Real(side) * add_unless_pulling(sum, contact.mass * (contact.wanted - parting)));
-      if (side > 0) next_exchanged[c] = sum;
+      if (side > 0) {
+        next_exchanged[c] = sum;
+        prefetch_second(view.contacts.pairs, c, velocity.data());
+      }
     });
-    V at_walls = own;  // velocity of the one part that meets all walls, one after the other
-    const Real part = view.share[i] * inverse_mass;
-    view.for_each_wall(i, [&](int axis, int side, Real overlap) {
-      Real& sum = walls.at(i, axis, side);
-      if (kIsFirst) sum = 0;
-      const Real missing = view.missing_at_wall(i, at_walls, axis, side, overlap);
-      const Real change = Real(side) * add_unless_pulling(sum, missing / part);
-      impulse[axis] -= change;
-      at_walls[axis] -= change * part;
-    });
+    if (view.may_touch_wall(i)) {
+      V at_walls = own;  // velocity of the one part that meets all walls, one after the other
+      const Real part = view.share[i] * inverse_mass;
+      view.for_each_wall(i, [&](int axis, int side, Real overlap) {
+        Real& sum = walls.at(i, axis, side);
+        if (kIsFirst) sum = 0;
+        const Real missing = view.missing_at_wall(i, at_walls, axis, side, overlap);
+        const Real change = Real(side) * add_unless_pulling(sum, missing / part);
+        impulse[axis] -= change;
+        at_walls[axis] -= change * part;
+      });
+    }
     next_velocity[i] = own + impulse * inverse_mass;
   }
 };
@@ -183,17 +191,18 @@ class ImpulseResponse {
   void solve_at_once(Exec& exec, const ImpulseView<V>& view, const KickedVelocity<V>& kicked, Buffer<V>& velocity,
                      const WallSums<V>& walls) {
     next_exchanged_.resize(exchanged_.size());
-    const auto iterate = [&]<bool kIsFirst>(const auto& current) {
-      exec.parallel_for("resolve velocities", view.bodies.size(),
-                        ResolveVelocity<V, kIsFirst>{view, constraints_.span(), current, exchanged_.span(),
-                                                     other_.span(), next_exchanged_.span(), walls});
+    const auto iterate = [&]<bool kIsFirst>(const auto& current, int k) {
+      exec.parallel_for(
+          "resolve velocities", view.bodies.size(),
+          ResolveVelocity<V, kIsFirst>{view, kicked, k + 1 == parameters_.iterations, constraints_.span(), current,
+                                       exchanged_.span(), other_.span(), next_exchanged_.span(), walls});
       std::swap(velocity, other_);
       std::swap(exchanged_, next_exchanged_);
       other_.resize(view.bodies.size());
     };
-    iterate.template operator()<true>(kicked);
+    iterate.template operator()<true>(kicked, 0);
     for (int k = 1; k < parameters_.iterations; ++k) {
-      iterate.template operator()<false>(Span<const V>(velocity.span()));
+      iterate.template operator()<false>(Span<const V>(velocity.span()), k);
     }
   }
 

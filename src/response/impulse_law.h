@@ -47,6 +47,12 @@ struct ImpulseView {
     walls.for_each(i, bodies.position[i], bodies.radius[i], visit);
   }
 
+  /// False if body i touches no wall, which its share tells without its position. A GPU would need more registers to
+  /// find out (eight in ResolveVelocity).
+  HOST_DEVICE bool may_touch_wall(int i) const {
+    return kOnDevice || share[i] != static_cast<Real>(contacts.count_of(i));
+  }
+
   /// By how much body i, at `velocity`, must part faster from a wall [m/s]; at most 0 if it is fast enough.
   HOST_DEVICE Real missing_at_wall(int i, const V& velocity, int axis, int side, Real overlap) const {
     Real before = -Real(side) * bodies.velocity[i][axis], later = 0;
@@ -175,6 +181,7 @@ struct PositionCorrection {
         const Real parting = dot(velocity[other] - own, contact.normal) * Real(side);
         const Real left = contact.overlap - view.law.foresight * parting * view.dt;
         move -= contact.normal * (Real(side) * contact.mass * (left > 0 ? left : Real(0)));
+        if (side > 0) prefetch_second(view.contacts.pairs, c, velocity.data());
       });
       move *= view.bodies.inverse_mass[i];
       view.for_each_wall(i, [&](int axis, int side, Real overlap) {

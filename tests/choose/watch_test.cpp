@@ -10,7 +10,7 @@ using namespace ballpit;
 namespace {
 
 /// Two spheres that meet after 0.3 s.
-Scene pair() {
+Scene approaching_pair() {
   Scene scene;
   scene.domain = {Vec3d(-1.0), Vec3d(1.0), Boundary::walls, 3};
   scene.physics.restitution = scene.physics.wall_restitution = 1;
@@ -23,7 +23,7 @@ Choice choice_with(const Needs& needs, const Settings& settings) {
   Choice choice;
   choice.needs.needs = needs;
   choice.tolerances = tolerances_of(needs);
-  choice.numbers = numbers_of(pair());
+  choice.numbers = numbers_of(approaching_pair());
   choice.chosen = Attempt{"impulse", settings};
   Settings finer = settings;
   finer.dt /= 2;
@@ -31,7 +31,7 @@ Choice choice_with(const Needs& needs, const Settings& settings) {
   return choice;
 }
 
-Settings impulses(double dt) {
+Settings impulses_of(double dt) {
   Settings settings;
   settings.dt = dt;
   return settings;
@@ -42,9 +42,9 @@ Settings impulses(double dt) {
 TEST_CASE("a breach of overlap is seen during the run, and the last good state comes back") {
   Needs needs;
   needs.max_overlap_ever = 0.05;
-  const Settings settings = impulses(0.08);
-  const auto world = make_cpu_world(pair(), settings);
-  Watch watch(pair(), choice_with(needs, settings), *world);
+  const Settings settings = impulses_of(0.08);
+  const auto world = make_cpu_world(approaching_pair(), settings);
+  Watch watch(approaching_pair(), choice_with(needs, settings), *world);
   std::string breach;
   for (int k = 0; k < 10 && breach.empty(); ++k) {
     const uint64_t good = world->report().state_hash;
@@ -68,9 +68,9 @@ TEST_CASE("what counts at the end is not a breach before it") {
   Needs needs;
   needs.duration = 1;
   needs.max_speed = 0.1;
-  const Settings settings = impulses(0.01);
-  const auto world = make_cpu_world(pair(), settings);
-  const Watch watch(pair(), choice_with(needs, settings), *world);
+  const Settings settings = impulses_of(0.01);
+  const auto world = make_cpu_world(approaching_pair(), settings);
+  const Watch watch(approaching_pair(), choice_with(needs, settings), *world);
   for (int k = 0; k < 99; ++k) world->step();
   CHECK(watch.breach(*world, settings).empty());
   world->step();
@@ -82,10 +82,10 @@ TEST_CASE(
   Needs needs;
   needs.duration = 100;
   needs.max_overlap = 0.01;
-  const Settings settings = impulses(0.08);
+  const Settings settings = impulses_of(0.08);
   Choice choice = choice_with(needs, settings);
   choice.chosen->largest_overlap = 0.2;
-  Scene scene = pair();
+  Scene scene = approaching_pair();
   const auto apart = make_cpu_world(scene, settings);
   Watch watch(scene, choice, *apart);
   const auto breach_at = [&](double overlap) {
@@ -100,8 +100,8 @@ TEST_CASE(
 
 TEST_CASE("a sphere that became too fast for the step is a breach") {
   Needs needs;
-  const Settings settings = impulses(0.01);
-  Scene scene = pair();
+  const Settings settings = impulses_of(0.01);
+  Scene scene = approaching_pair();
   const auto slow = make_cpu_world(scene, settings);
   const Watch watch(scene, choice_with(needs, settings), *slow);
   CHECK(watch.breach(*slow, settings).empty());
@@ -114,9 +114,9 @@ TEST_CASE("a sphere that became too fast for the step is a breach") {
 }
 
 TEST_CASE("a watch looks every 128 steps") {
-  const Settings settings = impulses(0.001);
-  const auto world = make_cpu_world(pair(), settings);
-  Watch watch(pair(), choice_with({}, settings), *world);
+  const Settings settings = impulses_of(0.001);
+  const auto world = make_cpu_world(approaching_pair(), settings);
+  Watch watch(approaching_pair(), choice_with({}, settings), *world);
   int looks = 0;
   for (int k = 0; k < 640; ++k) {
     world->step();

@@ -18,8 +18,6 @@ using Catch::Contains;
 
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 Outcome bench(Arguments arguments) {
   arguments.insert(arguments.begin(), "bench");
   Outcome outcome = run_program(arguments);
@@ -98,8 +96,8 @@ TEST_CASE("the stages of an entry are those of a step, launched once in it and n
 }
 
 TEST_CASE("what would take longer than the limit is skipped, and says so, the rest is measured") {
-  const Arguments arguments{"--counts", "50,50000", "--methods", "brute-force", "--threads",  "1",
-                            "--repeat", "3",        "--limit",   "0.5",         "--backends", "cpu"};
+  const Arguments arguments{"--counts", "50,500000", "--methods", "brute-force", "--threads",  "1",
+                            "--repeat", "3",         "--limit",   "0.5",         "--backends", "cpu"};
   Arguments json = arguments;
   json.emplace_back("--json");
   const nlohmann::json entries = bench(json).json()["entries"];

@@ -30,11 +30,9 @@ struct Pictures {
   }
 
   Outcome compare(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"compare"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
     Circumstances here;
     here.folder = folder.path().string();
-    return run_program(arguments, here);
+    return run_program(with({"compare"}, more), here);
   }
 
   Scratch folder;

@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 /// A folder with a script named ffmpeg, which comes first on the PATH.
 struct Fake {
   explicit Fake(const std::string& script =
@@ -33,10 +31,8 @@ struct Fake {
   const Variable path{"PATH", folder.path().string() + ":" + std::getenv("PATH")};
 };
 
-Arguments render(const Arguments& more, int frames = 3) {
-  Arguments arguments{"render", "lecture-grid", "--size", "64x36", "--frames", std::to_string(frames)};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+Arguments render_grid(const Arguments& more, int frames = 3) {
+  return with({"render", "lecture-grid", "--size", "64x36", "--frames", std::to_string(frames)}, more);
 }
 
 std::vector<std::string> names_in(const Scratch& folder) {
@@ -50,7 +46,7 @@ std::vector<std::string> names_in(const Scratch& folder) {
 void check_failure(const std::string& script, const std::string& reason) {
   const Fake fake(script);
   const Scratch scratch;
-  const Outcome outcome = run_program(render({"--film", scratch / "a.mp4"}, 30));
+  const Outcome outcome = run_program(render_grid({"--film", scratch / "a.mp4"}, 30));
   INFO(outcome.err);
   CHECK(outcome.status == 1);
   CHECK(outcome.err == "ballpit: " + scratch / "a.mp4" + ": " + reason + "\n");
@@ -62,14 +58,14 @@ void check_failure(const std::string& script, const std::string& reason) {
 TEST_CASE("ffmpeg gets the pixels of the frames, one after the other, and no picture is written") {
   const Fake fake;
   const Scratch scratch;
-  const Outcome outcome = run_program(render({"--film", scratch / "a.mp4", "--json"}));
+  const Outcome outcome = run_program(render_grid({"--film", scratch / "a.mp4", "--json"}));
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   CHECK(outcome.json()["film"] ==
         nlohmann::json{{"file", scratch / "a.mp4"}, {"frames_per_second", 60.0}, {"seconds", 0.05}, {"speed", 1.0}});
   CHECK(outcome.json()["out"].is_null());
   CHECK(names_in(scratch) == std::vector<std::string>{"a.mp4"});
-  REQUIRE(run_program(render({"--out", scratch / "frames"})).status == 0);
+  REQUIRE(run_program(render_grid({"--out", scratch / "frames"})).status == 0);
   std::string pixels;
   for (int k = 0; k < 3; ++k) {
     const Image frame = read_png(scratch / "frames/" + frame_name(k));
@@ -86,7 +82,7 @@ TEST_CASE("ffmpeg gets the pixels of the frames, one after the other, and no pic
 TEST_CASE("the option --out beside --film writes the pictures too") {
   const Fake fake;
   const Scratch scratch;
-  REQUIRE(run_program(render({"--film", scratch / "a.mp4", "--out", scratch / "frames"})).status == 0);
+  REQUIRE(run_program(render_grid({"--film", scratch / "a.mp4", "--out", scratch / "frames"})).status == 0);
   CHECK(fs::file_size(scratch / "a.mp4") == 3 * 64 * 36 * 4);
   CHECK(next_frame_index(scratch / "frames") == 3);
 }
@@ -95,9 +91,8 @@ TEST_CASE("a film plays in real time, and in slow motion where it has more than 
   const Fake fake;
   const Scratch scratch;
   const auto film = [&](const Arguments& more) {
-    Arguments arguments = render({"--film", scratch / "a.mp4", "--json"});
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const nlohmann::json found = run_program(arguments).json()["film"];
+    const nlohmann::json found =
+        run_program(with(render_grid({"--film", scratch / "a.mp4", "--json"}), more)).json()["film"];
     return std::pair<double, double>(found["frames_per_second"], found["speed"]);
   };
   CHECK(film({"--fps", "30"}) == std::pair(30.0, 1.0));
@@ -112,11 +107,11 @@ TEST_CASE("a film replaces an earlier one when it is complete") {
   write_text(scratch / "a.mp4", "an earlier film");
   {
     const Fake broken("exit 1");
-    CHECK(run_program(render({"--film", scratch / "a.mp4"})).status == 1);
+    CHECK(run_program(render_grid({"--film", scratch / "a.mp4"})).status == 1);
     CHECK(read_text(scratch / "a.mp4") == "an earlier film");
   }
   const Fake fake;
-  CHECK(run_program(render({"--film", scratch / "a.mp4"})).status == 0);
+  CHECK(run_program(render_grid({"--film", scratch / "a.mp4"})).status == 0);
   CHECK(fs::file_size(scratch / "a.mp4") == 3 * 64 * 36 * 4);
 }
 
@@ -127,7 +122,7 @@ TEST_CASE("a name with blanks, colons or a leading dash is the name of the film"
   here.folder = scratch.path().string();
   for (const std::string name : {"a b.mp4", "http:film.mp4", "-x.mp4", "%03d.mp4"}) {
     INFO(name);
-    CHECK(run_program(render({"--film=" + name}), here).status == 0);
+    CHECK(run_program(render_grid({"--film=" + name}), here).status == 0);
     CHECK(fs::file_size(scratch / name) == 3 * 64 * 36 * 4);
   }
 }
@@ -157,7 +152,7 @@ TEST_CASE("a run that fails leaves no film") {
 TEST_CASE("without ffmpeg, --film is refused before anything is drawn, and the message says how to install it") {
   const Variable nowhere("PATH", "/nowhere");
   const Scratch scratch;
-  const Outcome outcome = run_program(render({"--film", scratch / "a.mp4", "--out", scratch / "frames"}));
+  const Outcome outcome = run_program(render_grid({"--film", scratch / "a.mp4", "--out", scratch / "frames"}));
   CHECK(outcome.status == 2);
   CHECK(
       outcome.err ==
@@ -170,7 +165,7 @@ TEST_CASE("Ctrl-C leaves no film, no temporary file and no ffmpeg, also while ff
        {"for last; do :; done; [ \"${last#file:}\" != \"$last\" ] && cat > \"${last#file:}\"", "exec sleep 100"}) {
     const Fake fake("echo $$ > \"$0.id\"; " + std::string(script));
     const Scratch scratch;
-    Program program(render({"--film", scratch / "a.mp4"}, 100'000));
+    Program program(render_grid({"--film", scratch / "a.mp4"}, 100'000));
     for (int k = 0; k < 6000 && !fs::exists(fake.folder / "ffmpeg.id"); ++k) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
@@ -197,7 +192,7 @@ TEST_CASE("the real ffmpeg makes an H.264 file that shows the frames in their co
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   CHECK_THAT(read_text(scratch / "a.mp4").substr(0, 64), Contains("ftyp") && Contains("moov"));  // plays while it loads
-  const ProgramResult decoded = run_program(ProgramCall{
+  const ProgramResult decoded = call_program(ProgramCall{
       .path = ffmpeg,
       .arguments = {"-loglevel", "error", "-i", scratch / "a.mp4", "-f", "rawvideo", "-pix_fmt", "rgba", "-"}});
   REQUIRE(decoded.status == 0);

@@ -10,9 +10,7 @@ const std::vector<std::pair<const char*, std::string>> kBroken{{"PATH", "broken"
 
 /// A film of two frames with other options.
 Arguments film(const Arguments& more) {
-  Arguments arguments{"render", "two-spheres", "--frames", "2", "--film", "film.mp4"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+  return with({"render", "two-spheres", "--frames", "2", "--film", "film.mp4"}, more);
 }
 
 /// Of the pictures that the test of the messages makes.

@@ -5,9 +5,7 @@ namespace ballpit {
 
 std::vector<Row> rows_of_views() {
   const auto compared = [](const Arguments& more) {
-    Arguments arguments{"render", "two-spheres", "--frames", "1", "--out", "film"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return with({"render", "two-spheres", "--frames", "1", "--out", "film"}, more);
   };
   return {
       {"show/comparison.cpp: name, allowed", "--compare: found auto, allowed two to 4 different ones of brute-force,",

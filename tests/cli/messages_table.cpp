@@ -3,11 +3,7 @@
 
 namespace ballpit {
 
-Arguments render(const Arguments& more) {
-  Arguments arguments = kRender;
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
+Arguments render(const Arguments& more) { return with(kRender, more); }
 
 Row interrupted(const std::string& site, const std::string& said, const Arguments& arguments) {
   Row row{site, said, arguments};
@@ -18,9 +14,7 @@ Row interrupted(const std::string& site, const std::string& said, const Argument
 namespace {
 
 Row scene(const std::string& site, const std::string& said, const std::string& text, const Arguments& more = {}) {
-  Arguments arguments{"simulate", "a.toml", "--time", "1"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return {site, said, arguments, text};
+  return {site, said, with({"simulate", "a.toml", "--time", "1"}, more), text};
 }
 
 Row csv(const std::string& site, const std::string& said, const std::string& text) {

@@ -10,8 +10,6 @@
 
 namespace ballpit {
 
-using Arguments = std::vector<std::string>;
-
 /// Where the program runs, and what runs it; what it says, and which site says so: "FILE: a part of its code".
 struct Row {
   std::string site, said;

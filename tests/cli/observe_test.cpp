@@ -14,11 +14,9 @@ using Catch::Contains;
 
 namespace {
 
-using Arguments = std::vector<std::string>;
+nlohmann::json summary_of(const Arguments& arguments) { return run_simulate(arguments).json(); }
 
-nlohmann::json simulate(const Arguments& arguments) { return run_simulate(arguments).json(); }
-
-nlohmann::json observed(const Arguments& arguments) { return simulate(arguments)["observables"]; }
+nlohmann::json observed(const Arguments& arguments) { return summary_of(arguments)["observables"]; }
 
 /// A scene of a row of spheres, each overlapping its neighbours, across the border where the domain is periodic.
 std::string row_of_spheres(const Scratch& folder, const std::string& boundary) {
@@ -51,14 +49,14 @@ TEST_CASE("every observable is printed with its value and unit") {
 }
 
 TEST_CASE("observables agree with the summary, and only those that were asked for are printed") {
-  const nlohmann::json summary =
-      simulate({"bouncing-balls", "--time", "0.1", "--observe", "momentum,kinetic-energy,max-overlap,kinetic-energy"});
+  const nlohmann::json summary = summary_of(
+      {"bouncing-balls", "--time", "0.1", "--observe", "momentum,kinetic-energy,max-overlap,kinetic-energy"});
   const nlohmann::json& values = summary["observables"];
   CHECK(values.size() == 3);
   CHECK(values["kinetic-energy"]["value"] == summary["kinetic_energy"]);
   CHECK(values["momentum"]["value"] == summary["momentum"]);
   CHECK(values["max-overlap"]["value"] == summary["max_overlap"]);
-  CHECK_FALSE(simulate({"two-spheres", "--time", "0"}).contains("observables"));
+  CHECK_FALSE(summary_of({"two-spheres", "--time", "0"}).contains("observables"));
 }
 
 TEST_CASE("two spheres that fly are observed to have the energy and height that their scene says") {
@@ -96,13 +94,11 @@ TEST_CASE("contacts that small cells miss are counted, and are those that brute 
   for (const char* boundary : {"walls", "periodic"}) {
     INFO(boundary);
     const std::string scene = row_of_spheres(folder, boundary);
-    const int64_t all = simulate({scene, "--time", "0", "--broadphase", "brute-force"})["contacts"];
+    const int64_t all = summary_of({scene, "--time", "0", "--broadphase", "brute-force"})["contacts"];
     CHECK(all == (boundary == std::string("walls") ? 9 : 10));
     const Arguments small{"--time", "0", "--cell-size", "0.5", "--observe", "missed-contacts"};
     for (const char* method : {"linked-cell", "sorted-grid"}) {
-      Arguments arguments{scene, "--broadphase", method};
-      arguments.insert(arguments.end(), small.begin(), small.end());
-      const nlohmann::json summary = simulate(arguments);
+      const nlohmann::json summary = summary_of(with({scene, "--broadphase", method}, small));
       const double missed = summary["observables"]["missed-contacts"]["value"];
       if (method == std::string("linked-cell")) CHECK(missed > 0);  // a sorted grid may look farther
       CHECK(missed == static_cast<double>(all - summary["contacts"].get<int64_t>()));
@@ -132,7 +128,7 @@ TEST_CASE("observing changes nothing that is simulated") {
   const Arguments run{"bouncing-balls", "--count", "200", "--time", "0.5"};
   Arguments watched = run;
   watched.insert(watched.end(), {"--observe", "all"});
-  CHECK(simulate(watched)["state_hash"] == simulate(run)["state_hash"]);
+  CHECK(summary_of(watched)["state_hash"] == summary_of(run)["state_hash"]);
 }
 
 TEST_CASE("an observation that begins later counts the collisions after that, and the ways") {

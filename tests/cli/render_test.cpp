@@ -27,7 +27,8 @@ std::string frame(int index) {
 }
 
 /// The bytes of the frames of a small film of colliding balls.
-std::vector<std::string> film(const std::vector<std::string>& options, const std::string& scene = "bouncing-balls") {
+std::vector<std::string> frames_of(const std::vector<std::string>& options,
+                                   const std::string& scene = "bouncing-balls") {
   const Scratch scratch;
   std::vector<std::string> arguments{"render", scene, "--out", scratch / "film"};
   if (std::ranges::find(options, "--size") == options.end()) arguments.insert(arguments.end(), {"--size", "160x90"});
@@ -73,19 +74,19 @@ TEST_CASE("twelve frames are twelve PNG files of the size asked for, all differe
 }
 
 TEST_CASE("rendering twice gives the same bytes, with any number of threads") {
-  const std::vector<std::string> first = film({"--frames", "5", "--threads", "1"});
+  const std::vector<std::string> first = frames_of({"--frames", "5", "--threads", "1"});
   CHECK(first.size() == 5);
-  CHECK(is_same(film({"--frames", "5", "--threads", "1"}), first));
-  CHECK(is_same(film({"--frames", "5", "--threads", "8"}), first));
-  CHECK_FALSE(is_same(film({"--frames", "5", "--seed", "2"}), first));
+  CHECK(is_same(frames_of({"--frames", "5", "--threads", "1"}), first));
+  CHECK(is_same(frames_of({"--frames", "5", "--threads", "8"}), first));
+  CHECK_FALSE(is_same(frames_of({"--frames", "5", "--seed", "2"}), first));
 }
 
 TEST_CASE(
     "pictures with occlusion, grid, pairs and paths are the same bytes at every run, with any number of threads") {
   const auto drawn = [](const std::string& threads, const std::string& occlusion) {
-    return film({"--frames", "2", "--from", "0.5", "--size", "640x400", "--overlay", "grid,pairs,swept", "--occlusion",
-                 occlusion, "--threads", threads},
-                "open-box");  // spheres large enough for occlusion
+    return frames_of({"--frames", "2", "--from", "0.5", "--size", "640x400", "--overlay", "grid,pairs,swept",
+                      "--occlusion", occlusion, "--threads", threads},
+                     "open-box");  // spheres large enough for occlusion
   };
   const std::vector<std::string> first = drawn("1", "on");
   REQUIRE(first.size() == 2);
@@ -95,7 +96,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the option --copy-bodies changes how spheres reach the picture, and no byte of the frames") {
-  CHECK(is_same(film({"--frames", "3", "--copy-bodies"}), film({"--frames", "3"})));
+  CHECK(is_same(frames_of({"--frames", "3", "--copy-bodies"}), frames_of({"--frames", "3"})));
   const Scratch scratch;
   const std::vector<std::string> arguments{"render", "--frames", "1",     "--size",
                                            "64x64",  "--json",   "--out", scratch / "film"};
@@ -106,10 +107,10 @@ TEST_CASE("the option --copy-bodies changes how spheres reach the picture, and n
 }
 
 TEST_CASE("frames show the states that --every, --fps and --from ask for") {
-  const std::vector<std::string> all = film({"--frames", "9"});
-  const std::vector<std::string> every = film({"--frames", "4", "--every", "2"});
-  const std::vector<std::string> slower = film({"--frames", "4", "--fps", "30"});
-  const std::vector<std::string> later = film({"--frames", "4", "--from", "0.08333333333333333"});
+  const std::vector<std::string> all = frames_of({"--frames", "9"});
+  const std::vector<std::string> every = frames_of({"--frames", "4", "--every", "2"});
+  const std::vector<std::string> slower = frames_of({"--frames", "4", "--fps", "30"});
+  const std::vector<std::string> later = frames_of({"--frames", "4", "--from", "0.08333333333333333"});
   REQUIRE(all.size() == 9);
   for (size_t k = 0; k < 4; ++k) {
     INFO("frame " << k);
@@ -120,12 +121,12 @@ TEST_CASE("frames show the states that --every, --fps and --from ask for") {
 }
 
 TEST_CASE("overlay, theme and supersampling change the picture") {
-  const std::string plain = film({"--frames", "1", "--overlay", "none"})[0];
-  const std::string grid = film({"--frames", "1"})[0];
-  CHECK(is_same(film({"--frames", "1", "--overlay", "grid"})[0], grid));
+  const std::string plain = frames_of({"--frames", "1", "--overlay", "none"})[0];
+  const std::string grid = frames_of({"--frames", "1"})[0];
+  CHECK(is_same(frames_of({"--frames", "1", "--overlay", "grid"})[0], grid));
   CHECK_FALSE(is_same(plain, grid));
-  CHECK_FALSE(is_same(film({"--frames", "1", "--theme", "dark"})[0], grid));
-  const std::string smooth = film({"--frames", "1", "--supersample", "2"})[0];
+  CHECK_FALSE(is_same(frames_of({"--frames", "1", "--theme", "dark"})[0], grid));
+  const std::string smooth = frames_of({"--frames", "1", "--supersample", "2"})[0];
   CHECK_FALSE(is_same(smooth, grid));
   const Scratch scratch;
   write_text(scratch / "smooth.png", smooth);
@@ -133,16 +134,16 @@ TEST_CASE("overlay, theme and supersampling change the picture") {
 }
 
 TEST_CASE("a planar scene is rendered") {
-  const std::vector<std::string> frames = film({"--frames", "2"}, "lecture-grid");
+  const std::vector<std::string> frames = frames_of({"--frames", "2"}, "lecture-grid");
   REQUIRE(frames.size() == 2);
   CHECK_FALSE(is_same(frames[0], frames[1]));
-  CHECK_FALSE(is_same(film({"--frames", "1", "--overlay", "none"}, "lecture-grid")[0], frames[0]));
+  CHECK_FALSE(is_same(frames_of({"--frames", "1", "--overlay", "none"}, "lecture-grid")[0], frames[0]));
 }
 
 TEST_CASE("every built-in scene is rendered") {
   for (const char* scene : {"open-box", "rain", "two-spheres"}) {
     INFO(scene);
-    CHECK(film({"--frames", "1"}, scene).size() == 1);
+    CHECK(frames_of({"--frames", "1"}, scene).size() == 1);
   }
 }
 
@@ -248,8 +249,8 @@ TEST_CASE("compared methods are counted in the summary, and their film is the sa
 }
 
 TEST_CASE("a caption and a turn of the camera change the picture, and a turn of nothing changes none") {
-  const auto plain = film({"--frames", "2"}), caption = film({"--frames", "2", "--caption", "on"}),
-             still = film({"--frames", "2", "--turn", "0"}), turned = film({"--frames", "2", "--turn", "90"});
+  const auto plain = frames_of({"--frames", "2"}), caption = frames_of({"--frames", "2", "--caption", "on"}),
+             still = frames_of({"--frames", "2", "--turn", "0"}), turned = frames_of({"--frames", "2", "--turn", "90"});
   CHECK_FALSE(is_same(pixels_of(plain[0]), pixels_of(caption[0])));
   CHECK(is_same(plain, still));
   CHECK_FALSE(is_same(pixels_of(plain[1]), pixels_of(turned[1])));

@@ -17,17 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-Arguments render(const std::string& out, int frames, const Arguments& options = {}) {
-  Arguments arguments{"render",   "bouncing-balls",       "--count", "150", "--size", "160x90",
-                      "--frames", std::to_string(frames), "--out",   out};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  return arguments;
+Arguments render_balls(const std::string& out, int frames, const Arguments& options = {}) {
+  return with({"render", "bouncing-balls", "--count", "150", "--size", "160x90", "--frames", std::to_string(frames),
+               "--out", out},
+              options);
 }
 
 Outcome render_whole(const std::string& out, int frames, const Arguments& options = {}) {
-  Outcome outcome = run_program(render(out, frames, options));
+  Outcome outcome = run_program(render_balls(out, frames, options));
   INFO(outcome.err);
   CHECK(outcome.status == 0);
   return outcome;
@@ -68,7 +65,7 @@ constexpr int kMany = 400;  // more than are made before the signal comes
 
 /// Cuts a film off by a signal and completes it; compares with a film made at a stretch.
 void cut_and_resume(int signal, const Scratch& folder, Outcome& cut) {
-  Program program(render(folder.path().string(), kMany));
+  Program program(render_balls(folder.path().string(), kMany));
   REQUIRE(wait_for_frames(folder, 3));
   program.signal(signal);
   cut = program.wait();
@@ -125,7 +122,7 @@ TEST_CASE("killing the program leaves whole frames, beside one that --resume cle
 TEST_CASE("a new film that is cut off does not go on with frames of the one before") {
   const Scratch folder;
   render_whole(folder.path().string(), 200, {"--theme", "dark"});
-  Program program(render(folder.path().string(), 200));
+  Program program(render_balls(folder.path().string(), 200));
   const std::string first = read_text(frame(folder, 1));
   while (!fs::exists(frame(folder, 1)) || read_text(frame(folder, 1)) == first) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -208,7 +205,7 @@ TEST_CASE("the option --resume refuses frames that show something else, and says
                                                       {{"--caption", "on"}, "caption off"},
                                                       {{"--dt", "0.001"}, "dt "},
                                                       {{"--swept", "on"}, "swept "}}) {
-    Arguments arguments = render(out, 4, options);
+    Arguments arguments = render_balls(out, 4, options);
     arguments.emplace_back("--resume");
     check_refused(arguments, what);
   }
@@ -245,7 +242,7 @@ TEST_CASE("frames of older versions, which do not say what they show, are refuse
   }
   CHECK(render_whole(folder.path().string(), 3, {"--resume", "--json"}).json()["rendered"] == 1);
   write_text(frame(folder, 1), encode_png({80, 90, std::vector<uint8_t>(80 * 90 * 4, 9)}));
-  Arguments again = render(folder.path().string(), 4, {"--resume"});
+  Arguments again = render_balls(folder.path().string(), 4, {"--resume"});
   const Outcome outcome = run_program(again);
   CHECK(outcome.status == 2);
   CHECK_THAT(outcome.err,

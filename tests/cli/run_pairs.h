@@ -12,8 +12,6 @@
 
 namespace ballpit {
 
-using Arguments = std::vector<std::string>;
-
 /// Overlapping, touching (0 and 1: exactly), alone.
 inline const std::string kFour = "x,y,z,radius\n0,0,0,1\n3,0,0,2\n1,1,0,0.5\n9,9,9,1\n";
 inline const std::string kPairsOfFour = "i,j\n0,1\n0,2\n1,2\n";

@@ -12,8 +12,6 @@ using namespace ballpit;
 
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 nlohmann::json simulate(const Arguments& arguments) {
   const Outcome outcome = run_simulate(arguments);
   CHECK(outcome.err.empty());
@@ -74,9 +72,8 @@ TEST_CASE("the default scene is the bouncing balls, and the default time the sce
 TEST_CASE("500 steps give the same bits for 1, 2 and 8 threads and for every broad phase") {
   const double dt = simulate({"--time", "0"})["dt"];
   const auto hash_of = [&](const Arguments& options) {
-    Arguments arguments{"bouncing-balls", "--backend", "cpu", "--time", std::to_string(500 * dt)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const nlohmann::json summary = simulate(arguments);
+    const nlohmann::json summary =
+        simulate(with({"bouncing-balls", "--backend", "cpu", "--time", std::to_string(500 * dt)}, options));
     CHECK(summary["steps"] == 500);
     return summary["state_hash"].get<std::string>();
   };

@@ -18,15 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 /// A run that stops after a third of a second or so, since its steps are too large for the walls.
 const Arguments kHalting{"simulate", "bouncing-balls", "--dt", "0.01", "--time", "3"};
-
-Arguments with(Arguments arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
 
 Outcome run_to_end(const Arguments& arguments) {
   const Outcome outcome = run_program(arguments);
@@ -34,16 +27,6 @@ Outcome run_to_end(const Arguments& arguments) {
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
   return outcome;
-}
-
-/// Runs what fails; returns its one line.
-std::string failure_of(const Arguments& arguments, const Circumstances& circumstances = {}) {
-  const Outcome outcome = run_program(arguments, circumstances);
-  INFO(outcome.err);
-  CHECK(outcome.status == 1);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  return outcome.err;
 }
 
 /// The times of a trajectory's frames [s]. Fails where a frame is not whole.

@@ -16,8 +16,6 @@ using Catch::Contains;
 
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 /// Runs the program on input that is wrong, and returns its one line.
 std::string error_of(const Arguments& arguments) {
   const Outcome outcome = run_program(arguments);
@@ -49,11 +47,6 @@ Arguments valid(const std::string& command) {
   if (command == "pairs") return {"pairs", "/proc/nowhere.csv"};
   if (command == "bench") return {"bench"};
   return {"simulate", "two-spheres", "--time", "0"};
-}
-
-Arguments with(Arguments arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wrong scene and CSV files reach the user with status 2 and one line of file, line, key, found and allowed.
+// WrongScene scene and CSV files reach the user with status 2 and one line of file, line, key, found and allowed.
 // All that can be wrong in them is tested in tests/scene; here, that it is passed on.
 #include <algorithm>
 
@@ -11,21 +11,19 @@ using namespace ballpit;
 
 namespace {
 
-struct Wrong {
+struct WrongScene {
   std::string scene;
   std::string message;  ///< after the scene's or the CSV file's name
   std::string csv{};    ///< beside it, as s.csv
   std::vector<std::string> options{};
 };
 
-void check_all(const std::vector<Wrong>& table) {
+void check_scenes(const std::vector<WrongScene>& table) {
   const Scratch scratch;
-  for (const Wrong& wrong : table) {
+  for (const WrongScene& wrong : table) {
     write_text(scratch / "a.toml", wrong.scene);
     write_text(scratch / "s.csv", wrong.csv);
-    std::vector<std::string> arguments{"simulate", scratch / "a.toml", "--time", "0"};
-    arguments.insert(arguments.end(), wrong.options.begin(), wrong.options.end());
-    const Outcome outcome = run_program(arguments);
+    const Outcome outcome = run_program(with({"simulate", scratch / "a.toml", "--time", "0"}, wrong.options));
     INFO(wrong.scene << wrong.csv);
     INFO(outcome.err);
     CHECK(outcome.status == 2);
@@ -39,7 +37,7 @@ void check_all(const std::vector<Wrong>& table) {
 }  // namespace
 
 TEST_CASE("errors in a scene reach the user with file, line and key") {
-  check_all({
+  check_scenes({
       {"title = 'x'\n[domain\n", "2: found a syntax error"},
       {"titel = 'x'", "1: titel: found an unknown key, allowed title"},
       {"[physics]\nrestitution = 1.5", "2: [physics] restitution: found 1.5, allowed 0 to 1"},
@@ -60,7 +58,7 @@ TEST_CASE("errors in a scene reach the user with file, line and key") {
 }
 
 TEST_CASE("options that a scene presets are checked as on the command line, with their place") {
-  check_all({
+  check_scenes({
       {"[defaults]\n\nspeed = 1", "3: [defaults] speed: found no option of this name, allowed broadphase"},
       {"[defaults]\ndt = 0", "2: [defaults] dt: found 0, allowed 1e-12 to 10"},
       {"[defaults]\ndt = nan", "2: [defaults] dt: found nan, allowed 1e-12 to 10"},
@@ -77,7 +75,7 @@ TEST_CASE("options that a scene presets are checked as on the command line, with
 }
 
 TEST_CASE("a preset that does not go with the scene's own response is an error that names file and line") {
-  check_all({
+  check_scenes({
       {"[defaults]\nresponse = 'impulse'\nintegrator = 'rk4'",
        "3: [defaults] integrator: found rk4, allowed symplectic-euler with --response impulse\n"},
       {"[defaults]\niterations = 5\n\nresponse = 'penalty'",
@@ -120,7 +118,7 @@ TEST_CASE("a preset that does not go with the response given is dropped, and one
 TEST_CASE("errors in a CSV file reach the user with its name and line") {
   const std::string scene = "spheres = 's.csv'";
   const std::string header = "x,y,z,radius\n";
-  check_all({
+  check_scenes({
       {scene, "2: y: found \"nan\"", header + "0.5,nan,0.5,0.1\n"},
       {scene, "3: radius: found \"-0.1\"", header + "0.5,0.5,0.5,0.1\n0.5,0.5,0.5,-0.1\n"},
       {scene, "2: x: found \"abc\"", header + "abc,0.5,0.5,0.1\n"},

@@ -29,7 +29,7 @@ TEST_CASE("a program is found on the PATH, or by its path") {
 TEST_CASE("a program gets its input, and its output, errors and status are returned") {
   ProgramCall call = shell("cat; echo oops >&2; exit 7");
   call.input = "some words\n";
-  const ProgramResult result = run_program(call);
+  const ProgramResult result = call_program(call);
   CHECK(result.status == 7);
   CHECK(result.output == "some words\n");
   CHECK(result.errors == "oops\n");
@@ -73,6 +73,6 @@ TEST_CASE("a program that cannot be started is reported, and leaves no descripto
   const int before = lowest_free();
   CHECK_THROWS_WITH(PipedProgram({.path = "/nowhere/ffmpeg"}),
                     "/nowhere/ffmpeg: cannot start: No such file or directory");
-  CHECK_THROWS_AS(run_program({.path = "/nowhere/ffmpeg"}), RunError);
+  CHECK_THROWS_AS(call_program({.path = "/nowhere/ffmpeg"}), RunError);
   CHECK(lowest_free() == before);
 }

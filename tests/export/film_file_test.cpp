@@ -40,7 +40,7 @@ TEST_CASE("colours are the same in a film") {
   for (int k = 0; k < 4; ++k) film.push(stripes());
   CHECK_FALSE(std::filesystem::exists(path));
   film.finish();
-  const ProgramResult decoded = run_program(
+  const ProgramResult decoded = call_program(
       {.path = ffmpeg, .arguments = {"-loglevel", "error", "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"}});
   REQUIRE(decoded.output.size() == size_t{4} * kWidth * kHeight * 3);
   for (size_t stripe = 0; stripe < 4; ++stripe) {

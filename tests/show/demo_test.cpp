@@ -11,18 +11,12 @@
 #include "core/numbers.h"
 #include "render/overlays/overlay.h"
 #include "render/painter.h"
+#include "tests/show/key_named.h"
 #include "tests/support/in_german.h"
 
 using namespace ballpit;
 
 namespace {
-
-const Key& key_named(std::string_view name) {
-  for (const Key& key : key_table()) {
-    if (key.name == name) return key;
-  }
-  throw std::runtime_error("no such key");
-}
 
 Demo lecture() { return Demo("lecture-grid", {{"threads", "1"}}); }
 

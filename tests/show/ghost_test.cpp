@@ -6,17 +6,11 @@
 
 #include "show/demo.h"
 #include "show/film.h"
+#include "tests/show/key_named.h"
 
 using namespace ballpit;
 
 namespace {
-
-const Key& key_named(std::string_view name) {
-  for (const Key& key : key_table()) {
-    if (key.name == name) return key;
-  }
-  throw std::runtime_error("no such key");
-}
 
 GhostInspection ghost_of(Demo& demo) {
   const std::optional<GhostInspection>& ghost = demo.inspection().ghost;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/run_program.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -8,12 +9,18 @@
 #include <stdexcept>
 #include <thread>
 
+#include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace ballpit {
+
+Arguments with(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
 
 namespace {
 
@@ -56,7 +63,7 @@ Scratch::~Scratch() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-Program::Program(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
+Program::Program(const Arguments& arguments, const Circumstances& circumstances) {
   std::vector<std::string> words{BALLPIT_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   Child child{{},
@@ -110,8 +117,19 @@ Outcome Program::wait() {
 
 nlohmann::json Outcome::json() const { return nlohmann::json::parse(out); }
 
-Outcome run_program(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
+Outcome run_program(const Arguments& arguments, const Circumstances& circumstances) {
   return Program(arguments, circumstances).wait();
+}
+
+std::string failure_of(const Arguments& arguments, const Circumstances& circumstances) {
+  const Outcome outcome = run_program(arguments, circumstances);
+  INFO(outcome.err);
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.empty());
+  std::string error = outcome.err;
+  while (error.starts_with("ballpit: warning: ")) error.erase(0, error.find('\n') + 1);
+  CHECK(std::count(error.begin(), error.end(), '\n') == 1);
+  return error;
 }
 
 bool is_sanitized() {

@@ -13,6 +13,11 @@
 
 namespace ballpit {
 
+using Arguments = std::vector<std::string>;
+
+/// Arguments, followed by more.
+Arguments with(Arguments arguments, const Arguments& more);
+
 /// An empty folder that is removed at the end.
 class Scratch {
  public:
@@ -76,7 +81,7 @@ struct Circumstances {
 /// A running program; killed if nobody waits for its end.
 class Program {
  public:
-  explicit Program(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
+  explicit Program(const Arguments& arguments, const Circumstances& circumstances = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -93,7 +98,10 @@ class Program {
 };
 
 /// Runs the program to its end.
-Outcome run_program(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
+Outcome run_program(const Arguments& arguments, const Circumstances& circumstances = {});
+
+/// Runs what fails with status 1, and returns its one line, without the warnings before it.
+std::string failure_of(const Arguments& arguments, const Circumstances& circumstances = {});
 
 /// Whether the sanitizers watch, which need more address space than a limit could leave them.
 bool is_sanitized();

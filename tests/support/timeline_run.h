@@ -15,7 +15,7 @@
 namespace ballpit {
 
 /// What is to be the same again.
-struct Moment {
+struct Checkpoint {
   uint64_t state_hash;
   int64_t steps, collisions, wall_hits, events;
   double virial, floor_impulse, good_time;
@@ -23,20 +23,20 @@ struct Moment {
 
   /// Sums over contacts may be bracketed otherwise: the candidate list, of which the penalty response sums up all pairs, may
   /// be another. All else is the same to the bit.
-  bool operator==(const Moment& other) const {
+  bool operator==(const Checkpoint& other) const {
     return state_hash == other.state_hash && steps == other.steps && collisions == other.collisions &&
            wall_hits == other.wall_hits && events == other.events && virial == Approx(other.virial).epsilon(1e-12) &&
            floor_impulse == other.floor_impulse && good_time == other.good_time && good_position == other.good_position;
   }
 };
 
-inline std::ostream& operator<<(std::ostream& out, const Moment& moment) {
+inline std::ostream& operator<<(std::ostream& out, const Checkpoint& moment) {
   return out << "hash " << moment.state_hash << ", steps " << moment.steps << ", collisions " << moment.collisions
              << ", hits of walls " << moment.wall_hits << ", events " << moment.events << ", virial " << moment.virial
              << ", last good at " << moment.good_time;
 }
 
-inline Moment moment_of(World& world) {
+inline Checkpoint moment_of(World& world) {
   const Report report = world.report();
   return {report.state_hash,          report.steps,           report.tally.collisions,
           report.tally.wall_hits,     report.events,          report.tally.virial,
@@ -47,7 +47,7 @@ inline Moment moment_of(World& world) {
 struct Run {
   std::unique_ptr<World> world;
   Timeline timeline;
-  std::map<int64_t, Moment> seen;
+  std::map<int64_t, Checkpoint> seen;
 
   Run(const Scene& scene, const Settings& settings, int64_t budget = Timeline::kBudget)
       : world(make_cpu_world(scene, settings)), timeline(*world, settings.dt, budget) {}

@@ -11,7 +11,7 @@ using namespace ballpit;
 
 namespace {
 
-Inspection lecture(const char* method) {
+Inspection seen_in_lecture(const char* method) {
   Session session("lecture-grid", {{"threads", "1"}, {"broadphase", method}});
   return session.world().inspect({.candidates = true, .endpoints = true});
 }
@@ -20,7 +20,7 @@ Inspection lecture(const char* method) {
 
 TEST_CASE("every sphere is shown with its own cell and its position in that cell's list") {
   for (const char* method : {"linked-cell", "sorted-grid"}) {
-    const Inspection seen = lecture(method);
+    const Inspection seen = seen_in_lecture(method);
     for (int32_t i = 0; i < 20; ++i) {
       const auto listed = listed_in(seen, i);
       REQUIRE(listed);
@@ -33,12 +33,12 @@ TEST_CASE("every sphere is shown with its own cell and its position in that cell
       CHECK(listed->cell == IVec3(int(at.x), int(at.y), 0));
     }
   }
-  CHECK_FALSE(listed_in(lecture("sort-and-sweep"), 0));
-  CHECK_FALSE(listed_in(lecture("brute-force"), 0));
+  CHECK_FALSE(listed_in(seen_in_lecture("sort-and-sweep"), 0));
+  CHECK_FALSE(listed_in(seen_in_lecture("brute-force"), 0));
 }
 
 TEST_CASE("an interval reaches a radius to both sides, and its places in the sorted list are those of begin and end") {
-  const Inspection seen = lecture("sort-and-sweep");
+  const Inspection seen = seen_in_lecture("sort-and-sweep");
   for (int32_t i = 0; i < 20; ++i) {
     const Walk walk = shown_walk(seen.endpoints, i);
     REQUIRE(walk.body == i);
@@ -51,7 +51,7 @@ TEST_CASE("an interval reaches a radius to both sides, and its places in the sor
     CHECK(begin.body == i);
     CHECK(end.body == i);
   }
-  CHECK(shown_walk(lecture("linked-cell").endpoints, 0).body == -1);
+  CHECK(shown_walk(seen_in_lecture("linked-cell").endpoints, 0).body == -1);
 }
 
 TEST_CASE("the partners of a sphere are the others of its pairs, each once and sorted") {
@@ -59,5 +59,5 @@ TEST_CASE("the partners of a sphere are the others of its pairs, each once and s
   CHECK(partners_of(pairs, 5) == std::vector<int32_t>{0, 2, 9});
   CHECK(partners_of(pairs, 7) == std::vector<int32_t>{2});
   CHECK(partners_of(pairs, 1).empty());
-  CHECK(partners_of(lecture("brute-force").candidates, 3).size() == 19);
+  CHECK(partners_of(seen_in_lecture("brute-force").candidates, 3).size() == 19);
 }

@@ -18,7 +18,7 @@ std::string draw_svg(const Chart& chart, Ground ground, const std::string& gnupl
   ProgramCall call{gnuplot, {"--default-settings"}};  // ignores the user's settings
   call.input = gnuplot_script(chart, ground);
   call.gets_interrupts = false;  // Ctrl-C ends the laboratory after the current chart
-  const ProgramResult result = run_program(call);
+  const ProgramResult result = call_program(call);
   if (result.status != 0 || result.output.find("</svg>") == std::string::npos) {
     throw RunError(gnuplot, "failed on chart " + chart.name + ": " + result.errors);
   }
