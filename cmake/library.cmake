@@ -43,7 +43,8 @@ endfunction()
 
 function(ballpit_compile_lightly target)
   target_compile_options(${target} PRIVATE
-    $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1> $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CUDA>>:-Xcompiler=-O1>)
+    $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>
+    $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CUDA>>:-Xcompiler=-O1>)
 endfunction()
 
 # ballpit_precompile(TARGET OPTIONS [HEADERS…]): precompiles the common headers and HEADERS. Targets with the same compiler

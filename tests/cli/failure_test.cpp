@@ -14,6 +14,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Runs what fails; returns its one line, without the warnings of a run that cannot work before it.
+std::string failure_of(const Arguments& arguments, const Circumstances& circumstances = {}) {
+  const Outcome outcome = run_program(arguments, circumstances);
+  INFO(outcome.err);
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.empty());
+  std::string error = outcome.err;
+  while (error.starts_with("ballpit: warning: ")) error.erase(0, error.find('\n') + 1);
+  CHECK(std::count(error.begin(), error.end(), '\n') == 1);
+  return error;
+}
+
 std::string failure_to_render(const std::string& out, const std::string& frames = "4") {
   return failure_of({"render", "two-spheres", "--size", "64x36", "--frames", frames, "--out", out});
 }

@@ -29,6 +29,16 @@ Outcome run_to_end(const Arguments& arguments) {
   return outcome;
 }
 
+/// Runs what fails; returns its one line.
+std::string sole_line_of(const Arguments& arguments, const Circumstances& circumstances = {}) {
+  const Outcome outcome = run_program(arguments, circumstances);
+  INFO(outcome.err);
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.empty());
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  return outcome.err;
+}
+
 /// The times of a trajectory's frames [s]. Fails where a frame is not whole.
 std::vector<double> times_in(const std::string& path) {
   std::istringstream in(read_text(path));
@@ -90,7 +100,7 @@ TEST_CASE("the last frame is the final state, and the frames change nothing that
 }
 
 TEST_CASE("a trajectory that cannot be written is reported before the first step") {
-  CHECK_THAT(failure_of({"simulate", "bouncing-balls", "--time", "1e6", "--trajectory", "/nonexistent/a.xyz"}),
+  CHECK_THAT(sole_line_of({"simulate", "bouncing-balls", "--time", "1e6", "--trajectory", "/nonexistent/a.xyz"}),
              Contains("/nonexistent/a.xyz: cannot write: No such file or directory"));
 }
 
@@ -117,7 +127,7 @@ TEST_CASE("Ctrl-C and closing the terminal keep the frames so far, and say where
 TEST_CASE("a disk that fills up leaves the whole frames before, and the last state, and says so") {
   const Scratch folder;
   const Circumstances little{0, "", folder.path().string(), 10'000};
-  const std::string error = failure_of(
+  const std::string error = sole_line_of(
       {"simulate", "bouncing-balls", "--count", "20", "--dt", "0.001", "--time", "1", "--trajectory", "a.xyz"}, little);
   CHECK_THAT(error, Contains("ballpit: a.xyz: cannot write: File too large; the last good state, of t = ") &&
                         Contains("is in bouncing-balls-last-good.csv; the ") &&
@@ -132,7 +142,7 @@ TEST_CASE("a disk that fills up leaves the whole frames before, and the last sta
 
 TEST_CASE("a run that fails leaves its last good state beside it, and says of which time and where") {
   const Scratch folder;
-  const std::string error = failure_of(kHalting, {0, "", folder.path().string()});
+  const std::string error = sole_line_of(kHalting, {0, "", folder.path().string()});
   CHECK_THAT(error, Catch::StartsWith("ballpit: step ") && Contains("; the last good state, of t = 0.") &&
                         Catch::EndsWith(" s, is in bouncing-balls-last-good.csv\n"));
   const Bodies bodies = read_spheres_csv(LineReader(folder / "bouncing-balls-last-good.csv"));
@@ -148,14 +158,14 @@ TEST_CASE("a run that fails while it is drawn leaves its last good state as well
     arguments.erase(time, time + 2);
   }
   const Arguments picture{"--out", folder / "frames", "--frames", "100", "--fps", "10", "--size", "64x36"};
-  const std::string error = failure_of(with(arguments, picture), {0, "", folder.path().string()});
+  const std::string error = sole_line_of(with(arguments, picture), {0, "", folder.path().string()});
   CHECK_THAT(error, Catch::StartsWith("ballpit: step ") && Catch::EndsWith(" s, is in bouncing-balls-last-good.csv\n"));
   CHECK(read_spheres_csv(LineReader(folder / "bouncing-balls-last-good.csv")).size() == 2000);
 }
 
 TEST_CASE("a run that fails leaves its last good state where the final one was to be") {
   const Scratch folder, nothing;
-  CHECK_THAT(failure_of(with(kHalting, {"--out", folder / "state.csv"}), {0, "", nothing.path().string()}),
+  CHECK_THAT(sole_line_of(with(kHalting, {"--out", folder / "state.csv"}), {0, "", nothing.path().string()}),
              Contains(" s, is in " + folder / "state.csv"));
   CHECK(read_spheres_csv(LineReader(folder / "state.csv")).size() == 2000);
   CHECK(files_in(folder) == 1);
@@ -166,7 +176,7 @@ TEST_CASE("if the last good state cannot be written, both errors are reported") 
   if (!fs::exists("/dev/full")) return;
   const Scratch folder;
   fs::create_symlink("/dev/full", folder / "state.csv");
-  CHECK_THAT(failure_of(with(kHalting, {"--out", folder / "state.csv"})),
+  CHECK_THAT(sole_line_of(with(kHalting, {"--out", folder / "state.csv"})),
              Catch::StartsWith("ballpit: step ") &&
                  Contains(" s, is lost: " + folder / "state.csv" + ": cannot write: No space left on device"));
 }
@@ -174,7 +184,7 @@ TEST_CASE("if the last good state cannot be written, both errors are reported") 
 TEST_CASE("a run that fails keeps its frames") {
   const Scratch folder;
   const std::string error =
-      failure_of(with(kHalting, {"--out", folder / "state.csv", "--trajectory", folder / "a.xyz", "--every", "10"}));
+      sole_line_of(with(kHalting, {"--out", folder / "state.csv", "--trajectory", folder / "a.xyz", "--every", "10"}));
   const std::vector<double> times = times_in(folder / "a.xyz");
   CHECK(times.size() >= 2);
   for (size_t k = 0; k < times.size(); ++k) CHECK(times[k] == Approx(0.1 * static_cast<double>(k)).margin(1e-12));

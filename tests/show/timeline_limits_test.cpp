@@ -43,7 +43,7 @@ TEST_CASE("snapshots take no more memory than they may, keyframes are thinned, a
   Run run(crowd(2, 4, kind), settings_of(kind), budget);
   int64_t most = 0;
   for (int k = 0; k < 1000; ++k) {
-    if (k % 100 == 0) run.seen.emplace(k, moment_of(*run.world));
+    if (k % 100 == 0) run.seen.emplace(k, checkpoint_of(*run.world));
     run.timeline.step();
     REQUIRE(run.timeline.bytes() <= budget);
     most = std::max(most, run.timeline.bytes());

@@ -58,7 +58,7 @@ TEST_CASE("what is ahead is stepped on as if nobody had gone back") {
     ahead.first_time(80);
     INFO(kind);
     CHECK(back.timeline.furthest() == 80);
-    CHECK(moment_of(*back.world) == ahead.seen.at(80));
+    CHECK(checkpoint_of(*back.world) == ahead.seen.at(80));
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/run_program.h"
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -9,7 +8,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -119,17 +117,6 @@ nlohmann::json Outcome::json() const { return nlohmann::json::parse(out); }
 
 Outcome run_program(const Arguments& arguments, const Circumstances& circumstances) {
   return Program(arguments, circumstances).wait();
-}
-
-std::string failure_of(const Arguments& arguments, const Circumstances& circumstances) {
-  const Outcome outcome = run_program(arguments, circumstances);
-  INFO(outcome.err);
-  CHECK(outcome.status == 1);
-  CHECK(outcome.out.empty());
-  std::string error = outcome.err;
-  while (error.starts_with("ballpit: warning: ")) error.erase(0, error.find('\n') + 1);
-  CHECK(std::count(error.begin(), error.end(), '\n') == 1);
-  return error;
 }
 
 bool is_sanitized() {

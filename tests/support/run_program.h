@@ -100,9 +100,6 @@ class Program {
 /// Runs the program to its end.
 Outcome run_program(const Arguments& arguments, const Circumstances& circumstances = {});
 
-/// Runs what fails with status 1, and returns its one line, without the warnings before it.
-std::string failure_of(const Arguments& arguments, const Circumstances& circumstances = {});
-
 /// Whether the sanitizers watch, which need more address space than a limit could leave them.
 bool is_sanitized();
 

@@ -30,13 +30,13 @@ struct Checkpoint {
   }
 };
 
-inline std::ostream& operator<<(std::ostream& out, const Checkpoint& moment) {
-  return out << "hash " << moment.state_hash << ", steps " << moment.steps << ", collisions " << moment.collisions
-             << ", hits of walls " << moment.wall_hits << ", events " << moment.events << ", virial " << moment.virial
-             << ", last good at " << moment.good_time;
+inline std::ostream& operator<<(std::ostream& out, const Checkpoint& checkpoint) {
+  return out << "hash " << checkpoint.state_hash << ", steps " << checkpoint.steps << ", collisions "
+             << checkpoint.collisions << ", hits of walls " << checkpoint.wall_hits << ", events " << checkpoint.events
+             << ", virial " << checkpoint.virial << ", last good at " << checkpoint.good_time;
 }
 
-inline Checkpoint moment_of(World& world) {
+inline Checkpoint checkpoint_of(World& world) {
   const Report report = world.report();
   return {report.state_hash,          report.steps,           report.tally.collisions,
           report.tally.wall_hits,     report.events,          report.tally.virial,
@@ -55,7 +55,7 @@ struct Run {
   /// Steps so far, and looks at those that are to be compared; at all if none is named.
   void first_time(int64_t steps, const std::set<int64_t>& looked_at = {}) {
     for (int64_t k = 0;; ++k) {
-      if (looked_at.empty() || looked_at.contains(k)) seen.emplace(k, moment_of(*world));
+      if (looked_at.empty() || looked_at.contains(k)) seen.emplace(k, checkpoint_of(*world));
       if (k == steps) return;
       timeline.step();
     }
@@ -63,7 +63,7 @@ struct Run {
 
   void check_now() {
     const auto then = seen.find(timeline.step_now());
-    if (then != seen.end()) CHECK(moment_of(*world) == then->second);
+    if (then != seen.end()) CHECK(checkpoint_of(*world) == then->second);
   }
 
   /// Goes there, and on for some steps.
