@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "exec/counting_sort.h"
 #include "exec/deferred.h"
 #include "exec/fill_values.h"
 #include "exec/host_buffer.h"
@@ -130,9 +131,8 @@ class CpuExecutor {
     for (int shift = 0; shift < bits; shift += kDigitBits) {
       const Key mask = (Key(1) << std::min(kDigitBits, bits - shift)) - 1;
       const auto digit = [=](int64_t i) { return static_cast<int>((from[i] >> shift) & mask); };
-      const int64_t bins = int64_t(mask) + 1, blocks = sort_blocks(n, bins);
-      counting_sort(
-          n, bins, blocks, counters(blocks * bins), [](int64_t, int64_t) {}, digit,
+      sort(
+          n, counters(n, int64_t(mask) + 1), [](int64_t, int64_t) {}, digit,
           [=](int64_t i, int position) {
             to[position] = from[i];
             to_values[position] = from_values[i];
@@ -151,23 +151,18 @@ class CpuExecutor {
   template <class KeyOf, class ValueOf, class T>
   void bin(const char* name, const KeyOf& key_of, const ValueOf& value_of, Span<int> offsets, Span<T> values) {
     const StageTimer timer(times_, name);
-    const int64_t n = values.size(), bins = offsets.size() - 1, blocks = sort_blocks(n, bins);
+    const int64_t n = values.size();
     keys_.resize(n);
     const Span<int> keys = keys_.span();
-    // A single block counts directly in `offsets`: its counters end at the ends of their bins, which are the offsets.
     offsets[0] = 0;
-    int* const counts = blocks == 1 ? offsets.data() + 1 : counters(blocks * bins);
-    counting_sort(
-        n, bins, blocks, counts,
+    sort(
+        n, counters(n, offsets.size() - 1, offsets.data() + 1),
         [=](int64_t from, int64_t to) {
           const KeyOf key = key_of;  // a local copy, which no pointer can alias, as in run_range()
           for (int64_t i = from; i < to; ++i) keys[i] = key(static_cast<int>(i));
         },
         [=](int64_t i) { return keys[i]; },
         [=](int64_t i, int position) { values[position] = value_of(static_cast<int>(i)); });
-    if (blocks == 1) return;
-    const int* const ends = counts + (blocks - 1) * bins;  // the ends of the last block's parts
-    run(bins, kGrain, [=](int64_t k) { offsets[k + 1] = ends[k]; });
   }
 
   /// The same for the indices themselves, where bins hold few.
@@ -212,62 +207,23 @@ class CpuExecutor {
   static constexpr int64_t kGrain = 512;  // indices; distributing smaller loops costs more than it gains
   static constexpr int64_t kScanBlock = 1 << 14;
   static constexpr int64_t kSortBlock = 1 << 15;
-  static constexpr int64_t kKeyBatch = 256;
   static constexpr int kDigitBits = 11;
 
-  /// The number of blocks for a counting sort: one per thread, unless there would be far more counters than indices.
-  int64_t sort_blocks(int64_t n, int64_t bins) const {
+  /// For n indices: a block for each thread, unless there would be far more counters than indices. The last block counts
+  /// in `last`, if it is given.
+  BinCounters counters(int64_t n, int64_t bins, int* last = nullptr) {
     const int64_t limit = std::min(n / kSortBlock, 4 * n / std::max<int64_t>(bins, 1));
-    return std::clamp<int64_t>(limit, 1, pool_.threads());
+    const int64_t blocks = std::clamp<int64_t>(limit, 1, threads());
+    counts_.resize((last ? blocks - 1 : blocks) * bins);
+    BinCounters result{bins, {}};
+    for (int64_t b = 0; b < blocks; ++b) result.blocks.push_back(counts_.span().data() + b * bins);
+    if (last) result.blocks.back() = last;
+    return result;
   }
 
-  int* counters(int64_t count) {
-    counts_.resize(count);
-    return counts_.span().data();
-  }
-
-  /// Stable counting sort by keys in 0 … bins−1: calls put(i, position) for each i in 0 … n−1, with its sorted
-  /// position. Each block of indices has a counter for every bin; afterwards they hold the end of the block's part of
-  /// each bin. find_keys(from, to) is called for a few indices before their keys are read by key_of(i): apart from the
-  /// counting, such a loop can be compiled to vector instructions.
   template <class FindKeys, class KeyOf, class Put>
-  void counting_sort(int64_t n, int64_t bins, int64_t blocks, int* counts, const FindKeys& find_keys,
-                     const KeyOf& key_of, const Put& put) {
-    run(blocks, 1, [&](int64_t b) {
-      int* const mine = counts + b * bins;
-      std::fill(mine, mine + bins, 0);
-      for (int64_t from = n * b / blocks, end = n * (b + 1) / blocks, to; from < end; from = to) {
-        to = std::min(end, from + kKeyBatch);
-        find_keys(from, to);
-        for (int64_t i = from; i < to; ++i) ++mine[key_of(i)];
-      }
-    });
-    scan_counts(counts, blocks, bins);
-    run(blocks, 1, [&](int64_t b) {
-      int* const mine = counts + b * bins;
-      for (int64_t i = n * b / blocks; i < n * (b + 1) / blocks; ++i) put(i, mine[key_of(i)]++);
-    });
-  }
-
-  /// counts[block][bin] ← the sum of all counts of lower bins, and of lower blocks in the same bin.
-  void scan_counts(int* counts, int64_t blocks, int64_t bins) {
-    std::vector<int> sums(static_cast<size_t>(blocks) + 1, 0);
-    if (blocks > 1) {
-      run(blocks, 1, [&](int64_t part) {
-        int sum = 0;
-        for (int64_t b = 0; b < blocks; ++b) {
-          for (int64_t k = bins * part / blocks; k < bins * (part + 1) / blocks; ++k) sum += counts[b * bins + k];
-        }
-        sums[static_cast<size_t>(part) + 1] = sum;
-      });
-      for (int64_t part = 0; part < blocks; ++part) sums[part + 1] += sums[part];
-    }
-    run(blocks, 1, [&](int64_t part) {
-      int sum = sums[static_cast<size_t>(part)];
-      for (int64_t k = bins * part / blocks; k < bins * (part + 1) / blocks; ++k) {
-        for (int64_t b = 0; b < blocks; ++b) sum += std::exchange(counts[b * bins + k], sum);
-      }
-    });
+  void sort(int64_t n, const BinCounters& counters, const FindKeys& find_keys, const KeyOf& key_of, const Put& put) {
+    counting_sort([&](int64_t blocks, const auto& body) { run(blocks, 1, body); }, n, counters, find_keys, key_of, put);
   }
 
   template <class Kernel>
@@ -293,7 +249,7 @@ class CpuExecutor {
 
   ThreadPool pool_;
   StageTimes times_;
-  HostBuffer<int> keys_, counts_;  // of bin() and counting_sort(), reused by each call
+  HostBuffer<int> keys_, counts_;  // of sorting, reused by each call
   HostBuffer<std::max_align_t> scratch_[2];
 };
 
