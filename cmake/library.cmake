@@ -8,8 +8,7 @@ set(BALLPIT_COMMON_HEADERS
 # Each target has an include root of its own, which holds a link to its folder and nothing else. So it sees the folders of
 # the targets that it links and no others: an include that points upward does not compile.
 #
-# LIGHT is for code whose speed nobody notices: Release compiles it with -O1, in two thirds of the time of -O3. Of CUDA
-# sources this is the part for the CPU, half of their time.
+# LIGHT is for code whose speed nobody notices: Release compiles it with -O1, in two thirds of the time of -O3.
 # PRECOMPILE names further large headers that most of the sources include. Where CMAKE_UNITY_BUILD is on, eight sources
 # are compiled as one; APART is for those that take long, as kernels do, or define the same names.
 function(ballpit_library folder)
@@ -42,9 +41,7 @@ function(ballpit_library folder)
 endfunction()
 
 function(ballpit_compile_lightly target)
-  target_compile_options(${target} PRIVATE
-    $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>
-    $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CUDA>>:-Xcompiler=-O1>)
+  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
 endfunction()
 
 # ballpit_precompile(TARGET OPTIONS [HEADERS…]): precompiles the common headers and HEADERS. Targets with the same compiler

@@ -83,6 +83,14 @@ inline Scene make_cloud(const Cloud& cloud, uint64_t seed) {
   return scene;
 }
 
+/// Spheres that fall and meet.
+inline Scene falling_cloud(int count, int dimensions = 3) {
+  Scene scene = make_cloud({.count = count, .dimensions = dimensions, .smallest = 0.05, .largest = 0.08}, 5);
+  scene.physics.gravity = {0, -9.81, 0};
+  for (Vec3d& p : scene.bodies.position) p = glm::clamp(p, Vec3d(-0.9), Vec3d(0.9));
+  return scene;
+}
+
 inline std::unique_ptr<World> make_cpu_world(const Scene& scene, const Settings& settings = {}) {
   return cpu_backend().make_world(scene, settings);
 }

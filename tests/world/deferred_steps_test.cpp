@@ -18,7 +18,7 @@ using namespace ballpit;
 
 namespace {
 
-Settings settings_of(const std::string& response, double skin = 0) {
+Settings deferred_settings(const std::string& response, double skin = 0) {
   Settings settings;
   settings.response = named<Response>(response);
   settings.broadphase = BroadPhase::sorted_grid;
@@ -90,7 +90,7 @@ TEST_CASE("steps that are not waited for have the bits of the CPU's, by every re
     for (const char* response : {"impulse", "kinematic", "penalty", "position-based"}) {
       for (const double skin : {0.0, 0.3}) {
         const Scene scene = make_crowd(dimensions, 6, Boundary::walls, 0.5, 0.05, 0.068);
-        const Settings settings = settings_of(response, skin);
+        const Settings settings = deferred_settings(response, skin);
         Device device(scene, settings);
         const auto cpu = cpu_backend().make_world(scene, settings);
         CAPTURE(dimensions, response, skin);
@@ -116,7 +116,7 @@ TEST_CASE("steps with more contacts than there is room for are repeated with mor
     scene.bodies.velocity[i] = speed * (scene.domain.max / 2.0 - scene.bodies.position[i]);
   }
   for (const char* response : {"impulse", "kinematic", "penalty", "position-based"}) {
-    const Settings settings = settings_of(response);
+    const Settings settings = deferred_settings(response);
     Device device(scene, settings);
     const auto cpu = cpu_backend().make_world(scene, settings);
     for (int k = 0; k < steps; ++k) {
@@ -135,7 +135,7 @@ TEST_CASE("steps with more contacts than there is room for are repeated with mor
 TEST_CASE("position-based steps that are repeated count substeps from where they go back to") {
   const int halted_after = GENERATE(7, 20);
   const Scene scene = lattice(6, 0.06, 0.11);  // the longer it runs, the faster overlap of the start may be removed
-  const Settings settings = settings_of("position-based");
+  const Settings settings = deferred_settings("position-based");
   Device device(scene, settings);
   const auto cpu = cpu_backend().make_world(scene, settings);
   for (int k = 1; k <= 30; ++k) {
@@ -151,7 +151,7 @@ TEST_CASE("a sphere that leaves the domain in a step that is not waited for ends
   Scene scene;
   scene.physics.stiffness = 1;
   scene.bodies = {{{0.5, 0.5, 0.5}}, {{12, 0, 0}}, {0.1}, {1}};
-  const Settings settings = settings_of("penalty");
+  const Settings settings = deferred_settings("penalty");
   const auto message = [](World& world) -> std::string {
     try {
       for (int k = 0; k < 30; ++k) world.step();
@@ -175,7 +175,7 @@ TEST_CASE("an impulse step takes at most 20 kernels, and few bytes") {
   constexpr int kSide = 40;
   constexpr double kSpheres = kSide * kSide * kSide;
   for (const double radius : {0.4, 0.501}) {
-    const StepCost cost = cost_of_step(lattice(kSide, radius, 1), settings_of("impulse"));
+    const StepCost cost = cost_of_step(lattice(kSide, radius, 1), deferred_settings("impulse"));
     CAPTURE(cost.table, cost.contacts);
     CHECK(cost.contacts == Approx(radius > 0.5 ? 2.925 : 0));
     CHECK(cost.kernels <= 20);
@@ -185,7 +185,7 @@ TEST_CASE("an impulse step takes at most 20 kernels, and few bytes") {
 
 TEST_CASE("a step by springs takes at most 22 kernels, and one by positions 21, whatever the number of colours") {
   for (const auto& [response, kernels] : {std::pair{"penalty", 22}, std::pair{"position-based", 21}}) {
-    const StepCost cost = cost_of_step(lattice(17, 0.501, 1), settings_of(response));
+    const StepCost cost = cost_of_step(lattice(17, 0.501, 1), deferred_settings(response));
     CAPTURE(cost.table);
     CHECK(cost.kernels <= kernels);
   }

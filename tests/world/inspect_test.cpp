@@ -30,7 +30,7 @@ const std::vector<Cloud>& clouds() {
 }
 
 /// The methods with cells, and without.
-const std::vector<Way>& methods() {
+const std::vector<Way>& inspected_methods() {
   static const std::vector<Way> all{{.broadphase = "brute-force"},
                                     {.broadphase = "sort-and-sweep"},
                                     {.broadphase = "linked-cell", .table = "dense"},
@@ -84,14 +84,6 @@ void check_endpoints(const Inspection& seen) {
   CHECK(ends == begins);
   const std::vector<float> at = places_of(seen.endpoints);
   CHECK(std::is_sorted(at.begin(), at.end()));
-}
-
-/// Spheres that fall and meet.
-Scene heap(int dimensions = 3) {
-  Scene scene = make_cloud({.count = 300, .dimensions = dimensions, .smallest = 0.05, .largest = 0.08}, 5);
-  scene.physics.gravity = {0, -9.81, 0};
-  for (Vec3d& p : scene.bodies.position) p = glm::clamp(p, Vec3d(-0.9), Vec3d(0.9));
-  return scene;
 }
 
 /// What may be told of reports that look at the same.
@@ -262,7 +254,7 @@ TEST_CASE("each sphere begins and ends once in the sorted list, a radius before 
 
 TEST_CASE("the work of all threads adds up to the candidates, except where threads walk lists") {
   const Scene scene = make_cloud({.count = 200, .smallest = 0.1, .largest = 0.1}, 24);
-  for (const Way& way : methods()) {
+  for (const Way& way : inspected_methods()) {
     if (way.broadphase.starts_with("lecture/")) continue;
     INFO(way);
     const auto world = make_cpu_world(scene, settings_of(way));
@@ -275,7 +267,7 @@ TEST_CASE("the work of all threads adds up to the candidates, except where threa
 
 TEST_CASE("each body has one thread that walks for it, and meets what the body is a candidate with") {
   const Scene scene = make_cloud({.count = 200, .smallest = 0.1, .largest = 0.1}, 24);
-  for (const Way& way : methods()) {
+  for (const Way& way : inspected_methods()) {
     INFO(way);
     const Inspection seen = seen_in(scene, way);
     REQUIRE(seen.worker.size() == seen.work.size());
@@ -315,14 +307,14 @@ TEST_CASE("what is not wanted is not there") {
 
 TEST_CASE("looking at all that may be wanted changes neither the motion nor a count of the report") {
   for (const char* const response : {"impulse", "position-based"}) {
-    for (const Way& method : methods()) {
+    for (const Way& method : inspected_methods()) {
       for (const double skin : {0.0, 0.3}) {
         Way way = method;
         way.skin = skin;
         INFO(way << ", " << response);
         Settings settings = settings_of(way);
         settings.response = named<Response>(response);
-        const Scene scene = heap();
+        const Scene scene = falling_cloud(300);
         const auto watched = make_cpu_world(scene, settings), glanced_at = make_cpu_world(scene, settings),
                    alone = make_cpu_world(scene, settings);
         for (int k = 0; k < 20; ++k) {
@@ -345,8 +337,8 @@ TEST_CASE("looking at all that may be wanted changes neither the motion nor a co
 
 TEST_CASE("with a skin a world shows what it shows without") {
   for (const int dimensions : {2, 3}) {
-    const Scene scene = heap(dimensions);
-    for (const Way& way : methods()) {
+    const Scene scene = falling_cloud(300, dimensions);
+    for (const Way& way : inspected_methods()) {
       INFO(way << ", dimensions " << dimensions);
       Way with = way;
       with.skin = 0.3;
@@ -431,7 +423,7 @@ TEST_CASE("event-driven: candidates are the pairs in neighbouring cells, each on
 }
 
 TEST_CASE("worlds of no sphere and of one show nothing beside it") {
-  for (const Way& way : methods()) {
+  for (const Way& way : inspected_methods()) {
     for (const int count : {0, 1}) {
       INFO(way << ", " << count);
       const Inspection seen = seen_in(make_cloud({.count = count}, 1), way);

@@ -10,7 +10,7 @@ using namespace ballpit;
 
 namespace {
 
-constexpr int kCount = 64;
+constexpr int kSpheres = 64;
 
 const std::vector<std::string>& responses() {
   static const std::vector<std::string> all{"kinematic", "impulse", "penalty", "position-based"};
@@ -25,7 +25,7 @@ Scene spheres(int dimensions, Boundary boundary = Boundary::walls, double last_r
   scene.physics.restitution = scene.physics.wall_restitution = 1;
   scene.physics.stiffness = 1e4;
   const int side = dimensions == 2 ? 8 : 4;
-  for (int k = 0; k < kCount - 1; ++k) {
+  for (int k = 0; k < kSpheres - 1; ++k) {
     Vec3d p = 0.5 + 0.11 * Vec3d(k % side, k / side % side, k / side / side);
     if (dimensions == 2) p.z = 0;
     add_sphere(scene, p, random.direction(dimensions));
@@ -73,9 +73,9 @@ TEST_CASE("a body takes a position and a velocity, and equal radii and masses on
           return world_after(scene, response, 1, "auto", precision)->report().body_bytes;
         };
         INFO(response << ", " << dimensions << " dimensions, " << precision);
-        CHECK(bytes(spheres(dimensions)) == kCount * 2 * dimensions * real + 2 * real);
-        CHECK(bytes(spheres(dimensions, Boundary::walls, 0.06)) == kCount * (2 * dimensions + 1) * real + real);
-        CHECK(bytes(spheres(dimensions, Boundary::walls, 0.06, 2.0)) == kCount * (2 * dimensions + 2) * real);
+        CHECK(bytes(spheres(dimensions)) == kSpheres * 2 * dimensions * real + 2 * real);
+        CHECK(bytes(spheres(dimensions, Boundary::walls, 0.06)) == kSpheres * (2 * dimensions + 1) * real + real);
+        CHECK(bytes(spheres(dimensions, Boundary::walls, 0.06, 2.0)) == kSpheres * (2 * dimensions + 2) * real);
       }
     }
   }
@@ -87,14 +87,14 @@ TEST_CASE("a planar scene's motion takes two thirds of the memory that a body ta
     Scene planar = wide_box(), spatial = wide_box();
     planar.domain.dimensions = 2;
     planar.domain.min.z = planar.domain.max.z = 0;
-    for (int k = 0; k < kCount; ++k) {
+    for (int k = 0; k < kSpheres; ++k) {
       add_sphere(planar, {k - 32.0, 0, 0}, {0, 1, 0}, 0.1);
       add_sphere(spatial, {k - 32.0, 0, 0}, {0, 1, 0}, 0.1);
     }
     const int64_t in_plane = world_after(planar, response, 1, "auto", "double")->report().motion_bytes,
                   in_space = world_after(spatial, response, 1, "auto", "double")->report().motion_bytes;
     INFO(response << ": " << in_plane << ", " << in_space);
-    CHECK(in_plane >= 32 * kCount);  // the guard's last good state
+    CHECK(in_plane >= 32 * kSpheres);  // the guard's last good state
     if (response == "kinematic" || response == "penalty") CHECK(3 * in_plane == 2 * in_space);
     CHECK(in_space - in_plane >= in_space / 4);  // others have counts and colours, too, of one number a body
   }
@@ -111,7 +111,7 @@ TEST_CASE("a periodic scene has no memory for walls") {
   const auto walled = world_after(spheres(3), "position-based", 3),
              periodic = world_after(spheres(3, Boundary::periodic), "position-based", 3);
   // What walls give a body, at either end of each axis.
-  CHECK(walled->report().motion_bytes - periodic->report().motion_bytes == kCount * 2 * 12);
+  CHECK(walled->report().motion_bytes - periodic->report().motion_bytes == kSpheres * 2 * 12);
 }
 
 TEST_CASE("velocity Verlet evaluates forces without losses once a step, and forces that depend on velocity twice") {

@@ -17,7 +17,7 @@ using namespace ballpit;
 
 namespace {
 
-const Observable& named(std::string_view name) {
+const Observable& observable_named(std::string_view name) {
   for (const Observable& observable : observables()) {
     if (observable.name == name) return observable;
   }
@@ -25,7 +25,7 @@ const Observable& named(std::string_view name) {
 }
 
 ObservedValue values(std::string_view name, const Observation& observation) {
-  return measure(named(name), observation);
+  return measure(observable_named(name), observation);
 }
 
 /// The value of one that has one number.
@@ -182,9 +182,9 @@ TEST_CASE("pressure in the plane is a force on a length") {
   Observation observation = two_spheres(Boundary::walls, 2);
   observation.report.tally.virial = 60;                                  // over d·T = 20 s: 3 J
   CHECK(value("pressure", observation) == Approx((2 * 3.0 + 3.0) / 8));  // an area of 2 m × 4 m
-  CHECK(unit_of(named("pressure"), observation.domain) == "N/m");
-  CHECK(unit_of(named("pressure"), two_spheres(Boundary::walls).domain) == "Pa");
-  CHECK(unit_of(named("floor-force"), observation.domain) == "N");
+  CHECK(unit_of(observable_named("pressure"), observation.domain) == "N/m");
+  CHECK(unit_of(observable_named("pressure"), two_spheres(Boundary::walls).domain) == "Pa");
+  CHECK(unit_of(observable_named("floor-force"), observation.domain) == "N");
 }
 
 TEST_CASE("the compressibility of a gas without collisions is 1") {

@@ -22,14 +22,6 @@ constexpr int kSteps = 20;
 constexpr int kSteps = 500;
 #endif
 
-Scene heap(int dimensions) {
-  Scene scene = make_cloud(
-      {.count = dimensions == 2 ? 150 : 600, .dimensions = dimensions, .smallest = 0.05, .largest = 0.08}, 5);
-  scene.physics.gravity = {0, -9.81, 0};
-  for (Vec3d& p : scene.bodies.position) p = glm::clamp(p, Vec3d(-0.9), Vec3d(0.9));
-  return scene;
-}
-
 std::unique_ptr<World> world_after(const Scene& scene, int steps, const Settings& settings) {
   auto world = make_cpu_world(scene, settings);
   for (int k = 0; k < steps; ++k) world->step();
@@ -65,7 +57,7 @@ void check_hashes(const Scene& scene, int steps) {
 }
 
 /// A response with what it goes by, in one precision.
-struct Kind {
+struct PreciseKind {
   std::string response;
   std::string integrator = "auto";
   std::string solver = "jacobi";
@@ -86,20 +78,21 @@ struct Kind {
   }
 };
 
-std::ostream& operator<<(std::ostream& out, const Kind& kind) {
+std::ostream& operator<<(std::ostream& out, const PreciseKind& kind) {
   return out << kind.response << ", integrator " << kind.integrator << ", solver " << kind.solver
              << ", e = " << kind.restitution << (kind.is_swept ? ", swept, " : ", ") << kind.precision;
 }
 
 /// Each in both precisions. Without losses velocity Verlet keeps accelerations from step to step.
-std::vector<Kind> kinds() {
-  std::vector<Kind> list;
+std::vector<PreciseKind> precise_kinds() {
+  std::vector<PreciseKind> list;
   for (const char* const precision : {"float", "double"}) {
-    for (Kind kind : {Kind{"kinematic"}, Kind{.response = "kinematic", .is_swept = true},
-                      Kind{"impulse", "auto", "jacobi"}, Kind{"impulse", "auto", "gauss-seidel"},
-                      Kind{.response = "impulse", .is_swept = true}, Kind{"penalty", "velocity-verlet"},
-                      Kind{"penalty", "velocity-verlet", "jacobi", 1.0}, Kind{"penalty", "symplectic-euler"},
-                      Kind{"penalty", "explicit-euler"}, Kind{"penalty", "rk4"}, Kind{"position-based"}}) {
+    for (PreciseKind kind :
+         {PreciseKind{"kinematic"}, PreciseKind{.response = "kinematic", .is_swept = true},
+          PreciseKind{"impulse", "auto", "jacobi"}, PreciseKind{"impulse", "auto", "gauss-seidel"},
+          PreciseKind{.response = "impulse", .is_swept = true}, PreciseKind{"penalty", "velocity-verlet"},
+          PreciseKind{"penalty", "velocity-verlet", "jacobi", 1.0}, PreciseKind{"penalty", "symplectic-euler"},
+          PreciseKind{"penalty", "explicit-euler"}, PreciseKind{"penalty", "rk4"}, PreciseKind{"position-based"}}) {
       kind.precision = precision;
       list.push_back(kind);
     }
@@ -107,14 +100,14 @@ std::vector<Kind> kinds() {
   return list;
 }
 
-Scene crowd(int dimensions, Boundary boundary, const Kind& kind, int side = 0) {
+Scene crowd(int dimensions, Boundary boundary, const PreciseKind& kind, int side = 0) {
   if (side == 0) side = dimensions == 2 ? 12 : 6;
   return make_crowd(dimensions, side, boundary, kind.restitution, 0.05, 0.07);
 }
 
 /// The same; for the position-based response of smaller spheres, none of which overlap. Where they do at the start, it also
 /// knows how long ago that was, which positions and velocities do not tell.
-Scene crowd_to_save(int dimensions, Boundary boundary, const Kind& kind, int side = 0) {
+Scene crowd_to_save(int dimensions, Boundary boundary, const PreciseKind& kind, int side = 0) {
   Scene scene = crowd(dimensions, boundary, kind, side);
   if (kind.response == "position-based") {
     for (double& radius : scene.bodies.radius) radius *= 0.75;
@@ -124,7 +117,7 @@ Scene crowd_to_save(int dimensions, Boundary boundary, const Kind& kind, int sid
 
 /// Pairs that meet in steps 20 to 80, about when the bodies are sorted in memory a second time, each alone in its cell of a
 /// lattice; every `stride`-th of them. One pair is like no other, and neighbours in space are far apart in memory.
-Scene pairs_apart(int side, int stride, const Kind& kind) {
+Scene pairs_apart(int side, int stride, const PreciseKind& kind) {
   Scene scene;
   scene.domain = {Vec3d(0.0), Vec3d(side), Boundary::walls, 3};
   scene.physics.restitution = scene.physics.wall_restitution = kind.restitution;
@@ -149,7 +142,8 @@ TEST_CASE(
     "the state has the same bits after 500 steps for any number of threads, every broad phase, with a skin or "
     "without",
     "[slow]") {
-  check_hashes(heap(GENERATE(2, 3)), kSteps);
+  const int dimensions = GENERATE(2, 3);
+  check_hashes(falling_cloud(dimensions == 2 ? 150 : 600, dimensions), kSteps);
 }
 
 TEST_CASE("the state of a periodic gas of unequal spheres has the same bits whatever finds its contacts") {
@@ -169,7 +163,7 @@ TEST_CASE("the state of so many spheres that they are sorted in memory has the s
 TEST_CASE("with every response, in both precisions, the state is bit-identical for all broad phases", "[slow]") {
   constexpr int kThreads[] = {1, 2, 8};
   int turn = 0;
-  for (const Kind& kind : kinds()) {
+  for (const PreciseKind& kind : precise_kinds()) {
     const int dimensions = 2 + turn % 2;
     const Boundary boundary = turn / 2 % 2 == 0 ? Boundary::walls : Boundary::periodic;
     const Scene scene = crowd(dimensions, boundary, kind);
@@ -190,7 +184,7 @@ TEST_CASE("near contacts of the position-based response are found within a skin 
   // The guard lists spheres as large as they are, the response asks for those nearer than its margin, 0.01 r + g·dt² each.
   // Two that start just beyond their skins come so near within them. Which contacts there are decides their colours, and so
   // the order in which a stack is solved.
-  const Kind kind{"position-based"};
+  const PreciseKind kind{"position-based"};
   Scene scene;
   scene.physics.gravity = {0, -9.81, 0};
   add_sphere(scene, {0.2, 0.05, 0.5}, {0.1, 0, 0});
@@ -204,7 +198,7 @@ TEST_CASE("near contacts of the position-based response are found within a skin 
 }
 
 TEST_CASE("with every response, spheres that are sorted in memory move bit-identically to unsorted ones", "[slow]") {
-  for (const Kind& kind : kinds()) {
+  for (const PreciseKind& kind : precise_kinds()) {
     const Settings settings = kind.settings({.broadphase = "sorted-grid", .threads = 2});
     const int steps = kSteps > 100 ? 100 : 3;
     const Bodies many = world_after(pairs_apart(13, 1, kind), steps, settings)->bodies();
@@ -222,7 +216,7 @@ TEST_CASE("with every response, spheres that are sorted in memory move bit-ident
 }
 
 TEST_CASE("looking at a world does not change its motion, by any response, with a skin or without") {
-  for (const Kind& kind : kinds()) {
+  for (const PreciseKind& kind : precise_kinds()) {
     const Scene scene = crowd(3, Boundary::walls, kind);
     for (const double skin : {0.0, 0.1}) {
       const Settings settings = kind.settings({.skin = skin});
@@ -240,7 +234,7 @@ TEST_CASE("looking at a world does not change its motion, by any response, with 
 }
 
 TEST_CASE("a world started from another's bodies continues bit-identically, with every response") {
-  for (const Kind& kind : kinds()) {
+  for (const PreciseKind& kind : precise_kinds()) {
     for (const Boundary boundary : {Boundary::walls, Boundary::periodic}) {
       Scene scene = crowd_to_save(boundary == Boundary::walls ? 2 : 3, boundary, kind);
       const auto first = world_after(scene, 40, kind.settings());
@@ -260,7 +254,7 @@ TEST_CASE("a world started from another's bodies continues bit-identically, with
 TEST_CASE("a world that is large enough to be sorted continues bit-identically from a step that sorts it") {
   // Elsewhere the new world sorts its spheres at its own begin: forces on a sphere are then summed in another order. So they
   // are at any step where velocity Verlet keeps forces, without losses, from before the bodies were sorted.
-  for (const Kind& kind : {Kind{"impulse"}, Kind{"penalty"}, Kind{"position-based"}}) {
+  for (const PreciseKind& kind : {PreciseKind{"impulse"}, PreciseKind{"penalty"}, PreciseKind{"position-based"}}) {
     for (const int steps : {40, 64}) {
       Scene scene = crowd_to_save(2, Boundary::walls, kind, 65);
       REQUIRE(scene.bodies.size() >= 4096);
@@ -276,7 +270,7 @@ TEST_CASE("a world that is large enough to be sorted continues bit-identically f
 }
 
 TEST_CASE("a world that changes its broad phase in between moves bit-identically") {
-  for (const Kind& kind : kinds()) {
+  for (const PreciseKind& kind : precise_kinds()) {
     for (const int dimensions : {2, 3}) {
       INFO(kind << ", dimensions " << dimensions);
       const Scene scene = crowd(dimensions, Boundary::walls, kind);

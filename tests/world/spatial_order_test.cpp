@@ -17,7 +17,7 @@ using namespace ballpit;
 
 namespace {
 
-constexpr int kCount = 5000;
+constexpr int kBodies = 5000;
 
 template <class T>
 HostBuffer<T> buffer_of(CpuExecutor& exec, const std::vector<T>& values) {
@@ -46,7 +46,7 @@ struct Ordered {
 
 /// A world of so many spheres that it keeps them sorted.
 Scene large_scene(Cloud cloud) {
-  cloud.count = kCount;
+  cloud.count = kBodies;
   return make_cloud(cloud, 12);
 }
 
@@ -59,16 +59,16 @@ TEST_CASE("bodies are kept in the order of cells, each once, and known by id") {
   ordered.sort();
   std::vector<int> id_at = ordered.id_at();
   const std::vector<Vec3> kept = ordered.kept();
-  for (int place = 0; place < kCount; ++place)
+  for (int place = 0; place < kBodies; ++place)
     REQUIRE(kept[place] == bodies.position[static_cast<size_t>(id_at[place])]);
   double far = 0, far_before = 0;
-  for (size_t k = 1; k < kCount; ++k) {
+  for (size_t k = 1; k < kBodies; ++k) {
     far += length(kept[k] - kept[k - 1]);
     far_before += length(bodies.position[k] - bodies.position[k - 1]);
   }
   CHECK(far < far_before / 4);  // neighbours in memory are nearer
   std::sort(id_at.begin(), id_at.end());
-  std::vector<int> all(kCount);
+  std::vector<int> all(kBodies);
   std::iota(all.begin(), all.end(), 0);
   CHECK(id_at == all);
 }
@@ -83,8 +83,8 @@ TEST_CASE("the order follows from positions and ids alone, not from earlier orde
   Ordered twice(before, 8), once(after, 1);
   twice.sort();
   const std::vector<int> first = twice.id_at();
-  std::vector<Vec3> moved(kCount);
-  for (size_t place = 0; place < kCount; ++place) moved[place] = after.position[static_cast<size_t>(first[place])];
+  std::vector<Vec3> moved(kBodies);
+  for (size_t place = 0; place < kBodies; ++place) moved[place] = after.position[static_cast<size_t>(first[place])];
   twice.exec.upload(twice.position, moved);
   twice.sort();
   once.sort();
@@ -153,7 +153,7 @@ TEST_CASE("worlds that sorted their bodies show them and their contacts by id") 
     }
     const Inspection seen = world->inspect();
     CHECK(difference(seen.contacts, expected) == "");
-    for (int i = 0; i < kCount; ++i) {
+    for (int i = 0; i < kBodies; ++i) {
       const auto k = static_cast<size_t>(i);
       const Vec3 p(now.bodies.position[k]), start(scene.bodies.position[k]);
       REQUIRE(seen.bodies.position_of(i) == p);
@@ -196,7 +196,7 @@ void check_arrays(const Inspection& seen, bool is_sorted, bool is_hashed) {
 
 TEST_CASE(
     "each body is in the list of the cell that its centre lies in, and in no other, also in worlds that sorted them") {
-  for (const int count : {500, kCount}) {
+  for (const int count : {500, kBodies}) {
     for (const Cloud& cloud : {Cloud{.smallest = 0.03, .largest = 0.03}, Cloud{.smallest = 0.01, .largest = 0.08},
                                Cloud{.dimensions = 2, .smallest = 0.01, .largest = 0.02},
                                Cloud{.smallest = 0.03, .largest = 0.03, .boundary = Boundary::periodic}}) {

@@ -59,12 +59,12 @@ TEST_CASE("spheres under gravity give the floor N·m·g in the mean, by every re
 namespace {
 
 /// A way to step, and a box of 1 m with a ball of radius 0.1 m: 0.8 m of room.
-struct Way {
+struct Stepper {
   const char *response, *integrator = "auto", *solver = "jacobi";
   bool is_swept = false;
 };
 
-Settings settings_by(const Way& way, double dt) {
+Settings settings_by(const Stepper& way, double dt) {
   Settings settings = tallied(way.response, dt);
   settings.integrator = named<Integrator>(way.integrator);
   settings.solver = named<Solver>(way.solver);
@@ -72,17 +72,17 @@ Settings settings_by(const Way& way, double dt) {
   return settings;
 }
 
-const std::vector<Way>& ways() {
-  static const std::vector<Way> all{{"kinematic"},
-                                    {"kinematic", "auto", "jacobi", true},
-                                    {"impulse"},
-                                    {"impulse", "auto", "gauss-seidel"},
-                                    {"impulse", "auto", "jacobi", true},
-                                    {"penalty", "explicit-euler"},
-                                    {"penalty", "symplectic-euler"},
-                                    {"penalty", "velocity-verlet"},
-                                    {"penalty", "rk4"},
-                                    {"position-based"}};
+const std::vector<Stepper>& steppers() {
+  static const std::vector<Stepper> all{{"kinematic"},
+                                        {"kinematic", "auto", "jacobi", true},
+                                        {"impulse"},
+                                        {"impulse", "auto", "gauss-seidel"},
+                                        {"impulse", "auto", "jacobi", true},
+                                        {"penalty", "explicit-euler"},
+                                        {"penalty", "symplectic-euler"},
+                                        {"penalty", "velocity-verlet"},
+                                        {"penalty", "rk4"},
+                                        {"position-based"}};
   return all;
 }
 
@@ -100,7 +100,7 @@ TEST_CASE(
     "a ball between two walls hits them as often as its way says, and collides with no sphere, by every response") {
   // It meets the first wall after 0.4 m, then one every 0.8 m: 1 + ⌊(3.1 − 0.4)/0.8⌋ = 4 hits along x. Along y half of
   // this way: ⌊(1.55 − 0.4)/0.8⌋ + 1 = 2.
-  for (const Way& way : ways()) {
+  for (const Stepper& way : steppers()) {
     const auto world = make_cpu_world(box_with_ball({1, 0.5, 0}), settings_by(way, 1e-4));
     step_until(*world, 3.1);
     const Tally tally = world->report().tally;
@@ -111,7 +111,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a ball that comes to rest on the floor hits it a few times, and never again") {
-  for (const Way& way : ways()) {
+  for (const Stepper& way : steppers()) {
     if (way.integrator == std::string("explicit-euler")) continue;  // never rests
     Scene scene = box_with_ball(Vec3d(0), 0.5);
     scene.physics.gravity = {0, -10, 0};
@@ -128,7 +128,7 @@ TEST_CASE("a ball that comes to rest on the floor hits it a few times, and never
 
 TEST_CASE("swept, all hits of walls in one step are counted, and a ball that hits a sphere besides") {
   for (const char* response : {"kinematic", "impulse"}) {
-    const Way way{response, "auto", "jacobi", true};
+    const Stepper way{response, "auto", "jacobi", true};
     // 0.4 m to the first wall, then 0.8 m each: 10 in 7.7 m
     const auto world = make_cpu_world(box_with_ball({7.7, 0, 0}), settings_by(way, 1.0));
     world->step();
@@ -157,7 +157,7 @@ TEST_CASE("swept, a ball that meets a wall before another ball has hit it, and t
 TEST_CASE("a periodic domain has no walls to hit") {
   Scene scene = box_with_ball({1, 0.5, 0});
   scene.domain.boundary = Boundary::periodic;
-  for (const Way& way : ways()) {
+  for (const Stepper& way : steppers()) {
     const auto world = make_cpu_world(scene, settings_by(way, 1e-2));
     step_until(*world, 2);
     CHECK(world->report().tally.wall_hits == 0);

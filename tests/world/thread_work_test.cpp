@@ -14,7 +14,7 @@ using namespace ballpit;
 namespace {
 
 template <class V>
-Collider<V, CpuExecutor> collider(const Way& way, const BodyArrays<V>& bodies) {
+Collider<V, CpuExecutor> planned_collider(const Way& way, const BodyArrays<V>& bodies) {
   const Settings settings = settings_of(way);
   Collider<V, CpuExecutor> collider;
   collider.plan({named<BroadPhase>(way.broadphase), ""}, bodies.parameters(settings), way.skin);
@@ -30,7 +30,7 @@ TEST_CASE("thread_work adds up to the candidates, except where threads walk list
       for (const Way& way : ways(kDimensions<V>)) {
         if (way.broadphase.starts_with("lecture/") || way.broadphase == "auto") continue;
         CpuExecutor exec(way.threads);
-        auto found = collider(way, bodies);
+        auto found = planned_collider(way, bodies);
         found.pairs(exec, bodies.view());
         const std::vector<int> work = thread_work(exec, found).first;
         INFO(input.name << ", " << way);
@@ -45,7 +45,7 @@ TEST_CASE("thread_work adds up to the candidates, except where threads walk list
 TEST_CASE("in brute force each thread has one candidate less than the one before") {
   const BodyArrays<Vec3> bodies(make_cloud({.count = 5}, 1));
   CpuExecutor exec(1);
-  auto found = collider({.broadphase = "brute-force"}, bodies);
+  auto found = planned_collider({.broadphase = "brute-force"}, bodies);
   found.pairs(exec, bodies.view());
   CHECK(thread_work(exec, found).first == std::vector<int>{4, 3, 2, 1, 0});
 }

@@ -7,19 +7,8 @@
 
 using namespace ballpit;
 
-namespace {
-
-Scene heap() {
-  Scene scene = make_cloud({.count = 600, .smallest = 0.05, .largest = 0.08}, 5);
-  scene.physics.gravity = {0, -9.81, 0};
-  for (Vec3d& p : scene.bodies.position) p = glm::clamp(p, Vec3d(-0.9), Vec3d(0.9));
-  return scene;
-}
-
-}  // namespace
-
 TEST_CASE("looking at a world does not change its motion") {
-  const Scene scene = heap();
+  const Scene scene = falling_cloud(600);
   const auto watched = make_cpu_world(scene), alone = make_cpu_world(scene);
   for (int k = 0; k < 50; ++k) {
     (void)watched->inspect();
@@ -31,7 +20,7 @@ TEST_CASE("looking at a world does not change its motion") {
 }
 
 TEST_CASE("the state hash differs between states that differ in one bit") {
-  Scene scene = heap();
+  Scene scene = falling_cloud(600);
   const uint64_t before = make_cpu_world(scene)->report().state_hash;
   scene.bodies.position[17].x = std::nextafter(float(scene.bodies.position[17].x), 2.0f);
   CHECK(make_cpu_world(scene)->report().state_hash != before);
@@ -112,7 +101,7 @@ TEST_CASE("worlds of zero and one sphere step and report") {
 }
 
 TEST_CASE("substeps divide the step") {
-  Scene scene = heap();
+  Scene scene = falling_cloud(600);
   Settings whole, parts;
   whole.dt = 1.0 / 960;
   parts.dt = 1.0 / 240;
