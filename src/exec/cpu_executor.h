@@ -155,14 +155,22 @@ class CpuExecutor {
     keys_.resize(n);
     const Span<int> keys = keys_.span();
     offsets[0] = 0;
-    sort(
-        n, counters(n, offsets.size() - 1, offsets.data() + 1),
-        [=](int64_t from, int64_t to) {
-          const KeyOf key = key_of;  // a local copy, which no pointer can alias, as in run_range()
-          for (int64_t i = from; i < to; ++i) keys[i] = key(static_cast<int>(i));
-        },
-        [=](int64_t i) { return keys[i]; },
-        [=](int64_t i, int position) { values[position] = value_of(static_cast<int>(i)); });
+    const int64_t bins = offsets.size() - 1;
+    const auto find_keys = [=](int64_t from, int64_t to) {
+      const KeyOf key = key_of;  // a local copy, which no pointer can alias, as in run_range()
+      for (int64_t i = from; i < to; ++i) keys[i] = key(static_cast<int>(i));
+    };
+    const auto put = [=](int64_t i, int position) { values[position] = value_of(static_cast<int>(i)); };
+    const auto key = [=](int64_t i) { return keys[i]; };
+    int* const ends = offsets.data() + 1;
+    if (threads() == 1 || n + bins < kSortBlock) {
+      sort(n, counters(n, bins, ends), find_keys, key, put);
+    } else if (const KeyParts parts(RunBlocks{this}, n, keys.data(), bins, threads(), find_keys); parts.are_apart()) {
+      parts.sort(RunBlocks{this}, ends, put);
+    } else {
+      sort(
+          n, counters(n, bins, ends), [](int64_t, int64_t) {}, key, put);
+    }
   }
 
   /// The same for the indices themselves, where bins hold few.
@@ -209,6 +217,15 @@ class CpuExecutor {
   static constexpr int64_t kSortBlock = 1 << 15;
   static constexpr int kDigitBits = 11;
 
+  /// Calls body(b) for each block b, in parallel.
+  struct RunBlocks {
+    CpuExecutor* exec;
+    template <class Body>
+    void operator()(int64_t blocks, const Body& body) const {
+      exec->run(blocks, 1, body);
+    }
+  };
+
   /// For n indices: a block for each thread, unless there would be far more counters than indices. The last block counts
   /// in `last`, if it is given.
   BinCounters counters(int64_t n, int64_t bins, int* last = nullptr) {
@@ -223,7 +240,7 @@ class CpuExecutor {
 
   template <class FindKeys, class KeyOf, class Put>
   void sort(int64_t n, const BinCounters& counters, const FindKeys& find_keys, const KeyOf& key_of, const Put& put) {
-    counting_sort([&](int64_t blocks, const auto& body) { run(blocks, 1, body); }, n, counters, find_keys, key_of, put);
+    counting_sort(RunBlocks{this}, n, counters, find_keys, key_of, put);
   }
 
   template <class Kernel>

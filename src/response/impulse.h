@@ -18,7 +18,8 @@
 // remove it anyway. Older overlap carries a heap. Under gravity it gets a speed of parting, u* = push · overlap / dt,
 // at most push_limit; without gravity it is removed by moving the bodies as well.
 //
-// Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), one launch (Jacobi).
+// Walls follow the same law with w_wall = 0. Cost per iteration: O(n + contacts), one launch (Jacobi). On the CPU, where
+// few bodies touch something, only copies of those are solved: touching_bodies.h.
 // Source: mass splitting: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
 // simulation" (2012), doi 10.1145/2185520.2185601; Gauss–Seidel: Catto, "Iterative Dynamics with Temporal Coherence"
 // (2005). Its siblings: kinematic.h, penalty.h, position_based.h.
@@ -30,6 +31,7 @@
 #include "bodies/tally.h"
 #include "response/contact_colours.h"
 #include "response/impulse_law.h"
+#include "response/touching_bodies.h"
 
 namespace ballpit {
 
@@ -149,15 +151,66 @@ class ImpulseResponse {
   /// Writes the new ones to `velocity`.
   void respond(Exec& exec, const BodiesView<V>& bodies, const WallsView<V>& walls, const ContactsView<V>& contacts,
                Real dt, const KickedVelocity<V>& kicked, Buffer<V>& velocity, const ImpulseNotes<V>& notes) {
-    const int64_t n = bodies.size(), m = contacts.pairs.size();
-    share_.resize(n);
+    share_.resize(bodies.size());
+    const ImpulseView<V> all{bodies, walls, contacts, share_.span(), parameters_, dt};
+    const CountShares<V> count{all, share_.span()};
+    if constexpr (Exec::kDefers) {
+      exec.parallel_for("count shares", bodies.size(), count);
+    } else {
+      touching_.find(exec, count);
+      if (touching_.are_few()) {
+        const ImpulseView<V> few = touching_.view(exec, all);
+        solve(exec, few, touching_.kicked(exec, all, kicked), solved_, touching_.bodies(), notes);
+        touching_.for_each_block(exec, "scatter velocities",
+                                 ScatterVelocities<V>{kicked, solved_.span(), velocity.span()});
+        return;
+      }
+    }
+    solve(exec, all, kicked, velocity, {}, notes);
+  }
+
+  /// After respond(): how far each body moves in addition to its velocity [m].
+  Span<const V> correction(Exec& exec) {
+    other_.resize(share_.size());
+    if constexpr (!Exec::kDefers) {
+      if (touching_.are_few()) {
+        touching_.for_each_block(exec, "correct positions", ScatterCorrections<V>{correction_, other_.span()});
+        return other_.span();
+      }
+    }
+    exec.parallel_for("correct positions", other_.size(), CorrectPosition<V>{correction_, other_.span()});
+    return other_.span();
+  }
+
+  /// After respond(): moves the bodies by their new velocities, and in addition.
+  void drift(Exec& exec, Real dt, Span<const V> velocity, Span<V> position) const {
+    if constexpr (!Exec::kDefers) {
+      if (touching_.are_few()) {
+        touching_.for_each_block(exec, "correct positions and drift",
+                                 DriftBlock<V>{correction_, dt, velocity, position});
+        return;
+      }
+    }
+    exec.parallel_for("correct positions and drift", position.size(), DriftCorrected<V>{correction_, dt, position});
+  }
+
+  int64_t bytes() const {
+    return share_.bytes() + constraints_.bytes() + other_.bytes() + low_.bytes() + high_.bytes() + exchanged_.bytes() +
+           next_exchanged_.bytes() + colours_.bytes() + solved_.bytes() + touching_.bytes();
+  }
+
+ private:
+  /// Solves all contacts of a view. `bodies` has the index of each of its bodies among all bodies; empty if the view has
+  /// all.
+  void solve(Exec& exec, const ImpulseView<V>& view, const KickedVelocity<V>& kicked, Buffer<V>& velocity,
+             Span<const int> bodies, const ImpulseNotes<V>& notes) {
+    const int64_t n = view.bodies.size(), m = view.contacts.pairs.size();
+    velocity.resize(n);
     other_.resize(n);
     constraints_.resize(m);
-    const ImpulseView<V> view{bodies, walls, contacts, share_.span(), parameters_, dt};
-    exec.parallel_for("count shares", n, CountShares<V>{view, share_.span()});
-    exec.parallel_for("constrain contacts", contacts.count(), ConstrainContact<V>{view, constraints_.span()});
+    exec.parallel_for("constrain contacts", view.contacts.count(), ConstrainContact<V>{view, constraints_.span()});
     exchanged_.resize(m);
-    for (Buffer<V>* sums : {&low_, &high_}) sums->resize(walls.box.is_periodic() ? 0 : n);
+    for (Buffer<V>* sums : {&low_, &high_}) sums->resize(view.walls.box.is_periodic() ? 0 : n);
     const WallSums<V> wall_sums{low_.span(), high_.span()};
     if (parameters_.is_by_colour) {
       solve_by_colour(exec, view, kicked, velocity, wall_sums);
@@ -166,28 +219,11 @@ class ImpulseResponse {
     }
     if (notes.are_kept()) {
       exec.parallel_for("note impulses", m, NoteSum<Real>{exchanged_.span(), notes.contact});
-      exec.parallel_for("note impulses", low_.size(), NoteFloorSum<V>{view, wall_sums, notes.floor});
+      exec.parallel_for("note impulses", low_.size(), NoteFloorSum<V>{view, wall_sums, bodies, notes.floor});
     }
     correction_ = {view, constraints_.span(), velocity.span()};
   }
 
-  /// After respond(): how far each body moves in addition to its velocity [m].
-  Span<const V> correction(Exec& exec) {
-    exec.parallel_for("correct positions", other_.size(), CorrectPosition<V>{correction_, other_.span()});
-    return other_.span();
-  }
-
-  /// After respond(): moves the bodies by their new velocities, and in addition.
-  void drift(Exec& exec, Real dt, Span<V> position) const {
-    exec.parallel_for("correct positions and drift", position.size(), DriftCorrected<V>{correction_, dt, position});
-  }
-
-  int64_t bytes() const {
-    return share_.bytes() + constraints_.bytes() + other_.bytes() + low_.bytes() + high_.bytes() + exchanged_.bytes() +
-           next_exchanged_.bytes() + colours_.bytes();
-  }
-
- private:
   void solve_at_once(Exec& exec, const ImpulseView<V>& view, const KickedVelocity<V>& kicked, Buffer<V>& velocity,
                      const WallSums<V>& walls) {
     next_exchanged_.resize(exchanged_.size());
@@ -224,6 +260,8 @@ class ImpulseResponse {
   Buffer<V> low_, high_;  // impulses from walls [kg·m/s]
   Buffer<Real> exchanged_, next_exchanged_;
   ContactColours<V, Exec> colours_;
+  TouchingBodies<V, Exec> touching_;
+  Buffer<V> solved_;  // velocities of bodies that touch something, where those are few
 };
 
 }  // namespace ballpit

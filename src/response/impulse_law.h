@@ -121,26 +121,29 @@ template <class V>
 struct NoteFloorSum {
   ImpulseView<V> view;
   WallSums<V> walls;
+  Span<const int> body;  ///< the index of body i in the notes; empty: i
   Span<Scalar<V>> notes;
 
   HOST_DEVICE void operator()(int i) const {
     view.for_each_wall(i, [&](int axis, int side, Scalar<V>) {
-      if (axis == 1 && side < 0) notes[i] += walls.at(i, axis, side);
+      if (axis == 1 && side < 0) notes[body.empty() ? i : body[i]] += walls.at(i, axis, side);
     });
   }
 };
 
 /// Kernel: the number of contacts that share the mass of body i. Walls at right angles are independent, so they have
-/// one share together.
+/// one share together. Returns whether there are any.
 template <class V>
 struct CountShares {
   ImpulseView<V> view;
   Span<Scalar<V>> share;
 
-  HOST_DEVICE void operator()(int i) const {
+  HOST_DEVICE bool operator()(int i) const {
     int walls = 0;
     view.for_each_wall(i, [&](int, int, Scalar<V>) { walls = 1; });
-    share[i] = static_cast<Scalar<V>>(view.contacts.count_of(i) + walls);
+    const int shares = view.contacts.count_of(i) + walls;
+    share[i] = static_cast<Scalar<V>>(shares);
+    return shares != 0;
   }
 };
 

@@ -58,8 +58,8 @@ class VelocityMotion final : public Motion<V, Exec> {
 
  private:
   void drift(Exec& exec, Real h, Span<const V> velocity, Span<V> position) {
-    if constexpr (requires { response_.drift(exec, h, position); }) {
-      response_.drift(exec, h, position);
+    if constexpr (requires { response_.drift(exec, h, velocity, position); }) {
+      response_.drift(exec, h, velocity, position);
     } else {
       exec.parallel_for(
           "drift", position.size() * kDimensions<V>,

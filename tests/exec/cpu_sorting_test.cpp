@@ -87,11 +87,9 @@ TEST_CASE("the values of pairs may be of any plain type") {
 
 namespace {
 
-/// Bins n indices by random keys below `used` into `bins` bins, and compares with the definition.
-void check_binning(int64_t n, int bins, int used, int threads) {
-  INFO("n " << n << ", bins " << bins << " of which " << used << " are used, threads " << threads);
-  const std::vector<int> keys = random_values<int>(n, static_cast<uint64_t>(used), 7);
-  std::vector<int> offsets(static_cast<size_t>(bins) + 1, -1), order(static_cast<size_t>(n), -1);
+/// Bins indices by their keys into `bins` bins, and compares with the definition.
+void check_binning_of(const std::vector<int>& keys, int bins, int threads) {
+  std::vector<int> offsets(static_cast<size_t>(bins) + 1, -1), order(keys.size(), -1);
   std::vector<int> expected(offsets.size(), 0);
   for (const int key : keys) ++expected[static_cast<size_t>(key) + 1];
   std::partial_sum(expected.begin(), expected.end(), expected.begin());
@@ -101,6 +99,12 @@ void check_binning(int64_t n, int bins, int used, int threads) {
       "bin", [&](int i) { return keys[static_cast<size_t>(i)]; }, span_of(offsets), span_of(order));
   REQUIRE(order == stably_sorted(keys));
   REQUIRE(offsets == expected);
+}
+
+/// The same with n random keys below `used`.
+void check_binning(int64_t n, int bins, int used, int threads) {
+  INFO("n " << n << ", bins " << bins << " of which " << used << " are used, threads " << threads);
+  check_binning_of(random_values<int>(n, static_cast<uint64_t>(used), 7), bins, threads);
 }
 
 }  // namespace
@@ -114,6 +118,23 @@ TEST_CASE("bin puts indices into bins, in their order, and notes where each bin 
     check_binning(n, 5000, 5000, threads);
     check_binning(n, 600000, 600000, threads);  // more bins than indices: most are empty, and blocks are few
   }
+}
+
+TEST_CASE("keys that are nearly sorted, of few bins or all equal are binned the same by any number of threads") {
+  const int threads = GENERATE(1, 2, 8);
+  const int n = GENERATE(5000, 100000), bins = GENERATE(5000, 100000, 400000);
+  INFO("n " << n << ", bins " << bins << ", threads " << threads);
+  const std::vector<int> jitter = random_values<int>(n, 50, 5);
+  std::vector<int> rising, last_few;
+  for (int i = 0; i < n; ++i) {
+    rising.push_back(std::min(static_cast<int>(int64_t(i) * bins / n) + jitter[static_cast<size_t>(i)], bins - 1));
+    last_few.push_back(bins - 1 - jitter[static_cast<size_t>(i)]);
+  }
+  check_binning_of(rising, bins, threads);
+  check_binning_of({rising.rbegin(), rising.rend()}, bins, threads);
+  check_binning_of(last_few, bins, threads);
+  check_binning_of(std::vector<int>(static_cast<size_t>(n), 0), bins, threads);
+  check_binning_of(std::vector<int>(static_cast<size_t>(n), bins - 1), bins, threads);
 }
 
 TEST_CASE("nothing in no bins leaves one offset, zero") {
