@@ -83,7 +83,7 @@ class TimedWorld {
     own.threads = which.threads;
     own.dt = kGasStep;
     world_ = which.backend.make_world(gas, own);
-    world_->step();  // allocates memory, which no later step does
+    world_->step();  // the first one allocates most of its memory
     start_ = world_->report().stages;
     reported_ = world_->report().stages;
     run(1);  // its contacts were detected for the report
